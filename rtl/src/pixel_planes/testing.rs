@@ -1,12 +1,13 @@
-//! What tests share: primitives by the contract's formulas alone (facts E0), and instructions at random.
+//! What tests share: primitives by the contract's formulas alone (facts E0), instructions at random, and expressions bit by bit.
 
 use proptest::prelude::*;
+use tilewright_sim::Simulation;
 
 use super::instruction::{Instruction, Operation};
 use super::linear_tree::Coefficients;
 use super::pixel::Source;
 use super::programs::{Expression, Quadratic, Surface};
-use crate::prelude::Codes;
+use crate::prelude::{Block, Bundle, Codes};
 
 /// A polygon relative to a region.
 #[derive(Debug, Clone)]
@@ -206,4 +207,54 @@ pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = 
             Instruction { operation: operation.code(), skip, length, read, write, coefficients }
         },
     )
+}
+
+/// An expression sent to a tree, A to C or A to F, and how many of its bits are sent.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sent<const N: usize> {
+    pub coefficients: [u64; N],
+    pub bits: u32,
+    /// Clocks in which something is sent that belongs to no expression.
+    pub pause: u32,
+}
+
+impl<const N: usize> Sent<N> {
+    /// A bit of each coefficient, or what is sent in a pause.
+    fn inputs(&self, clock: u32) -> [u64; N] {
+        self.coefficients.map(|number| if clock < self.bits { number >> clock & 1 } else { 1 })
+    }
+
+    /// A bit of A x + B y + C + D x^2 + E x y + F y^2.
+    fn bit(&self, clock: u32, [x, y]: [u64; 2]) -> u64 {
+        let terms = self.coefficients.iter().zip([x, y, 1, x * x, x * y, y * y]);
+        let sum = terms.fold(0, |sum: u64, (number, times)| sum.wrapping_add(number.wrapping_mul(times)));
+        sum >> clock & 1
+    }
+}
+
+/// Sends expressions one after another to a tree over so many pixels a side, and compares the bits of each pixel, so many clocks later, with the formula.
+/// `inputs` makes the tree's inputs of a bit of each coefficient, and of whether it is the first.
+pub(super) fn expect_sums<B: Block, const N: usize>(
+    (tree, side, latency): (&B, u32, u32),
+    inputs: impl Fn([u64; N], bool) -> <B::In as Bundle>::Of<u64>,
+    all: &[Sent<N>],
+) {
+    let mut sim = Simulation::of(tree).unwrap().seeded(u64::from(side));
+    let value = sim.port("value").unwrap();
+    sim.reset();
+    let clocks = all.iter().flat_map(|sent| (0..sent.bits + sent.pause).map(move |clock| (sent, clock)));
+    let clocks: Vec<_> = clocks.collect();
+    let (latency, side) = (latency as usize, u64::from(side));
+    for time in 0..clocks.len() + latency {
+        if let Some((sent, clock)) = clocks.get(time) {
+            sim.drive(inputs(sent.inputs(*clock), *clock == 0));
+        }
+        let arrived = time.checked_sub(latency).map(|sent| clocks[sent]);
+        if let Some((sent, clock)) = arrived.filter(|(sent, clock)| *clock < sent.bits) {
+            let bit = |pixel| sent.bit(clock, [pixel % side, pixel / side]);
+            let expected: Vec<u64> = (0..side * side).map(bit).collect();
+            assert_eq!(sim.lanes(value), expected, "bit {clock} of {sent:?}");
+        }
+        sim.step();
+    }
 }

@@ -1,5 +1,7 @@
 //! What the tests of the blocks share: polygons at random, and blocks that divide windows with pauses on both sides.
 
+use std::cell::Cell;
+
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
 
@@ -104,12 +106,16 @@ pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
     let t = sim.testbench();
     t.limit(1_000_000);
     let pauses = |percent, seed| Pauses::percent(percent, seed);
+    // All windows are in the block, and so many parts have come.
+    let (is_sent, received) = (Cell::new(false), Cell::new(0));
     let send = async {
         let mut pauses = pauses(stalls.senders, stalls.seed);
         for work in works {
             t.wait(pauses.next_length().into()).await;
             t.send_bits(i, work).await;
         }
+        t.step().await;
+        is_sent.set(true);
     };
     let receive = async {
         let mut pauses = pauses(stalls.receivers, stalls.seed.wrapping_add(1));
@@ -117,10 +123,18 @@ pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
         for _ in 0..count {
             t.wait(pauses.next_length().into()).await;
             parts.push(without_other_edges(t.receive_bits(o.parts).await));
+            received.set(parts.len());
         }
         parts
     };
-    let ((), parts, ()) = t.run((send, receive, monitor(t.holds_bits(o.parts))));
+    let busy = async {
+        loop {
+            t.step().await;
+            let holds_some = is_sent.get() && received.get() < count;
+            assert!(!(holds_some && t.get(o.idle).bit(0)), "a block that holds windows is not idle");
+        }
+    };
+    let ((), parts, _, ()) = t.run((send, receive, monitor(busy), monitor(t.holds_bits(o.parts))));
     let still = async {
         t.until(o.idle).await;
         t.expect_silence(o.parts, 20).await;

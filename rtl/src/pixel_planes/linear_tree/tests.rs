@@ -3,41 +3,16 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
+use super::super::testing::{self, Sent};
 use super::*;
 
-/// An expression, and how many of its bits are sent.
-#[derive(Debug, Clone, Copy)]
-struct Sent {
-    coefficients: [u64; 3],
-    bits: u32,
-    /// Clocks in which something is sent that belongs to no expression.
-    pause: u32,
+fn inputs([a, b, c]: [u64; 3], first: bool) -> LinearTreeIn<u64> {
+    LinearTreeIn { coefficients: Coefficients { a, b, c }, first: first.into() }
 }
 
-/// Sends expressions one after another, and compares each pixel's bits with a x + b y + c.
-fn expect_sums(side: u32, all: &[Sent]) {
+fn expect_sums(side: u32, all: &[Sent<3>]) {
     let tree = LinearTree { side };
-    let mut sim = Simulation::of(&tree).unwrap().seeded(u64::from(side));
-    sim.reset();
-    let clocks = all.iter().flat_map(|sent| (0..sent.bits + sent.pause).map(move |clock| (*sent, clock)));
-    let clocks: Vec<(Sent, u32)> = clocks.collect();
-    for time in 0..clocks.len() + tree.latency() as usize {
-        if let Some(&(Sent { coefficients, bits, .. }, clock)) = clocks.get(time) {
-            let [a, b, c] = coefficients.map(|number| if clock < bits { number >> clock & 1 } else { 1 });
-            sim.drive(LinearTreeIn { coefficients: Coefficients { a, b, c }, first: u64::from(clock == 0) });
-        }
-        if let Some(&(Sent { coefficients: [a, b, c], bits, .. }, clock)) = time
-            .checked_sub(tree.latency() as usize)
-            .map(|sent| &clocks[sent])
-            .filter(|(sent, clock)| *clock < sent.bits)
-        {
-            let at = |x: u64, y: u64| a.wrapping_mul(x).wrapping_add(b.wrapping_mul(y)).wrapping_add(c) >> clock & 1;
-            let side = u64::from(side);
-            let expected: Vec<u64> = (0..side * side).map(|pixel| at(pixel % side, pixel / side)).collect();
-            assert_eq!(sim.lanes(sim.o.value), expected, "bit {clock} of {bits} of {a} x + {b} y + {c}");
-        }
-        sim.step();
-    }
+    testing::expect_sums((&tree, side, tree.latency()), inputs, all);
 }
 
 #[test]
@@ -48,8 +23,7 @@ fn each_level_takes_a_clock() {
     // 3 x + 5, and right behind it -x - 1, 4 bits each.
     for (a, c) in [(3, 5), (15, 15), (0, 0)] {
         for clock in 0..4 {
-            let coefficients = Coefficients { a: a >> clock & 1, b: 0, c: c >> clock & 1 };
-            sim.drive(LinearTreeIn { coefficients, first: u64::from(clock == 0) });
+            sim.drive(inputs([a >> clock & 1, 0, c >> clock & 1], clock == 0));
             sim.step();
         }
     }

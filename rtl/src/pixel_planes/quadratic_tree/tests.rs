@@ -4,52 +4,16 @@ use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
 use super::super::linear_tree::{LinearTree, LinearTreeIn};
+use super::super::testing::{self, Sent};
 use super::*;
-
-/// An expression, and how many of its bits are sent.
-#[derive(Debug, Clone, Copy)]
-struct Sent {
-    /// A to F.
-    coefficients: [u64; 6],
-    bits: u32,
-    /// Clocks in which something is sent that belongs to no expression.
-    pause: u32,
-}
-
-/// The value at a pixel, modulo 2^64.
-fn at([a, b, c, d, e, f]: [u64; 6], x: u64, y: u64) -> u64 {
-    let terms = [(a, x), (b, y), (c, 1), (d, x * x), (e, x * y), (f, y * y)];
-    terms.iter().fold(0, |sum: u64, (coefficient, times)| sum.wrapping_add(coefficient.wrapping_mul(*times)))
-}
 
 fn inputs([a, b, c, d, e, f]: [u64; 6], first: bool) -> QuadraticTreeIn<u64> {
     QuadraticTreeIn { coefficients: Coefficients { a, b, c }, curve: Curve { d, e, f }, first: first.into() }
 }
 
-/// Sends expressions one after another, and compares each pixel's bits with the formula.
-fn expect_sums(side: u32, all: &[Sent]) {
+fn expect_sums(side: u32, all: &[Sent<6>]) {
     let tree = QuadraticTree { side };
-    let mut sim = Simulation::of(&tree).unwrap().seeded(u64::from(side));
-    sim.reset();
-    let clocks = all.iter().flat_map(|sent| (0..sent.bits + sent.pause).map(move |clock| (*sent, clock)));
-    let clocks: Vec<(Sent, u32)> = clocks.collect();
-    for time in 0..clocks.len() + tree.latency() as usize {
-        if let Some(&(Sent { coefficients, bits, .. }, clock)) = clocks.get(time) {
-            let sent = coefficients.map(|number| if clock < bits { number >> clock & 1 } else { 1 });
-            sim.drive(inputs(sent, clock == 0));
-        }
-        if let Some(&(Sent { coefficients, bits, .. }, clock)) = time
-            .checked_sub(tree.latency() as usize)
-            .map(|sent| &clocks[sent])
-            .filter(|(sent, clock)| *clock < sent.bits)
-        {
-            let side = u64::from(side);
-            let bit = |pixel| at(coefficients, pixel % side, pixel / side) >> clock & 1;
-            let expected: Vec<u64> = (0..side * side).map(bit).collect();
-            assert_eq!(sim.lanes(sim.o.value), expected, "bit {clock} of {bits} of {coefficients:?}");
-        }
-        sim.step();
-    }
+    testing::expect_sums((&tree, side, tree.latency()), inputs, all);
 }
 
 #[test]

@@ -162,6 +162,31 @@ fn the_planes_of_a_line_stay_together() {
 }
 
 #[test]
+fn what_goes_has_to_be_taken_and_only_that() {
+    for slow in 0..3 {
+        let mut sim = started(&Ring::new(2, 8, 1000).unwrap());
+        let mut waiting = Waiting { bins: vec![None; 2], room: vec![true; 2], finished: vec![None; 2] };
+        let mut ready = [sim.o.instructions[0].ready, sim.o.instructions[1].ready, sim.o.planes.ready].into_iter();
+        sim.set(ready.nth(slow).unwrap(), 0);
+        sim.drive(waiting.inputs());
+        sim.step();
+        let message = match slow {
+            0 | 1 => {
+                waiting.bins[slow] = Some(1);
+                "a queue that has room takes an instruction"
+            }
+            _ => {
+                waiting.finished[0] = Some(BitPlane { region: 0, line: 0, plane: 0, bits: 0 });
+                "the frame buffer takes each plane"
+            }
+        };
+        sim.drive(waiting.inputs());
+        let problem = sim.try_step().unwrap_err().to_string();
+        assert!(problem.contains(message), "{problem}");
+    }
+}
+
+#[test]
 fn a_rate_has_to_be_a_number_of_bits_in_each_clock() {
     let complaint = |megabits| Ring::bits_a_clock(megabits).unwrap_err().to_string();
     let sentence = "a ring of 5001 Mbit/s: it brings a whole number of bits in each clock of 25 ns, \

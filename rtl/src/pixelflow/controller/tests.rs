@@ -193,6 +193,22 @@ fn the_texture_unit_is_awaited_until_it_has_done() {
     assert_eq!(starts, [0, 0, 0, 0, 0, 1, 0, 0]);
 }
 
+#[test]
+fn what_is_given_is_given_with_the_last_byte() {
+    let given = |next: Instruction<u64>| {
+        let mut given = Vec::new();
+        watched(&mut started(1), &[next], 8, |out| given.push([out.given.banks, out.given.texture]));
+        given
+    };
+    // One on the memory, and one on the evaluator: the pixels have their bytes in clocks 4 to 6.
+    for word in [fill(3, 288), evaluate(0, 3)] {
+        for (sync, last) in [(Sync::GiveBank, [2, 0]), (Sync::StartTexture, [0, 1])] {
+            let expected = [0, 1, 2, 3, 4, 5, 6, 7].map(|clock| if clock == 6 { last } else { [0, 0] });
+            assert_eq!(given(Instruction { sync: sync.code(), ..word }), expected);
+        }
+    }
+}
+
 /// Clocks from the first instruction of a primitive to that of the next, when many of a kind come.
 fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
@@ -283,10 +299,21 @@ fn what_skips_without_an_expression_is_an_error() {
     taken_wrongly(Instruction { skip: 1, ..fill(1, 0) });
 }
 
+/// Each of them is refused, with that message.
+fn expect_refused(wrong: &[Instruction<u64>], message: &str) {
+    for wrong in wrong {
+        let mut sim = started(1);
+        sim.drive(inputs(Some(wrong), 1));
+        let problem = sim.try_step().unwrap_err().to_string();
+        assert!(problem.contains(message), "{wrong:?}: {problem}");
+    }
+}
+
 #[test]
-#[should_panic(expected = "a word is within the memory of 384 bytes")]
 fn a_word_that_reaches_beyond_the_memory_is_an_error() {
-    taken_wrongly(fill(5, 380));
+    let reads = |length, read| Instruction { read, ..fill(length, 0) };
+    let wrong = [fill(5, 380), fill(1, 511), reads(5, 380), reads(1, 511)];
+    expect_refused(&wrong, "a word is within the memory of 384 bytes");
 }
 
 #[test]
@@ -302,9 +329,17 @@ fn words_at_both_ends_of_the_memory_are_taken() {
 }
 
 #[test]
-#[should_panic(expected = "each field has a code that there is")]
 fn a_code_that_does_not_exist_is_an_error() {
-    taken_wrongly(Instruction { function: 11, ..fill(1, 0) });
+    let word = fill(1, 0);
+    let wrong = [
+        Instruction { function: 11, ..word },
+        Instruction { begin: 3, ..word },
+        Instruction { condition: 3, ..word },
+        Instruction { enabling: 7, ..word },
+        Instruction { flagging: 3, ..word },
+        Instruction { sync: 5, ..word },
+    ];
+    expect_refused(&wrong, "each field has a code that there is");
 }
 
 #[test]

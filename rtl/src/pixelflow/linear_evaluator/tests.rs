@@ -72,6 +72,25 @@ fn each_level_takes_a_clock() {
     );
 }
 
+#[test]
+fn a_reset_ends_what_is_under_way() {
+    let evaluator = LinearEvaluator { width: 8, height: 8 };
+    let mut sim = Simulation::of(&evaluator).unwrap();
+    for byte in 0..10 {
+        let [a, b, c] = [3, 5, 37 * byte % 256];
+        let [first, sends] = [u64::from(byte == 0), 1];
+        sim.drive(LinearEvaluatorIn { coefficients: Coefficients { a, b, c }, first, sends });
+        sim.step();
+    }
+    sim.set(sim.i.sends, 0);
+    sim.reset();
+    let value = sim.lanes(sim.o.value);
+    for _ in 0..=evaluator.latency() {
+        sim.step();
+        assert_eq!(sim.lanes(sim.o.value), value);
+    }
+}
+
 /// All places to which a bit of a coefficient is shifted, and all carries between its two bytes.
 #[test]
 fn it_gives_all_sums_of_two_bytes_whose_border_is_crossed() {

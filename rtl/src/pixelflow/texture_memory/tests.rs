@@ -18,6 +18,13 @@ pub fn texel(texture: u64, level: u32, i: u64, j: u64) -> u64 {
     (texture * 0x35_0113 + u64::from(level) * 0x9_0461 + i * 0x1_0301 + j * 0x2_1007) & 0xff_ffff
 }
 
+/// The write that brings in a texel of a texture with that base.
+fn written(texture: u64, base: u64, (level, i, j): (u32, u64, u64)) -> TextureMemoryIn<u64> {
+    let TexelAddress { bank, address } = TextureMemory::place(base, level, i, j);
+    let write = TexelWrite { valid: 1, bank, address, texel: texel(texture, level, i, j) };
+    TextureMemoryIn { write, ..NONE }
+}
+
 /// The writes that bring in textures of these finest levels, and the addresses that they take.
 pub fn contents(finest: &[u32]) -> (Vec<TextureMemoryIn<u64>>, u64) {
     let (mut writes, mut base) = (Vec::new(), 0);
@@ -27,27 +34,29 @@ pub fn contents(finest: &[u32]) -> (Vec<TextureMemoryIn<u64>>, u64) {
         for (level, (i, j)) in (0..=finest)
             .flat_map(|level| (0..1 << level).flat_map(move |j| (0..1 << level).map(move |i| (level, (i, j)))))
         {
-            let TexelAddress { bank, address } = TextureMemory::place(base, level, i, j);
-            let write = TexelWrite { valid: 1, bank, address, texel: texel(texture, level, i, j) };
-            writes.push(TextureMemoryIn { write, ..NONE });
+            writes.push(written(texture, base, (level, i, j)));
         }
         base += TextureMemory::size(finest);
     }
     (writes, base)
 }
 
-/// By definition: the place on a level is u times its side less half a texel, and textures repeat.
-pub fn around(texture: u64, finest: u32, [u, v]: [u64; 2], level: u64) -> Vec<u64> {
-    let texels = (0..8u64).map(|number| {
+/// By definition: the place on a level is u times its side less half a texel, and textures repeat. Levels, columns and rows.
+fn places_around(finest: u32, [u, v]: [u64; 2], level: u64) -> impl Iterator<Item = (u32, u64, u64)> {
+    (0..8u64).map(move |number| {
         let level = (level + (number >> 2)).min(finest.into()) as u32;
         let side = 1i64 << level;
         let near = |part: u64, next: u64| {
             let left = (((part as i64) << level) - (1 << 15)).div_euclid(1 << 16);
             (left + next as i64).rem_euclid(side) as u64
         };
-        texel(texture, level, near(u, number & 1), near(v, number >> 1 & 1))
-    });
-    texels.collect()
+        (level, near(u, number & 1), near(v, number >> 1 & 1))
+    })
+}
+
+/// The texels around a place.
+pub fn around(texture: u64, finest: u32, place: [u64; 2], level: u64) -> Vec<u64> {
+    places_around(finest, place, level).map(|(level, i, j)| texel(texture, level, i, j)).collect()
 }
 
 fn started(texels: u32, textures: u32, writes: &[TextureMemoryIn<u64>]) -> Memory {
@@ -107,6 +116,27 @@ proptest! {
                 prop_assert_eq!(sim.lanes(sim.o.texels), around(texture, finest[texture as usize], place, level));
             }
             sim.step();
+        }
+    }
+}
+
+/// Only the texels around a few places of a texture of 1024 x 1024 are written.
+#[test]
+fn it_has_the_texels_of_the_finest_levels() {
+    const FINEST: u32 = TextureMemory::FINEST;
+    let describe = Describe { valid: 1, texture: 0, base: 5, finest: FINEST.into() };
+    let describe = TextureMemoryIn { describe, ..NONE };
+    let mut sim = started(5 + TextureMemory::size(FINEST) as u32, 1, &[describe]);
+    for level in 0..=u64::from(FINEST) {
+        for place in [[0, 0xffff], [0xffff, 0], [0x5555, 0xaaaa]] {
+            let [u, v] = place;
+            let writes = places_around(FINEST, place, level).map(|texel| written(0, 5, texel));
+            let request = TexturePlace { valid: 1, u, v, level, texture: 0 };
+            for inputs in writes.chain([TextureMemoryIn { request, ..NONE }, NONE, NONE]) {
+                sim.drive(inputs);
+                sim.step();
+            }
+            assert_eq!(sim.lanes(sim.o.texels), around(0, FINEST, place, level), "level {level}, {place:x?}");
         }
     }
 }

@@ -99,3 +99,13 @@ fn a_region_of_8192_pixels_takes_82_56_us() {
     assert_eq!(clocks, 8256);
     assert!(clocks * super::super::ARRAY.period.picoseconds() < 95_000_000);
 }
+
+#[test]
+#[should_panic(expected = "the texture unit begins when it has done")]
+fn a_second_start_is_an_error() {
+    let memory = TextureMemory { texels: contents(&[0]).1 as u32, textures: 1 };
+    let mut sim = Simulation::of(&TextureUnit { chips: 1, pixels: 1, memory }).unwrap();
+    sim.reset();
+    sim.set(sim.i.start, 1);
+    sim.run(2);
+}

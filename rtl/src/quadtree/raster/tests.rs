@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
 
+use super::super::format::{Matrix, Work};
 use super::super::model::{Convex, Raster};
 use super::super::testing::{NO_STALLS, divide, first, formats, parts, polygons, rasters, small, sorted, stalls};
 use super::*;
@@ -49,6 +50,37 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Stack, pipe and tree each by itself, with windows that are anywhere.
+    #[test]
+    fn each_part_divides_any_windows(
+        polygons in prop::collection::vec(polygons(unequal()), 1..4),
+        (from, levels) in prop::sample::select(vec![(4, 2), (4, 3), (3, 2), (3, 3), (2, 2)]),
+        (queue, stalls) in (1..4u32, stalls()),
+    ) {
+        let (format, test, raster) = (unequal(), Test::Parallel, first(unequal()));
+        let windows = |size| -> Vec<Work<Bits>> {
+            polygons.iter().flat_map(|polygon| parts(&raster, polygon, raster.root(), size)).collect()
+        };
+        let (works, expected) = (windows(from), sorted(windows(from - levels)));
+        let found = [
+            divide(&Stack { format, test, from, levels }, works.clone(), expected.len(), stalls),
+            divide(&Pipe { format, test, from, levels, queue }, works.clone(), expected.len(), stalls),
+            divide(&Tree { format, test, from, levels, queue }, works, expected.len(), stalls),
+        ];
+        for (parts, _) in found {
+            prop_assert_eq!(&sorted(parts), &expected);
+        }
+    }
+}
+
+/// 13x11 samples, which are divided four times; polygons of up to five edges.
+fn unequal() -> Format {
+    Format::new(Screen { width: 13, height: 11 }, Matrix::new(1, 1).unwrap(), 5).unwrap()
+}
+
 /// A polygon around all samples.
 fn all(raster: &Raster) -> (Convex, usize) {
     let Screen { width, height } = raster.format.screen();
@@ -77,6 +109,19 @@ fn a_stack_holds_three_windows_of_each_size_and_no_more() {
     drop(t);
     // An assertion of the stack says that it never holds more: three of each size but that of the root.
     assert_eq!(sim.covered("the stack is full").unwrap(), 1);
+}
+
+/// On each level only the last quarter passes: it is divided next, though the stack is empty and another polygon waits.
+#[test]
+fn a_stack_divides_what_comes_back_before_another_polygon() {
+    let format = Format::new(Screen { width: 16, height: 16 }, small().matrix(), 3).unwrap();
+    let raster = first(format);
+    let polygon = Convex { bounds: [14, 14, 15, 15], ..all(&raster).0 };
+    let work = raster.work(&polygon, raster.root());
+    let leaf = &parts(&raster, &polygon, raster.root(), 0)[..];
+    let processor = processor(format, "stack", Test::Parallel, 1).unwrap();
+    let (found, _) = divide(&processor, vec![work; 2], 2, NO_STALLS);
+    assert_eq!(found, [leaf, leaf].concat());
 }
 
 #[test]

@@ -55,8 +55,7 @@ fn main() -> ExitCode {
 
 /// Has the tests of each block find its mutants, block by block.
 fn judge(options: &Options) -> Result<(), String> {
-    let mut subjects = subjects();
-    subjects.retain(|subject| subject.of.name() == options.of && subject.name.contains(&options.block));
+    let subjects = subjects(|of, name| of.name() == options.of && name.contains(&options.block));
     if subjects.is_empty() {
         let Options { of, block, .. } = options;
         return Err(format!("no block of `{of}` has `{block}` in its name; the crates are `rtl` and `blocks`"));

@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_choice_is_of_every_block_and_the_same_for_a_seed() {
-        let subjects = subjects();
+        let subjects = subjects(|_, _| true);
         let chosen = choose(&subjects, 3 * subjects.len(), 1);
         assert_eq!(chosen, choose(&subjects, 3 * subjects.len(), 1));
         assert_ne!(chosen, choose(&subjects, 3 * subjects.len(), 2));
