@@ -5,7 +5,9 @@ use tilewright_sim::Simulation;
 
 use super::super::format::{Matrix, Work};
 use super::super::model::{Convex, Raster};
-use super::super::testing::{NO_STALLS, divide, first, formats, parts, polygons, rasters, small, sorted, stalls};
+use super::super::testing::{
+    NO_STALLS, Stalls, divide, first, formats, parts, polygons, rasters, small, sorted, stalls,
+};
 use super::*;
 
 const FORMS: [&str; 5] = ["stack", "pipe", "tree:1+pipe", "pipe:1+tree:1+stack", "stack:1+pipe:1+tree"];
@@ -122,6 +124,26 @@ fn a_stack_divides_what_comes_back_before_another_polygon() {
     let processor = processor(format, "stack", Test::Parallel, 1).unwrap();
     let (found, _) = divide(&processor, vec![work; 2], 2, NO_STALLS);
     assert_eq!(found, [leaf, leaf].concat());
+}
+
+/// Whole windows one after another, in which all is full before the first part is taken.
+#[test]
+fn nothing_is_lost_where_the_receiver_is_slow() {
+    let (format, test, from, levels, queue) = (small(), Test::Parallel, 2, 2, 1);
+    let raster = first(format);
+    let (polygon, count) = all(&raster);
+    let works = vec![raster.work(&polygon, raster.root()); 8];
+    let expected = sorted([&parts(&raster, &polygon, raster.root(), 0)[..]; 8].concat());
+    let slow = Stalls { senders: 0, receivers: 90, seed: 7 };
+    let found = [
+        divide(&Pipe { format, test, from, levels, queue }, works.clone(), 8 * count, slow),
+        divide(&Tree { format, test, from, levels, queue }, works, 8 * count, slow),
+    ];
+    for (found, tally) in found {
+        assert_eq!(sorted(found), expected);
+        let results: Vec<u64> = tally.iter().map(|level| level.results).collect();
+        assert_eq!(results, [8 * 4, 8 * count as u64]);
+    }
 }
 
 #[test]
