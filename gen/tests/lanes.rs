@@ -106,6 +106,11 @@ fn comparisons_with_constants_of_other_lanes() {
 
 /// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
 #[test]
+fn constants_in_what_enters_lanes() {
+    clean(vec![modules::entered_constants()]);
+}
+
+#[test]
 fn constants_of_the_lanes_that_decide() {
     clean(vec![modules::decided()]);
 }

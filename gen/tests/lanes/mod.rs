@@ -402,3 +402,20 @@ pub fn passed_constants() -> Module {
     }
     b.module.clone()
 }
+
+/// What enters rows of registers, and stands beside it, is computed of a constant for each row.
+pub fn entered_constants() -> Module {
+    let b = &mut Build::new("entered_constants");
+    let x = b.input("x", 3, Shape::Row(2));
+    let numbers = [2, 3].map(|number| b.constant(3, number, Shape::Plain));
+    let numbers = b.stack(&numbers, 0);
+    let entered = b.xor(numbers, x);
+    let value = b.register("value", 3, Shape::Grid(2, 4), zero(3));
+    let next = b.map(value, 1, 4, Affine::shift(-1), Some(entered));
+    b.next(value, None, next);
+    let sum = b.add(numbers, x);
+    let beside = b.stack(&[x, sum], 1);
+    b.output("values", value);
+    b.output("beside", beside);
+    b.module.clone()
+}

@@ -175,9 +175,7 @@ impl Planner<'_> {
                 self.keep_constants(vec![amount]);
             }
             for of in lists(&self.module.node(id).op) {
-                if self.form(of) == Form::Constants {
-                    self.set(of, Form::Net);
-                }
+                self.name_constants(of);
             }
             self.join_packs(id);
         }

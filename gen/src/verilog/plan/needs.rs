@@ -20,6 +20,18 @@ impl Planner<'_> {
         }
     }
 
+    /// Makes nets of the constants that an expression reads: it stands in a scope of another shape, from where no tool finds a parameter of theirs.
+    pub(super) fn name_constants(&mut self, of: NodeId) {
+        let mut stack = vec![of];
+        while let Some(read) = stack.pop() {
+            match self.form(read) {
+                Form::Constants => self.set(read, Form::Net),
+                Form::Inline => for_each_read(self.module, read, |read| stack.push(read)),
+                _ => {}
+            }
+        }
+    }
+
     /// What an operand is where operators end that only say where it is.
     fn end_of_places(&self, of: NodeId) -> NodeId {
         let mut end = of;
