@@ -1,11 +1,12 @@
 //! Registers of records: one register for each field.
 
+use std::ops::Deref;
+
 use crate::bundle::Bundle;
 use crate::data::{Fits, value_of_field};
 use crate::operand::{IntoSignal, Value};
 use crate::register::{Reg, Updates};
 use crate::select::condition;
-use std::ops::Deref;
 
 /// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of them are
 /// enabled and updated together.
