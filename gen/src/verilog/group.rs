@@ -10,7 +10,7 @@ use super::literal::{Style, literal};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use super::scope::LANE;
+use super::scope::{LANE, Scope};
 use super::statement::lines;
 use std::collections::BTreeSet;
 use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, Node, NodeId, Op, Shape};
@@ -305,6 +305,11 @@ impl Printer<'_> {
             Some(group) => self.taken.fresh_in(&mut self.lanes.groups[group].scope, LANE, wanted),
             None => self.taken.fresh(wanted),
         }
+    }
+
+    /// The names for a scope in the one at hand, of which it hides none: linters do not want that.
+    pub fn scope_within(&self) -> Scope {
+        self.here.map_or_else(Scope::default, |group| self.lanes.groups[group].scope.clone())
     }
 
     fn lane_instance(&mut self, group: usize, id: InstanceId) -> Vec<String> {

@@ -9,7 +9,6 @@ use super::literal::{Style, literal};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use super::scope::Scope;
 use tilewright_hdl::ir::{NodeId, Op};
 use tilewright_hdl::{Bits, index_width};
 
@@ -119,7 +118,7 @@ impl Printer<'_> {
         let (name, depth) = (self.name(id).to_string(), self.at.len());
         let (i, width) = (self.loop_variable(depth), self.module.width(of));
         let zero = literal(&Bits::zero(width), Style::Count);
-        let mut scope = Scope::default();
+        let mut scope = self.scope_within();
         let mut local = |wanted| self.taken.fresh_in(&mut scope, "level", wanted);
         let (value, pair, last) = (local("value"), local("pair"), local("last"));
         let mut count = self.module.shape(of).extent(axis);

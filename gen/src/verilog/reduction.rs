@@ -5,7 +5,6 @@ use super::layout::{generate, range, with_place};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use super::scope::Scope;
 use tilewright_hdl::ir::{NodeId, Op, Reduction};
 
 impl Printer<'_> {
@@ -33,7 +32,7 @@ impl Printer<'_> {
         let tree = self.label(&format!("{name}_tree"));
         let head = format!("{} begin : {tree}", self.for_lanes(depth, 2 * lanes - 1));
         let (left, right) = (format!("2 * ({i} - {lanes})"), format!("2 * ({i} - {lanes}) + 1"));
-        let mut scope = Scope::default();
+        let mut scope = self.scope_within();
         let mut local = |wanted| self.taken.fresh_in(&mut scope, "tree", wanted);
         let (value, at_leaf, pair) = (local("value"), local("leaf"), local("pair"));
         let (left, right) = (format!("{tree}[{left}].{value}"), format!("{tree}[{right}].{value}"));

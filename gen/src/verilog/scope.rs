@@ -18,7 +18,7 @@ pub struct Names {
 }
 
 /// The names of one scope within a module, such as a lane of an array.
-#[derive(Default)]
+#[derive(Default, Clone)]
 pub struct Scope(BTreeSet<String>);
 
 impl Names {
