@@ -104,12 +104,13 @@ fn comparisons_with_constants_of_other_lanes() {
     clean(vec![modules::passed_constants()]);
 }
 
-/// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
+/// What enters a chain stands in a scope of another shape, from where no parameter of the lanes is found.
 #[test]
 fn constants_in_what_enters_lanes() {
     clean(vec![modules::entered_constants()]);
 }
 
+/// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
 #[test]
 fn constants_of_the_lanes_that_decide() {
     clean(vec![modules::decided()]);

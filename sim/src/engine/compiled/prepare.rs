@@ -95,8 +95,8 @@ impl Compiled {
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let state: Vec<Place> = self.places.iter().filter_map(|place| *place).chain(given.iter().copied()).collect();
         let memories = std::mem::take(&mut self.memories);
-        let passes = self.program.clone();
-        let prepared = self.prepare_of(function, state.into_iter(), &memories, &passes.passes);
+        let program = self.program.clone();
+        let prepared = self.prepare_of(function, state.into_iter(), &memories, &program.passes);
         self.memories = memories;
         prepared
     }
