@@ -2,6 +2,8 @@
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
 
+#[path = "lanes/awkward.rs"]
+mod awkward;
 #[path = "../../hdl/tests/shapes/build.rs"]
 mod build;
 #[path = "golden/compare.rs"]
@@ -94,64 +96,64 @@ fn constants_of_a_grid() {
 /// What no linter sees through in one lane, it may in another.
 #[test]
 fn comparisons_with_constants_of_the_lanes() {
-    let text = clean(vec![modules::comparisons()]);
+    let text = clean(vec![awkward::comparisons()]);
     assert!(text.contains("$signed({2'd0, x[i * 2 +: 2]}) >= $signed("), "{text}");
 }
 
 /// Constants are known through all that lanes take of lanes, or a linter says that a comparison is constant.
 #[test]
 fn comparisons_with_constants_of_other_lanes() {
-    clean(vec![modules::passed_constants()]);
+    clean(vec![awkward::passed_constants()]);
 }
 
 /// What enters a chain stands in a scope of another shape, from where no parameter of the lanes is found.
 #[test]
 fn constants_in_what_enters_lanes() {
-    clean(vec![modules::entered_constants()]);
+    clean(vec![awkward::entered_constants()]);
 }
 
 /// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
 #[test]
 fn constants_of_the_lanes_that_decide() {
-    clean(vec![modules::decided()]);
+    clean(vec![awkward::decided()]);
 }
 
 /// A depth that needs a guard, and one that does not.
 #[test]
 fn data_that_is_read_before_its_memory() {
     for depth in [8, 5] {
-        let text = clean(vec![modules::read_ahead(depth)]);
+        let text = clean(vec![awkward::read_ahead(depth)]);
         assert!(text.contains("_ahead[i].data = data;"), "{text}");
     }
 }
 
 #[test]
 fn a_net_that_is_itself_in_other_lanes() {
-    clean(vec![modules::passed_on()]);
+    clean(vec![awkward::passed_on()]);
 }
 
 #[test]
 fn shifts_by_constants_of_the_lanes() {
-    tools::lint(&print(vec![modules::shifted_out()])).unwrap();
+    tools::lint(&print(vec![awkward::shifted_out()])).unwrap();
 }
 
 #[test]
 fn bits_of_lanes() {
-    clean(vec![modules::bits_of_lanes()]);
+    clean(vec![awkward::bits_of_lanes()]);
 }
 
 #[test]
 fn more_lanes_than_a_vector_or_an_array_holds() {
-    let text = clean(vec![modules::far_pick(1700)]);
+    let text = clean(vec![awkward::far_pick(1700)]);
     assert!(text.contains("begin : picked_by_bit10"), "{text}");
-    let text = clean(vec![modules::far_pick(300)]);
+    let text = clean(vec![awkward::far_pick(300)]);
     assert!(text.contains("begin : picked_by_bit8"), "{text}");
 }
 
 /// A LUT and a multiplexer of two LUTs hold a bit of three lanes; a multiplier and a shifter would be 847 LUTs.
 #[test]
 fn a_pick_is_a_multiplexer() {
-    let files = print(vec![modules::pick_of_three()]);
+    let files = print(vec![awkward::pick_of_three()]);
     if let Some(cells) = tools::cells(&files, tools::Target::Ecp5).unwrap() {
         assert_eq!(cells.keys().filter(|cell| cell.starts_with("MULT")).count(), 0, "{cells:?}");
         assert!(cells["LUT4"] <= 3 * 40, "{cells:?}");
@@ -172,4 +174,13 @@ fn a_systolic_array_is_as_long_however_large() {
     let lines = [2, 8, 64].map(|side| print(vec![machines::systolic(side)])[0].text.lines().count());
     assert_eq!(lines, [lines[0]; 3]);
     assert!(lines[2] < 70, "{lines:?}");
+}
+
+/// Verilator inlines a module, and takes a loop in it for one of the same label around it.
+#[test]
+fn loops_within_loops_have_labels_of_their_own() {
+    let text = clean(awkward::nested());
+    for label in ["u_cell_3", "total_linked_row", "total_tree_4"] {
+        assert!(text.contains(&format!("begin : {label}")), "{text}");
+    }
 }

@@ -341,3 +341,66 @@ fn parameters_that_print_in_several_lines_stand_in_one() {
     let text = clean(&Nest(0));
     assert!(text.contains("\n// Parameters  nest of 0\n"), "{text}");
 }
+
+bundle! {
+    struct ShownOut<T> { u_lane: T }
+    struct HeldOut<T> { y: T, lane: T }
+}
+
+/// Has a port that is called as a lane may be.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Shown;
+
+impl Block for Shown {
+    type In = CellIn;
+    type Out = ShownOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, _: Module, i: CellIn) -> ShownOut {
+        ShownOut { u_lane: i.x + 1 }
+    }
+}
+
+/// Has a port that is called as a lane is, and lanes with a net that is called as one may be.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Held;
+
+impl Block for Held {
+    type In = CellIn;
+    type Out = HeldOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> HeldOut {
+        let shown = m.array("u_shown", 2, &Shown, |row| CellIn { x: row.u_lane.previous(i.x) });
+        HeldOut { y: shown.u_lane.last(), lane: shown.u_lane.sum() }
+    }
+}
+
+/// An array of arrays.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Holding;
+
+impl Block for Holding {
+    type In = CellIn;
+    type Out = HeldOut;
+
+    fn inputs(&self) -> CellIn<Width> {
+        CellIn { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: CellIn) -> HeldOut {
+        let held = m.array("u_held", 3, &Held, |row| CellIn { x: row.y.previous(i.x) });
+        HeldOut { y: held.y.last(), lane: held.lane.sum() }
+    }
+}
+
+#[test]
+fn a_net_in_lanes_within_a_lane_does_not_hide_it() {
+    assert!(clean(&Holding).contains("held u_u_lane"));
+}

@@ -1,7 +1,7 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, pattern, state};
+use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, pattern, states};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
@@ -20,7 +20,7 @@ pub struct Start<'a> {
 impl<'a> Start<'a> {
     /// Takes the names of loop variables from `names`.
     pub fn new(design: &'a Design, dut: &'a str, names: &mut Names) -> Start<'a> {
-        let states = design.modules().iter().map(|module| state(design, module)).collect();
+        let states = states(design);
         let genvars = (0..array_depth(design)).map(|depth| names.fresh(&format!("lane{depth}"))).collect();
         Start { design, states, dut, genvars }
     }

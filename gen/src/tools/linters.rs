@@ -196,21 +196,15 @@ fn all_sources<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
     all
 }
 
-/// Verilator 5.006 breaks at times when it inlines a module that labels a loop as the module around it does. What it breaks on, it is asked
-/// about again without inlining.
 fn verilator(folder: &Folder, designs: &[Files], verilator: Verilator) -> (bool, String) {
-    let lint = |inlining: &[&str]| {
-        let mut command = verilator.command().expect("it is installed");
-        command.args(["--lint-only", "-Wall"]).args(inlining);
-        match designs {
-            [files] => command.args(["--top-module", top(files)]),
-            _ => command.arg("-Wno-MULTITOP"),
-        };
-        let (succeeded, output) = folder.run(command.args(all_sources(designs)));
-        (succeeded && !output.contains('%'), output)
+    let mut command = verilator.command().expect("it is installed");
+    command.args(["--lint-only", "-Wall"]);
+    match designs {
+        [files] => command.args(["--top-module", top(files)]),
+        _ => command.arg("-Wno-MULTITOP"),
     };
-    let (is_clean, output) = lint(&[]);
-    if output.contains("Verilator internal fault") { lint(&["-fno-inline"]) } else { (is_clean, output) }
+    let (succeeded, output) = folder.run(command.args(all_sources(designs)));
+    (succeeded && !output.contains('%'), output)
 }
 
 fn icarus(folder: &Folder, designs: &[Files]) -> (bool, String) {

@@ -307,6 +307,14 @@ impl Printer<'_> {
         }
     }
 
+    /// As [`Self::label`], for a loop whose lanes are read by it.
+    pub fn loop_label(&mut self, wanted: &str) -> String {
+        match self.here {
+            Some(group) => self.taken.fresh_label_in(&mut self.lanes.groups[group].scope, LANE, wanted),
+            None => self.taken.fresh_label(wanted),
+        }
+    }
+
     /// The names for a scope in the one at hand, of which it hides none: linters do not want that.
     pub fn scope_within(&self) -> Scope {
         self.here.map_or_else(Scope::default, |group| self.lanes.groups[group].scope.clone())

@@ -60,6 +60,7 @@ impl GroupNames {
         module: &Module,
         groups: &Groups,
         ports: &BTreeMap<NodeId, String>,
+        printed: &[Names],
         names: &mut [Option<String>],
         taken: &mut Names,
     ) -> GroupNames {
@@ -71,8 +72,8 @@ impl GroupNames {
         let has_lanes = module.nodes.iter().any(|node| !node.shape.is_plain());
         let genvars = if has_lanes { [free(taken), free(taken)] } else { Default::default() };
         let column = if has_grid { taken.fresh("col") } else { String::new() };
-        let scopes = groups.groups.iter().map(|group| ScopeNames::new(design, module, group, groups, names, taken));
-        let mut scopes: Vec<ScopeNames> = scopes.collect();
+        let scope = |group| ScopeNames::new(design, module, group, groups, printed, names, taken);
+        let mut scopes: Vec<ScopeNames> = groups.groups.iter().map(scope).collect();
         for (&id, port) in ports {
             let scope = groups.home(id).map(|home| &mut scopes[home].scope);
             names[id.0 as usize] = scope.map(|scope| taken.fresh_in(scope, LANE, port));
@@ -87,6 +88,7 @@ impl ScopeNames {
         module: &Module,
         group: &Group,
         groups: &Groups,
+        printed: &[Names],
         names: &mut [Option<String>],
         taken: &mut Names,
     ) -> ScopeNames {
@@ -96,17 +98,13 @@ impl ScopeNames {
         for &index in &group.instances {
             let instance = &module.instances[index];
             let child = design.module(instance.module);
-            // What is in the instance must not hide it: linters do not want that.
-            let ports = child.outputs.iter().map(|port| &port.name);
-            let nets = child.nodes.iter().filter_map(|node| node.name.as_ref());
-            let memories = child.memories.iter().map(|memory| &memory.name);
-            let inside: Vec<&String> = ports.chain(nets).chain(memories).collect();
-            let hides = |name: &String| inside.iter().any(|inner| inner.eq_ignore_ascii_case(name));
+            let inside = &printed[instance.module.0 as usize];
             let wanted = if is_array { LANE } else { &instance.name };
             let prefixed = (0..).map(|number| format!("{}{wanted}", "u_".repeat(number)));
-            let free = |name: &String| !hides(name) && (!is_array || !taken.contains(name));
+            // What is in the instance must not hide it: linters do not want that.
+            let free = |name: &String| !inside.hides(name) && (!is_array || !taken.contains(name));
             let name = { prefixed }.find(free).expect("some name is free");
-            let name = if is_array { taken.fresh_in(&mut scope, LANE, &name) } else { name };
+            let name = if is_array { taken.instance_in(&mut scope, LANE, &name) } else { name };
             instances.insert(index, name);
             for (port, output) in child.outputs.iter().zip(&instance.outputs) {
                 let wanted = if is_array { port.name.clone() } else { format!("{}_{}", instance.name, port.name) };
@@ -114,16 +112,16 @@ impl ScopeNames {
             }
         }
         let label = match group.instances[..] {
-            [index] => module.instances[index].name.clone(),
-            _ => taken.fresh(&group_label(module, group, groups, names)),
+            [index] => taken.array_label(&module.instances[index].name),
+            _ => taken.fresh_label(&group_label(module, group, groups, names, taken)),
         };
-        let ahead = (!group.ahead.is_empty()).then(|| taken.fresh(&format!("{label}_ahead")));
+        let ahead = (!group.ahead.is_empty()).then(|| taken.fresh_label(&format!("{label}_ahead")));
         ScopeNames { label, ahead, instances, tables: BTreeMap::new(), scope }
     }
 }
 
-/// `row` or `cells`; with the name of something in it if there are several such groups.
-fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<String>]) -> String {
+/// `row` or `cells`; with the name of something in it if there are several such groups, or one in a module within.
+fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<String>], taken: &Names) -> String {
     let kind = |shape: Shape| match shape {
         Shape::Grid(..) => "cells",
         _ => "row",
@@ -136,7 +134,7 @@ fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<
     let described = registers.chain(group.nets.iter().copied()).filter_map(|id| module.node(id).name.clone());
     let nets = group.nets.iter().filter_map(|id| names[id.0 as usize].clone());
     match described.chain(words).chain(nets).next() {
-        Some(name) if alike > 1 => format!("{name}_{own}"),
+        Some(name) if alike > 1 || taken.is_label(own) => format!("{name}_{own}"),
         _ => own.to_string(),
     }
 }

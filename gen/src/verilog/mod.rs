@@ -37,14 +37,13 @@ mod text;
 mod usage;
 
 use crate::VerilogFile;
-use fold::Folded;
 pub use fold::lower::packed_width;
 pub use layout::{connect, range};
 pub use literal::pattern;
 use printer::Printer;
 pub use scope::{Names, Scope};
 pub use state::{ModuleState, ScopeState, State};
-use tilewright_hdl::ir::{Design, Module};
+use tilewright_hdl::ir::Design;
 
 /// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
 /// module.
@@ -66,22 +65,29 @@ use tilewright_hdl::ir::{Design, Module};
 /// ```
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
-    for (module, latency) in design.modules().iter().zip(design.latencies()) {
-        let folded = simplified(design, module);
-        let text = module::print(&mut Printer::new(design, &folded), latency.as_ref());
-        files.push(VerilogFile { name: format!("{}.v", module.name), text });
-        files.extend(contents::data_files(&folded.module));
-    }
+    print_all(design, |printer, text| {
+        files.push(VerilogFile { name: format!("{}.v", printer.module.name), text });
+        files.extend(contents::data_files(printer.module));
+    });
     files
 }
 
-/// What holds state in a module, by the names that its text has.
-pub fn state(design: &Design, module: &Module) -> ModuleState {
-    Printer::new(design, &simplified(design, module)).state()
+/// What holds state in each module, by the names that its text has.
+pub fn states(design: &Design) -> Vec<ModuleState> {
+    let mut states = Vec::new();
+    print_all(design, |printer, _| states.push(printer.state()));
+    states
 }
 
-fn simplified(design: &Design, module: &Module) -> Folded {
-    let mut folded = fold::fold(design, module);
-    adopt::adopt_names(&mut folded.module);
-    folded
+/// Calls `visit` with each module as it has been printed, and its text.
+fn print_all(design: &Design, mut visit: impl FnMut(&Printer, String)) {
+    let mut names: Vec<Names> = Vec::new();
+    for (module, latency) in design.modules().iter().zip(design.latencies()) {
+        let mut folded = fold::fold(design, module);
+        adopt::adopt_names(&mut folded.module);
+        let mut printer = Printer::new(design, &folded, &names);
+        let text = module::print(&mut printer, latency.as_ref());
+        visit(&printer, text);
+        names.push(printer.taken);
+    }
 }

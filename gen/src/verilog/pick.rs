@@ -124,7 +124,7 @@ impl Printer<'_> {
         let mut count = self.module.shape(of).extent(axis);
         let (mut out, mut before) = (Vec::new(), None::<String>);
         for bit in 0..index_width(count.into()) {
-            let level = self.label(&format!("{name}_by_bit{bit}"));
+            let level = self.loop_label(&format!("{name}_by_bit{bit}"));
             let (select, halves) = (self.bit_or_zero(index, bit), count.div_ceil(2));
             let lane = |printer: &mut Self, lane: String| match &before {
                 Some(before) => format!("{before}[{lane}].{value}"),

@@ -39,16 +39,17 @@ pub struct Printer<'a> {
 }
 
 impl<'a> Printer<'a> {
-    pub fn new(design: &'a Design, folded: &'a Folded) -> Printer<'a> {
+    /// With the names of the modules before it in the design.
+    pub fn new(design: &'a Design, folded: &'a Folded, printed: &[Names]) -> Printer<'a> {
         let Folded { module, resets } = folded;
         let plan = Plan::new(folded);
         let groups = Groups::new(module, &plan, resets);
         let ports = port_values(design, module, &plan);
-        let mut taken = Names::of(design, module);
+        let mut taken = Names::of(design, module, printed);
         let reads = name_reads(module, &mut taken);
         let mut names = name_nodes(design, module, &plan, &reads, resets, &ports, &mut taken);
         let states = StateNames::new(module, &mut taken);
-        let lanes = GroupNames::new(design, module, &groups, &ports, &mut names, &mut taken);
+        let lanes = GroupNames::new(design, module, &groups, &ports, printed, &mut names, &mut taken);
         let usage = Usage::new(module.nodes.len());
         let stated = stated(module, &plan, resets);
         let (here, at) = (None, Vec::new());

@@ -29,7 +29,7 @@ impl Printer<'_> {
             out.push(self.placed(format!("assign {target} = {operator}{vector};"), id));
             return out;
         }
-        let tree = self.label(&format!("{name}_tree"));
+        let tree = self.loop_label(&format!("{name}_tree"));
         let head = format!("{} begin : {tree}", self.for_lanes(depth, 2 * lanes - 1));
         let (left, right) = (format!("2 * ({i} - {lanes})"), format!("2 * ({i} - {lanes}) + 1"));
         let mut scope = self.scope_within();

@@ -11,8 +11,14 @@ pub const LANE: &str = "lane";
 #[derive(Default)]
 pub struct Names {
     module: BTreeSet<String>,
+    /// What its instances are called, which linters do not want to see hidden in it.
+    own: BTreeSet<String>,
     /// The names of all scopes within, of which a new name of the module must be none: it would be hidden there.
     inner: BTreeSet<String>,
+    /// Of all these what is no instance: an instance of the module may not be called so, as it would be hidden in it.
+    declared: BTreeSet<String>,
+    /// The labels of loops whose lanes are read by their names, here and in all modules within.
+    labels: BTreeSet<String>,
     /// For each name that was wanted more than once, the number to try next.
     numbers: BTreeMap<String, u32>,
 }
@@ -22,9 +28,9 @@ pub struct Names {
 pub struct Scope(BTreeSet<String>);
 
 impl Names {
-    /// Every name that the module declares, its own, and those of its instances, which linters do not want to see hidden
-    /// in it.
-    pub fn of(design: &Design, module: &Module) -> Names {
+    /// Every name that the module declares, and its own. `printed` has the names of the modules before it in the design, which are all that it has
+    /// instances of.
+    pub fn of(design: &Design, module: &Module, printed: &[Names]) -> Names {
         let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
         let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));
         let nodes = module.nodes.iter().filter_map(|node| node.name.as_ref());
@@ -35,10 +41,15 @@ impl Names {
         // An array is called either in its lanes.
         let lane = |shape: Shape| if shape.is_plain() { None } else { Some(LANE) };
         let own = own.flat_map(|instance| [Some(instance.name.as_str()), lane(instance.shape)]).flatten();
-        let mut names = Names::default();
-        clocks.chain(ports).chain(nodes).chain(memories).chain(instances).for_each(|name| names.take(name));
-        own.for_each(|name| names.take(name));
-        names.take(&module.name);
+        let within = module.instances.iter().flat_map(|instance| &printed[instance.module.0 as usize].labels);
+        let declared: Vec<&String> = clocks.chain(ports).chain(nodes).chain(memories).collect();
+        let mut names = Names {
+            declared: declared.iter().map(|name| name.to_lowercase()).collect(),
+            own: own.chain([module.name.as_str()]).map(str::to_lowercase).collect(),
+            labels: within.cloned().collect(),
+            ..Names::default()
+        };
+        declared.into_iter().chain(instances).for_each(|name| names.take(name));
         names
     }
 
@@ -47,9 +58,15 @@ impl Names {
         self.module.insert(name.to_lowercase());
     }
 
-    /// Whether the name is in use in the module itself.
+    /// Whether the name is in use in the module itself, or is its own.
     pub fn contains(&self, name: &str) -> bool {
-        self.module.contains(&name.to_lowercase())
+        let name = name.to_lowercase();
+        self.module.contains(&name) || self.own.contains(&name)
+    }
+
+    /// Whether the module would hide an instance of it that is called so.
+    pub fn hides(&self, name: &str) -> bool {
+        self.declared.contains(&name.to_lowercase())
     }
 
     /// The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free in the module and that no scope within
@@ -62,12 +79,20 @@ impl Names {
             *number += 1;
         }
         self.take(&name);
+        self.declared.insert(name.to_lowercase());
         name
     }
 
     /// The wanted name, or the first of `prefix_wanted`, `prefix_wanted_2` ... that is free in the scope and hides
     /// nothing of the module; it is in use in that scope from now on.
     pub fn fresh_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
+        let name = self.instance_in(scope, prefix, wanted);
+        self.declared.insert(name.to_lowercase());
+        name
+    }
+
+    /// As [`Self::fresh_in`], for an instance.
+    pub fn instance_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
         let numbered = (2..).map(|number| format!("{prefix}_{wanted}_{number}"));
         let names = [wanted.to_string(), format!("{prefix}_{wanted}")].into_iter().chain(numbered);
         let is_free = |name: &String| !scope.0.contains(&name.to_lowercase()) && !self.contains(name);
@@ -75,6 +100,35 @@ impl Names {
         scope.0.insert(name.to_lowercase());
         self.inner.insert(name.to_lowercase());
         name
+    }
+
+    /// A fresh name for a loop whose lanes are read by it. No such loop in a module within has it: where Verilator has inlined what is in the lanes of that
+    /// one, it looks for them around the module.
+    pub fn fresh_label(&mut self, wanted: &str) -> String {
+        let mut name = self.fresh(wanted);
+        while !self.labels.insert(name.to_lowercase()) {
+            name = self.fresh(wanted);
+        }
+        name
+    }
+
+    /// As [`Self::fresh_label`], for a loop in a scope.
+    pub fn fresh_label_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
+        let mut name = self.fresh_in(scope, prefix, wanted);
+        while !self.labels.insert(name.to_lowercase()) {
+            name = self.fresh_in(scope, prefix, wanted);
+        }
+        name
+    }
+
+    /// As [`Self::fresh_label`], for an array, whose name is the module's already.
+    pub fn array_label(&mut self, array: &str) -> String {
+        if self.labels.insert(array.to_lowercase()) { array.to_string() } else { self.fresh_label(array) }
+    }
+
+    /// Whether a loop in a module within has this label.
+    pub fn is_label(&self, name: &str) -> bool {
+        self.labels.contains(&name.to_lowercase())
     }
 }
 
@@ -92,5 +146,17 @@ mod tests {
         assert_eq!(names.fresh_in(&mut lane, "lane", "y"), "y");
         assert_eq!(names.fresh_in(&mut other, "lane", "y"), "y", "scopes beside each other do not see each other");
         assert_eq!(names.fresh("y"), "y_2", "the module's name would be hidden in both");
+    }
+
+    #[test]
+    fn no_loop_is_taken_for_one_around_it() {
+        let (mut names, mut lane) = (Names::default(), Scope::default());
+        names.labels.extend(["row", "cell", "sum_tree"].map(String::from));
+        names.take("cell");
+        names.take("pixel");
+        assert_eq!(names.fresh_label("row"), "row_2");
+        assert_eq!([names.array_label("cell"), names.array_label("pixel")], ["cell_2", "pixel"]);
+        assert_eq!(names.fresh_label_in(&mut lane, "lane", "sum_tree"), "lane_sum_tree");
+        assert!(names.is_label("ROW_2") && names.is_label("pixel") && names.is_label("lane_sum_tree"));
     }
 }

@@ -1,0 +1,203 @@
+//! Modules with lanes that some tool has or had something to say of.
+
+use crate::build::Build;
+use crate::modules::zero;
+use tilewright_hdl::ir::*;
+
+/// So many lanes to pick from.
+pub fn far_pick(lanes: u32) -> Module {
+    let b = &mut Build::new("far_pick");
+    let (seed, which) = (b.input("seed", 40, Shape::Plain), b.input("which", 12, Shape::Plain));
+    let lanes = b.broadcast(seed, 0, lanes);
+    let chain = b.delayed("chain", lanes);
+    let next = b.previous(chain, 0, seed);
+    b.next(chain, None, next);
+    let picked = b.pick(chain, 0, which);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// One of three lanes of 40 bits.
+pub fn pick_of_three() -> Module {
+    let b = &mut Build::new("pick_of_three");
+    let (lanes, which) = (b.input("lanes", 40, Shape::Row(3)), b.input("which", 2, Shape::Plain));
+    let picked = b.pick(lanes, 0, which);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// A list of constants.
+fn list(b: &mut Build, width: u32, values: &[u64]) -> NodeId {
+    let parts: Vec<NodeId> = values.iter().map(|&value| b.constant(width, value, Shape::Plain)).collect();
+    b.stack(&parts, 0)
+}
+
+/// Comparisons that are decided in some lanes.
+pub fn comparisons() -> Module {
+    let b = &mut Build::new("comparisons");
+    let (x, which) = (b.input("x", 2, Shape::Row(4)), b.input("which", 8, Shape::Row(3)));
+    let (low, other) = (list(b, 2, &[0, 1, 2, 3]), list(b, 2, &[3, 0, 0, 3]));
+    let reached = b.node(Op::Compare { relation: Relation::Ge, signed: false, operands: [x, low] }, 1, Shape::Row(4));
+    let known = b.node(Op::Compare { relation: Relation::Ge, signed: false, operands: [other, low] }, 1, Shape::Row(4));
+    let both = b.xor(reached, known);
+    b.output("both", both);
+    let places = list(b, 2, &[3, 1, 2, 0]);
+    let grid = b.broadcast(which, 1, 4);
+    let picked = b.pick(grid, 0, places);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// Constants that enable, choose and address.
+pub fn decided() -> Module {
+    let b = &mut Build::new("decided");
+    let row = Shape::Row(4);
+    let x = b.input("x", 3, row);
+    let (on, place) = (list(b, 1, &[0, 1, 1, 0]), list(b, 2, &[0, 1, 3, 2]));
+    let enabled = b.register("enabled", 3, row, None);
+    b.next(enabled, Some(on), x);
+    let chosen = b.register("chosen", 3, row, None);
+    let next = b.mux(on, x, chosen);
+    b.next(chosen, None, next);
+    let kind = list(b, 2, &[2, 0, 1, 2]);
+    let (three, four) = (b.constant(3, 3, row), list(b, 3, &[4, 5, 6, 7]));
+    let constant = b.case(kind, &[three, four], three);
+    let few = b.memory("few", 3, 3, row);
+    let seen = b.read(few, false, place, None);
+    let nowhere = b.input("nowhere", 1, row);
+    b.write(few, nowhere, place, x);
+    let words = b.memory("words", 4, 3, row);
+    b.write(words, on, place, x);
+    let word = b.read(words, true, place, Some(on));
+    for (name, node) in
+        [("enabled_out", enabled), ("chosen_out", chosen), ("constant", constant), ("word", word), ("seen", seen)]
+    {
+        b.output(name, node);
+    }
+    b.module.clone()
+}
+
+/// A row of memories of so many words, whose data a grid reads that the row reads.
+pub fn read_ahead(depth: u32) -> Module {
+    let b = &mut Build::new("read_ahead");
+    let row = Shape::Row(3);
+    let (address, writes) = (b.input("address", 3, row), b.input("writes", 1, row));
+    let id = b.memory("words", depth, 4, row);
+    let data = b.read(id, true, address, None);
+    b.named("data", data);
+    let rows = b.broadcast(data, 0, 2);
+    let numbers = [1, 2].map(|number| b.constant(4, number, row));
+    let numbers = b.stack(&numbers, 0);
+    let sums = b.add(rows, numbers);
+    b.named("sums", sums);
+    let all = b.reduce(Reduction::Xor, sums, 0);
+    let mixed = b.xor(all, data);
+    b.named("mixed", mixed);
+    b.write(id, writes, address, mixed);
+    b.output("out", mixed);
+    b.module.clone()
+}
+
+/// Bits of what is computed and broadcast, and the lane of a row of one that a signal says.
+pub fn bits_of_lanes() -> Module {
+    let b = &mut Build::new("bits_of_lanes");
+    let (x, y) = (b.input("x", 4, Shape::Plain), b.input("y", 1, Shape::Row(1)));
+    let sum = b.add(x, x);
+    let lanes = b.broadcast(sum, 0, 3);
+    let low = b.node(Op::Slice { of: lanes, low: 1 }, 2, Shape::Row(3));
+    let signed = b.node(Op::Extend { of: lanes, signed: true }, 8, Shape::Row(3));
+    let number = b.node(Op::Slice { of: x, low: 0 }, 1, Shape::Plain);
+    let picked = b.pick(y, 0, number);
+    b.output("low", low);
+    b.output("extended", signed);
+    b.output("picked", picked);
+    b.module.clone()
+}
+
+/// Each lane is the one before, with nothing in between.
+pub fn passed_on() -> Module {
+    let b = &mut Build::new("passed_on");
+    let first = b.input("first", 4, Shape::Plain);
+    let lanes = b.node(Op::Wire(NodeId(2)), 4, Shape::Row(5));
+    b.named("lanes", lanes);
+    let before = b.previous(lanes, 0, first);
+    assert_eq!(before, NodeId(2));
+    b.output("out", lanes);
+    b.module.clone()
+}
+
+/// Shifts by constants of the lanes, of which some leave nothing.
+pub fn shifted_out() -> Module {
+    let b = &mut Build::new("shifted_out");
+    let row = Shape::Row(3);
+    let x = b.input("x", 12, row);
+    let amounts = [1, 0xfff, 12].map(|amount| b.constant(12, amount, Shape::Plain));
+    let amounts = b.stack(&amounts, 0);
+    for (name, shift) in [("left", Shift::Left), ("right", Shift::Right), ("arithmetic", Shift::RightSigned)] {
+        let shifted = b.node(Op::Shift(shift, x, amounts), 12, row);
+        b.output(name, shifted);
+    }
+    b.module.clone()
+}
+
+/// Comparisons with constants that lanes take of others: every second one of two rows that are woven, the next one of a row of a grid.
+pub fn passed_constants() -> Module {
+    let b = &mut Build::new("passed_constants");
+    let x = b.input("x", 2, Shape::Row(4));
+    let (even, odd) = (list(b, 2, &[3, 1, 2, 0]), list(b, 2, &[0, 1, 3, 2]));
+    let woven = b.node(Op::Interleave { parts: vec![even, odd], axis: 0 }, 2, Shape::Row(8));
+    let index = Affine { mul: 2, add: 1, div: 1 };
+    let second = b.node(Op::Map { of: woven, axis: 0, index, edge: None }, 2, Shape::Row(4));
+    let grid = b.stack(&[even, odd], 0);
+    let (index, edge) = (Affine { mul: 1, add: 1, div: 1 }, list(b, 2, &[3, 0]));
+    let next = b.node(Op::Map { of: grid, axis: 1, index, edge: Some(edge) }, 2, Shape::Grid(2, 4));
+    let rows = b.broadcast(x, 0, 2);
+    for (name, relation, operands, shape) in
+        [("less", Relation::Lt, [second, x], Shape::Row(4)), ("reached", Relation::Ge, [rows, next], Shape::Grid(2, 4))]
+    {
+        let output = b.node(Op::Compare { relation, signed: false, operands }, 1, shape);
+        b.output(name, output);
+    }
+    b.module.clone()
+}
+
+/// What enters rows of registers, and stands beside it, is computed of a constant for each row.
+pub fn entered_constants() -> Module {
+    let b = &mut Build::new("entered_constants");
+    let x = b.input("x", 3, Shape::Row(2));
+    let numbers = [2, 3].map(|number| b.constant(3, number, Shape::Plain));
+    let numbers = b.stack(&numbers, 0);
+    let entered = b.xor(numbers, x);
+    let value = b.register("value", 3, Shape::Grid(2, 4), zero(3));
+    let next = b.map(value, 1, 4, Affine::shift(-1), Some(entered));
+    b.next(value, None, next);
+    let sum = b.add(numbers, x);
+    let beside = b.stack(&[x, sum], 1);
+    b.output("values", value);
+    b.output("beside", beside);
+    b.module.clone()
+}
+
+/// Rows in rows, down four levels, of arrays, rows and trees that are called the same in each; so many that some are inlined and some are not.
+pub fn nested() -> Vec<Module> {
+    let mut modules = Vec::new();
+    for (level, lanes) in [2, 2, 2, 40].into_iter().enumerate() {
+        let b = &mut Build::new(&format!("nested{level}"));
+        let row = Shape::Row(lanes);
+        let x = b.input("x", 2, Shape::Plain);
+        let inner = match modules.last() {
+            None => b.input("y", 2, row),
+            Some(child) => {
+                let x = b.everywhere(x, row);
+                let y = b.input("y", 2, Shape::Row(2));
+                let y = b.broadcast(y, 0, lanes);
+                b.instance("u_cell", level as u32 - 1, child, row, &[x, y])[0]
+            }
+        };
+        let before = b.previous(inner, 0, x);
+        let total = b.reduce(Reduction::Add, before, 0);
+        b.output("total", total);
+        modules.push(b.module.clone());
+    }
+    modules
+}
