@@ -184,3 +184,15 @@ fn loops_within_loops_have_labels_of_their_own() {
         assert!(text.contains(&format!("begin : {label}")), "{text}");
     }
 }
+
+/// Yosys has to know how wide a `case` is before it has made the lanes behind this one.
+#[test]
+fn choices_by_other_lanes() {
+    clean(vec![awkward::chosen_by_another()]);
+}
+
+/// Linters compute what some lanes are, and complain where that decides a comparison.
+#[test]
+fn ends_of_the_range_in_some_lanes() {
+    clean(vec![awkward::ends_in_some_lanes()]);
+}

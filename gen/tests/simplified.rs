@@ -141,6 +141,17 @@ fn a_comparison_with_the_end_of_the_range_is_known() {
     ]);
 }
 
+/// Beyond the last word is zero.
+#[test]
+fn a_comparison_with_a_word_that_is_none_is_known() {
+    fn word(m: Module, i: Pair, address: u64) -> Signal {
+        let words = m.memory("words", 5, 8, ReadUnderWrite::Old);
+        words.write(lit(1, 1), i.a.trunc(3), i.b);
+        words.read_async(lit(3, address))
+    }
+    check(&[(|m, i| word(m, i, 5).gt(i.a), "1'b0"), (|m, i| word(m, i, 4).gt(i.a), "words_word > a")]);
+}
+
 #[test]
 fn constants_are_computed() {
     check(&[

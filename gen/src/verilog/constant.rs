@@ -2,7 +2,29 @@
 
 use std::cmp::Ordering;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Relation, Unary};
+use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
+
+/// The operands of an operator that [`of`] knows.
+pub fn operands(op: &Op) -> Option<Vec<NodeId>> {
+    match op {
+        Op::Unary(_, a) | Op::Slice { of: a, .. } | Op::Extend { of: a, .. } => Some(vec![*a]),
+        Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } => Some(vec![*a, *b]),
+        _ => None,
+    }
+}
+
+/// The value of an operator of that width whose operands have these values, where it is cheap to have.
+pub fn of(op: &Op, width: u32, operands: &[&Bits]) -> Option<Bits> {
+    match (op, operands) {
+        (Op::Unary(op, _), [a]) => Some(unary(*op, a)),
+        (Op::Binary(op, ..), [a, b]) => binary(*op, a, b),
+        (Op::Compare { relation, signed, .. }, [a, b]) => Some(Bits::from(compare(*relation, *signed, a, b))),
+        (Op::Slice { low, .. }, [a]) => Some(a.slice(*low..low + width)),
+        (Op::Extend { signed: true, .. }, [a]) => Some(a.sext(width)),
+        (Op::Extend { signed: false, .. }, [a]) => Some(a.resize(width)),
+        _ => None,
+    }
+}
 
 /// The value of a unary operator.
 pub fn unary(op: Unary, a: &Bits) -> Bits {

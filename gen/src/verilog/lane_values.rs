@@ -1,9 +1,13 @@
 //! Constants that differ from lane to lane: a formula of the lane's number where they follow one, else a table.
 
+use super::constant;
 use super::fold::lower::WIDEST_VECTOR;
 use super::pattern::Pattern;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Module, NodeId, Op, Shape};
+
+/// A lane is not computed of more operators than this, one on the other.
+const DEEPEST: u32 = 6;
 
 /// How the constants of the lanes are written.
 pub enum LaneConstants {
@@ -46,16 +50,34 @@ fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
 
 /// The value of every lane, also behind names and of what lanes take of other lanes.
 pub fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
-    (0..module.shape(id).lanes()).map(|lane| value(module, id, lane)).collect()
+    (0..module.shape(id).lanes()).map(|lane| computed(module, id, lane, 0)).collect()
 }
 
-/// The value of one lane. It comes from one lane of one node at a time, so this ends where lanes chain, too.
-fn value(module: &Module, mut id: NodeId, mut lane: u32) -> Option<Bits> {
+/// The value of one lane, also where it is computed of constants by a few operators.
+pub fn known(module: &Module, id: NodeId, lane: u32) -> Option<Bits> {
+    computed(module, id, lane, DEEPEST)
+}
+
+/// The value of one lane, computed of constants by operators of which no more than `depth` stand one on the other.
+fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> {
+    let (id, lane) = source(module, id, lane)?;
+    let node = module.node(id);
+    if let Op::Const(value) = &node.op {
+        return Some(value.clone());
+    }
+    let operands = constant::operands(&node.op).filter(|_| depth > 0)?;
+    let operands = operands.iter().map(|&operand| computed(module, operand, lane, depth - 1));
+    let operands: Vec<Bits> = operands.collect::<Option<_>>()?;
+    constant::of(&node.op, node.width, &operands.iter().collect::<Vec<_>>())
+}
+
+/// The node and lane that a lane has its value from, behind all that only says so. It comes from one lane of one node at a time, so this ends where lanes
+/// chain, too.
+fn source(module: &Module, mut id: NodeId, mut lane: u32) -> Option<(NodeId, u32)> {
     loop {
         let shape = module.shape(id);
         let place = |axis: u32| (shape.along(axis, lane), shape.across(axis, lane));
         (id, lane) = match &module.node(id).op {
-            Op::Const(value) => return Some(value.clone()),
             Op::Wire(of) | Op::QuasiStatic(of, _) => (*of, lane),
             Op::Broadcast { of, axis } => (*of, shape.across(*axis, lane)),
             Op::Stack { parts, axis } => {
@@ -74,7 +96,7 @@ fn value(module: &Module, mut id: NodeId, mut lane: u32) -> Option<Bits> {
                     None => ((*edge)?, across),
                 }
             }
-            _ => return None,
+            _ => return Some((id, lane)),
         };
     }
 }

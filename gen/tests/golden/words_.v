@@ -58,7 +58,6 @@ module words_ (
     wire [3:0] words_read_address_3 = {1'd0, low};               // gen/tests/shapes/mod.rs:106
     wire [7:0] words_word1 = words[words_read_address_3];        // gen/tests/shapes/mod.rs:106
     assign now = words_word0 ^ words_word1;                      // gen/tests/shapes/mod.rs:106
-    assign beyond = 8'd0;                                        // gen/tests/shapes/mod.rs:117
     assign third = some[3'd2];                                   // gen/tests/shapes/mod.rs:118
     assign constants = some_read ^ filled_read ^ fixed_read;     // gen/tests/shapes/mod.rs:119
     wire [8:0] table_of_many_read_address = {low, address, write, write}; // gen/tests/shapes/mod.rs:120
@@ -93,6 +92,7 @@ module words_ (
 
     assign old = words_read0;
     assign gated = words_read1;
+    assign beyond = 8'd0;
     assign loaded = table_of_many_read;
 endmodule
 `default_nettype wire

@@ -201,3 +201,39 @@ pub fn nested() -> Vec<Module> {
     }
     modules
 }
+
+/// A choice by a value of a lane that comes later.
+pub fn chosen_by_another() -> Module {
+    let b = &mut Build::new("chosen_by_another");
+    let row = Shape::Row(3);
+    let (x, y) = (b.input("x", 2, row), b.input("y", 2, row));
+    let value = b.add(x, y);
+    b.named("value", value);
+    let mirrored = b.map(value, 0, 3, Affine { mul: -1, add: 2, div: 1 }, None);
+    let values: Vec<NodeId> = (0..3).map(|value| b.constant(2, value ^ 2, row)).collect();
+    let chosen = b.case(mirrored, &values, x);
+    b.output("chosen", chosen);
+    let sum = b.add(mirrored, y);
+    let later = b.case(sum, &values, mirrored);
+    b.output("later", later);
+    b.module.clone()
+}
+
+/// The greatest and the smallest of lanes, of which every second one is an end of the range once it is computed, and comparisons with them.
+pub fn ends_in_some_lanes() -> Module {
+    let b = &mut Build::new("ends_in_some_lanes");
+    let x = b.input("x", 4, Shape::Plain);
+    let nothing = b.constant(4, 0, Shape::Plain);
+    let parts: Vec<NodeId> = (0..6).map(|lane| if lane % 2 == 0 { x } else { nothing }).collect();
+    let listed = b.stack(&parts, 0);
+    let double = b.add(listed, listed);
+    let inverse = b.not(double);
+    for (name, by, of) in [("most", Reduction::Max, inverse), ("least", Reduction::Min, double)] {
+        let output = b.reduce(by, of, 0);
+        b.output(name, output);
+    }
+    let y = b.input("y", 4, Shape::Row(6));
+    let below = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands: [y, double] }, 1, Shape::Row(6));
+    b.output("below", below);
+    b.module.clone()
+}

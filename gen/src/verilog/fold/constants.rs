@@ -3,9 +3,9 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is};
 use crate::verilog::constant;
-use crate::verilog::lane_values::values;
+use crate::verilog::lane_values::{known, values};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{NodeId, Op, Relation, Shape};
+use tilewright_hdl::ir::{NodeId, Op, Reduction, Relation, Shape};
 
 /// More lanes than this are not computed one by one.
 const MOST_LANES: u32 = 4096;
@@ -22,22 +22,12 @@ impl Fold {
         {
             return Some(compare);
         }
-        let operands = match op {
-            Op::Unary(_, a) | Op::Slice { of: a, .. } | Op::Extend { of: a, .. } => vec![*a],
-            Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } => vec![*a, *b],
-            _ => return None,
-        };
+        let operands = constant::operands(op)?;
         let operands: Vec<Vec<Bits>> =
             operands.iter().map(|operand| values(&self.module, *operand)).collect::<Option<_>>()?;
-        let lane = |lane: usize| match op {
-            Op::Unary(unary, _) => Some(constant::unary(*unary, &operands[0][lane])),
-            Op::Binary(binary, ..) => constant::binary(*binary, &operands[0][lane], &operands[1][lane]),
-            Op::Compare { relation, signed, .. } => {
-                Some(Bits::from(constant::compare(*relation, *signed, &operands[0][lane], &operands[1][lane])))
-            }
-            Op::Slice { low, .. } => Some(operands[0][lane].slice(*low..low + width)),
-            Op::Extend { signed: true, .. } => Some(operands[0][lane].sext(width)),
-            _ => Some(operands[0][lane].resize(width)),
+        let lane = |lane: usize| {
+            let operands: Vec<&Bits> = operands.iter().map(|values| &values[lane]).collect();
+            constant::of(op, width, &operands)
         };
         let values = (0..shape.lanes() as usize).map(lane).collect::<Option<Vec<Bits>>>()?;
         Some(self.list(id, &values))
@@ -73,13 +63,31 @@ impl Fold {
             return None;
         }
         let width = self.width(operands[0]);
-        let (lowest, highest) = constant::range(width, signed);
-        let constants = operands.map(|operand| values(&self.module, operand));
-        let decides = |values: &Vec<Bits>| values.iter().any(|value| *value == lowest || *value == highest);
-        if !matches!(&constants, [Some(values), None] | [None, Some(values)] if decides(values)) {
+        let all_known = operands.iter().all(|&operand| values(&self.module, operand).is_some());
+        if all_known || !operands.iter().any(|&operand| self.has_end(operand, signed)) {
             return None;
         }
         let operands = operands.map(|of| self.add(id, width + 2, Op::Extend { of, signed }));
         Some(Is(Op::Compare { relation, signed: true, operands }))
+    }
+
+    /// The greatest or smallest of lanes of which some are known to be an end of the range: between bits that make none of them one.
+    pub(super) fn between_ends(&mut self, id: NodeId, by: Reduction, of: NodeId, axis: u32) -> Option<Outcome> {
+        if !matches!(by, Reduction::Min | Reduction::Max) || !self.has_end(of, false) {
+            return None;
+        }
+        let width = self.width(of) + 2;
+        let [above, below] = [Bits::zero(1), Bits::ones(1)].map(|bit| self.add(of, 1, Op::Const(bit)));
+        let of = self.add(of, width, Op::Concat(vec![above, of, below]));
+        let of = self.add(id, width, Op::Reduce { by, of, axis });
+        Some(Is(Op::Slice { of, low: 1 }))
+    }
+
+    /// Whether a lane is known to be the lowest or the highest value of the width.
+    fn has_end(&self, id: NodeId, signed: bool) -> bool {
+        let (lowest, highest) = constant::range(self.width(id), signed);
+        let is_end = |value: Bits| value == lowest || value == highest;
+        let lanes = self.module.shape(id).lanes();
+        lanes <= MOST_LANES && (0..lanes).any(|lane| known(&self.module, id, lane).is_some_and(is_end))
     }
 }

@@ -112,10 +112,10 @@ impl Fold {
             }
             Op::Broadcast { of: inner, axis: same } if *same == axis => vec![*inner; self.extent(of, axis) as usize],
             Op::Stack { parts, axis: same } if *same == axis => parts.clone(),
-            _ => return Is(Op::Reduce { by, of, axis }),
+            _ => Vec::new(),
         };
-        if level.len() > LONGEST_LIST {
-            return Is(Op::Reduce { by, of, axis });
+        if level.is_empty() || level.len() > LONGEST_LIST {
+            return self.between_ends(id, by, of, axis).unwrap_or(Is(Op::Reduce { by, of, axis }));
         }
         while level.len() > 1 {
             let pairs: Vec<Vec<NodeId>> = level.chunks(2).map(<[NodeId]>::to_vec).collect();

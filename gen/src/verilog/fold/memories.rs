@@ -1,8 +1,10 @@
 //! Memories that some tool would take apart or complain about.
 
 use super::Fold;
+use super::Outcome::{self, Op as Is};
+use crate::verilog::reads::constant_address;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Contents, Node, NodeId, Op};
+use tilewright_hdl::ir::{Contents, MemoryId, Node, NodeId, Op};
 
 impl Fold {
     /// The bit that every lane of a mask is, if it is one; else the mask.
@@ -16,6 +18,19 @@ impl Fold {
                 NodeId(self.module.nodes.len() as u32 - 1)
             }
             _ => mask,
+        }
+    }
+
+    /// A word that is always beyond the last one is zero.
+    pub(super) fn word(&self, id: MemoryId, port: u32) -> Outcome {
+        let memory = &self.module.memories[id.0 as usize];
+        let read = &memory.reads[port as usize];
+        let address = constant_address(&self.module, self.stands_for(read.address));
+        match address {
+            Some(address) if read.clock.is_none() && address >= memory.depth.into() => {
+                Is(Op::Const(Bits::zero(memory.width)))
+            }
+            _ => Is(Op::Read(id, port)),
         }
     }
 

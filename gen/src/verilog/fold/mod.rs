@@ -175,6 +175,7 @@ impl Fold {
                 None => Is(Op::Repeat(a, times)),
             },
             Op::Extend { of, signed } => self.extend(of, signed, width),
+            Op::Read(memory, port) => self.word(memory, port),
             other => self.lane_op(id, other),
         }
     }

@@ -244,7 +244,11 @@ impl Planner<'_> {
         loop {
             // What is never chosen would have no driver.
             match &module.node(id).op {
-                Op::Mux { select, .. } | Op::Case { subject: select, .. } => self.keep_constants(vec![*select]),
+                Op::Mux { select, .. } => self.keep_constants(vec![*select]),
+                Op::Case { subject, .. } => {
+                    self.keep_constants(vec![*subject]);
+                    self.name_subject(*subject);
+                }
                 Op::Select { arms, .. } => arms.iter().for_each(|(condition, _)| self.keep_constants(vec![*condition])),
                 _ => {}
             }

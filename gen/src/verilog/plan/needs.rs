@@ -107,6 +107,20 @@ impl Planner<'_> {
         constants.into_iter().for_each(|id| self.set(id, Form::Net));
     }
 
+    /// Makes a net of what a `case` asks if it reads other lanes: Yosys wants to know its width before it has made the lanes behind this one.
+    pub(super) fn name_subject(&mut self, subject: NodeId) {
+        let mut stack = vec![subject];
+        while let Some(read) = stack.pop() {
+            if self.form(read) != Form::Inline {
+                continue;
+            }
+            if matches!(self.module.node(read).op, Op::Map { .. }) {
+                return self.set(subject, Form::Net);
+            }
+            for_each_read(self.module, read, |read| stack.push(read));
+        }
+    }
+
     /// The operand that a node needs a name for: Verilog takes bits of names alone.
     pub(super) fn must_be_net(&self, id: NodeId) -> Option<NodeId> {
         let module = self.module;
