@@ -77,10 +77,7 @@ pub const fn limbs_for(width: u32) -> usize {
 /// assert_eq!((top_mask(64), top_mask(65)), (u64::MAX, 1));
 /// ```
 pub const fn top_mask(width: u32) -> u64 {
-    match width % 64 {
-        0 => u64::MAX,
-        used => (1 << used) - 1,
-    }
+    u64::MAX >> (width.wrapping_neg() % 64)
 }
 
 impl Bits {
