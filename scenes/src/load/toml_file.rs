@@ -77,11 +77,13 @@ struct SurfaceTable {
 }
 
 impl Keys for SurfaceTable {
-    const HEAD: &str = "`[surface]` above its keys";
+    const NAME: &str = "surface";
+    const IS_LISTED: bool = false;
 }
 
 impl Keys for CameraTable {
-    const HEAD: &str = "`[camera]` above its keys";
+    const NAME: &str = "camera";
+    const IS_LISTED: bool = false;
 }
 
 impl CameraTable {
@@ -102,11 +104,13 @@ impl CameraTable {
 }
 
 impl Keys for SphereTable {
-    const HEAD: &str = "`[[sphere]]` above each sphere";
+    const NAME: &str = "sphere";
+    const IS_LISTED: bool = true;
 }
 
 impl Keys for LightTable {
-    const HEAD: &str = "`[[light]]` above each light";
+    const NAME: &str = "light";
+    const IS_LISTED: bool = true;
 }
 
 /// The most characters of a sentence of the TOML library's: it may quote the whole file.

@@ -39,8 +39,20 @@ pub(super) struct Table<T>(pub(super) T);
 
 /// Keys that stand in a table.
 pub(super) trait Keys {
+    /// What the table is called.
+    const NAME: &str;
+    /// Whether it is one of a list.
+    const IS_LISTED: bool;
+
     /// What to write in place of something that is no such table.
-    const HEAD: &str;
+    fn expected(f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = Self::NAME;
+        if Self::IS_LISTED {
+            write!(f, "`[[{name}]]` above each {name}")
+        } else {
+            write!(f, "`[{name}]` above its keys")
+        }
+    }
 }
 
 impl<'de, T: Deserialize<'de> + Keys> Deserialize<'de> for Table<T> {
@@ -55,7 +67,7 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for OneTable<T> {
     type Value = Table<T>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(T::HEAD)
+        T::expected(f)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, table: A) -> Result<Self::Value, A::Error> {
@@ -78,7 +90,7 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Tables<T> {
     type Value = Vec<Table<T>>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(T::HEAD)
+        T::expected(f)
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, tables: A) -> Result<Self::Value, A::Error> {
@@ -86,7 +98,6 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for Tables<T> {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, _: A) -> Result<Self::Value, A::Error> {
-        let key = T::HEAD.split(['[', ']']).find(|part| part.len() > 1).unwrap_or_default();
-        Err(A::Error::custom(format_args!("`{key}` is one table, expected {}", T::HEAD)))
+        Err(A::Error::custom(format_args!("`{}` is one table, expected {}", T::NAME, fmt::from_fn(T::expected))))
     }
 }
