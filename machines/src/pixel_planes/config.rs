@@ -105,8 +105,7 @@ impl Config {
             return Err(ParameterError(format!("{asked} renderers: a machine has from 1 to {most}")));
         }
         self.regions()?;
-        let renderer = Renderer::new(self.side, self.queue)?;
-        Ok(if self.quadratic { renderer.quadratic() } else { renderer })
+        Ok(Renderer::new(self.side, self.queue)?.quadratic(self.quadratic))
     }
 
     /// That there is such a number of geometry processors.
@@ -147,7 +146,7 @@ impl Config {
         let screen = Screen::new(self.size.width(), self.size.height())?;
         let rate = Ring::bits_a_clock(self.ring)?;
         let machine = PixelPlanes5::new(screen, self.renderers, self.side, self.queue, rate)?;
-        Ok(if self.quadratic { machine.quadratic() } else { machine })
+        Ok(machine.quadratic(self.quadratic))
     }
 
     /// As a report shows it.

@@ -85,8 +85,8 @@ pub(super) const QUADRATIC_RENDERER: Entry = Entry {
     name: "quadratic-renderer",
     summary: "a renderer that evaluates quadratics, and so draws spheres",
     parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
-    design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(), PERIOD)?),
-    scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic())),
+    design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(true), PERIOD)?),
+    scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic(true))),
 };
 
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
@@ -152,8 +152,8 @@ fn renderer(values: &Values) -> Result<Renderer, ParameterError> {
 fn machine(values: &Values) -> Result<PixelPlanes5, ParameterError> {
     let [width, height, renderers, side, queue, rate] =
         ["width", "height", "renderers", "side", "queue", "rate"].map(|name| values.get_u32(name));
-    let linear = PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)?;
-    Ok(if is_quadratic(values) { linear.quadratic() } else { linear })
+    let machine = PixelPlanes5::new(Screen::new(width, height)?, renderers, side, queue, rate)?;
+    Ok(machine.quadratic(is_quadratic(values)))
 }
 
 fn ring(values: &Values) -> Result<Ring, ParameterError> {

@@ -103,10 +103,10 @@ impl PixelPlanes5 {
         Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic: false })
     }
 
-    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic).
+    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic), or with others.
     #[must_use]
-    pub fn quadratic(self) -> PixelPlanes5 {
-        PixelPlanes5 { quadratic: true, ..self }
+    pub fn quadratic(self, quadratic: bool) -> PixelPlanes5 {
+        PixelPlanes5 { quadratic, ..self }
     }
 
     /// How many renderers there are.
@@ -121,8 +121,7 @@ impl PixelPlanes5 {
 
     fn build(&self, m: Module, i: PixelPlanes5In) -> PixelPlanes5Out {
         let &PixelPlanes5 { renderers, side, queue, rate, .. } = self;
-        let linear = Renderer::new(side, queue).expect("it was made once");
-        let renderer = if self.quadratic { linear.quadratic() } else { linear };
+        let renderer = Renderer::new(side, queue).expect("it was made once").quadratic(self.quadratic);
         let ring = Ring::new(renderers, side, rate).expect("it was made once");
         let numbers = 0..renderers;
         let finished: Vec<_> =

@@ -80,18 +80,18 @@ impl Renderer {
         Ok(Renderer { side: side(pixels)?, queue, quadratic: false })
     }
 
-    /// The same, with a [quadratic tree](super::quadratic_tree) in place of the linear one: it takes [curves](super::instruction::Operation::Curve), too.
+    /// The same, with a [quadratic tree](super::quadratic_tree), which takes [curves](super::instruction::Operation::Curve), too, or with a linear one.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::renderer::Renderer;
     ///
     /// let linear = Renderer::new(128, 16)?;
-    /// assert_eq!([linear.lag(), linear.quadratic().lag()], [14, 28]);
+    /// assert_eq!([linear.lag(), linear.quadratic(true).lag()], [14, 28]);
     /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
     /// ```
     #[must_use]
-    pub fn quadratic(self) -> Renderer {
-        Renderer { quadratic: true, ..self }
+    pub fn quadratic(self, quadratic: bool) -> Renderer {
+        Renderer { quadratic, ..self }
     }
 
     /// Whether its expressions may be quadratic.

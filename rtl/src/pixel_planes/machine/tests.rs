@@ -75,8 +75,7 @@ proptest! {
         side_by_side in any::<bool>(),
     ) {
         let screen = Screen::new(SIDE * regions.len() as u32, SIDE).unwrap();
-        let linear = PixelPlanes5::new(screen, renderers, SIDE, queue, rate).unwrap();
-        let machine = if quadratic { linear.quadratic() } else { linear };
+        let machine = PixelPlanes5::new(screen, renderers, SIDE, queue, rate).unwrap().quadratic(quadratic);
         let regions: Vec<Vec<_>> = regions.iter().map(|drawings| drawings.concat()).collect();
         let mut sim = draw(&machine, &regions, side_by_side);
         for (number, region) in (0u64..).zip(&regions) {

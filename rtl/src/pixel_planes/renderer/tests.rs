@@ -34,8 +34,7 @@ fn manners() -> impl Strategy<Value = Manner> {
 
 /// Runs instructions in a renderer; gives the regions that it sends, each with the words of its pixels line by line.
 fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u64, Vec<u64>)> {
-    let linear = Renderer::new(side, manner.queue).unwrap();
-    let renderer = if manner.quadratic { linear.quadratic() } else { linear };
+    let renderer = Renderer::new(side, manner.queue).unwrap().quadratic(manner.quadratic);
     let mut sim = Simulation::of(&renderer).unwrap().seeded(manner.seed);
     sim.reset();
     sim.set(sim.i.side_by_side, u64::from(manner.side_by_side));
@@ -324,7 +323,8 @@ fn there_is_no_renderer_of_any_other_side() {
     }
     assert_eq!(complaint(8, 0), "a queue of 0 instructions: it has to hold from 1 to 4096");
     for side in (1..9).map(|level| 1 << level) {
-        for renderer in [Renderer::new(side, 8).unwrap(), Renderer::new(side, 8).unwrap().quadratic()] {
+        for quadratic in [false, true] {
+            let renderer = Renderer::new(side, 8).unwrap().quadratic(quadratic);
             assert_eq!(elaborate(&renderer).unwrap().modules().len(), 6);
         }
     }
