@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use crate::elaboration::Elaboration;
 use crate::problem::Problem;
 
-/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017).
+/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017), and the package `std` that is in each text of it.
 const RESERVED: &str = include_str!("reserved_words.txt");
 
 /// The words of C++ that Verilator refuses as the name of a port.
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn reserved_words_of_both_standards_are_known() {
-        for word in ["module", "table", "cell", "logic", "priority", "do"] {
+        for word in ["module", "table", "cell", "logic", "priority", "do", "std"] {
             assert!(is_reserved(word), "{word}");
         }
         assert!(!is_reserved("patch"));
