@@ -196,3 +196,9 @@ fn choices_by_other_lanes() {
 fn ends_of_the_range_in_some_lanes() {
     clean(vec![awkward::ends_in_some_lanes()]);
 }
+
+/// What leads back to its own list is known to be constant, too.
+#[test]
+fn constants_behind_a_list_of_what_it_is_made_of() {
+    clean(vec![awkward::listed_of_each_other()]);
+}

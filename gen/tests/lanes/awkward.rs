@@ -237,3 +237,20 @@ pub fn ends_in_some_lanes() -> Module {
     b.output("below", below);
     b.module.clone()
 }
+
+/// A list of which each entry is computed of the one before it, and a comparison with it: the second entry is always zero.
+pub fn listed_of_each_other() -> Module {
+    let b = &mut Build::new("listed_of_each_other");
+    let row = Shape::Row(3);
+    let (x, y) = (b.input("x", 4, Shape::Plain), b.input("y", 4, row));
+    let list = NodeId(y.0 + 5);
+    let mut entries = vec![x];
+    for index in 0..2 {
+        let before = b.node(Op::Lane { of: list, axis: 0, index }, 4, Shape::Plain);
+        entries.push(b.xor(before, x));
+    }
+    assert_eq!(b.stack(&entries, 0), list);
+    let below = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands: [y, list] }, 1, row);
+    b.output("below", below);
+    b.module.clone()
+}

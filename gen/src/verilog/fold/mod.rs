@@ -8,7 +8,7 @@ mod memories;
 mod operators;
 mod shift;
 
-use super::order::{map_operands, operands_first};
+use super::order::{for_each_read, map_operands, operands_first};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Design, Directive, Module, Node, NodeId, Op, Shape};
 
@@ -25,13 +25,26 @@ pub fn fold(design: &Design, module: &Module) -> Folded {
     let (module, mut resets) = lower::lower(design, module);
     let order = operands_first(&module);
     let mut fold = Fold { same: (0..module.nodes.len() as u32).map(NodeId).collect(), module };
-    for id in order {
-        fold.visit(id);
+    // Where lanes chain, a node is visited before what it is computed from, and so once more.
+    let passes = if has_chains(&fold.module, &order) { 2 } else { 1 };
+    for _ in 0..passes {
+        order.iter().for_each(|&id| fold.visit(id));
     }
     fold.rewire();
     fold.settle_memories();
     resets.iter_mut().flatten().for_each(|id| *id = fold.stands_for(*id));
     Folded { module: fold.module, resets }
+}
+
+/// Whether some node comes before an operand of its.
+fn has_chains(module: &Module, order: &[NodeId]) -> bool {
+    let mut done = vec![false; module.nodes.len()];
+    order.iter().any(|&id| {
+        let mut is_early = false;
+        for_each_read(module, id, |operand| is_early |= !done[operand.0 as usize]);
+        done[id.0 as usize] = true;
+        is_early
+    })
 }
 
 struct Fold {
