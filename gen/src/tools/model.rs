@@ -194,6 +194,10 @@ impl Compiler {
         make.args(["OPT_FAST=-O3 -march=native", "OPT_GLOBAL=-O3 -march=native", "OPT_SLOW=-O1"]);
         // How clang takes precompiled headers: Verilator may have been set up for another compiler.
         make.args(["CFG_CXXFLAGS_PCH_I=-include-pch", "CFG_GCH_IF_CLANG=.gch", "PYTHON3=python3"]);
+        // A clang before 15 leaves a newer Verilator's question whether an atomic needs a lock to a library.
+        if has_library(&self.clang, "libatomic.so") {
+            make.arg("USER_LDLIBS=-Wl,--as-needed -latomic");
+        }
         let (succeeded, output) = folder.run(&mut make);
         if !succeeded {
             return Err(problem(&self.clang, output));
@@ -244,6 +248,12 @@ fn clang_version(name: &str) -> Option<Version> {
     let output = Command::new(name).arg("--version").output().ok().filter(|output| output.status.success())?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     Some(version(text.split_once("clang version")?.1))
+}
+
+/// Whether a compiler finds a library: of one that it finds it says the path, of another the name alone.
+fn has_library(compiler: &str, library: &str) -> bool {
+    let output = Command::new(compiler).arg(format!("-print-file-name={library}")).output();
+    output.is_ok_and(|output| output.stdout.contains(&b'/'))
 }
 
 #[cfg(test)]
