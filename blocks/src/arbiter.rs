@@ -2,7 +2,7 @@
 
 use crate::encode::first;
 use crate::ports::StreamOut;
-use tilewright_hdl::{Module, Signal, bits, block, concat, mux, net, select, stream};
+use tilewright_hdl::{Module, Signal, bits, block, concat, def, mux, select, stream};
 
 /// Which of the streams that have a word goes first.
 ///
@@ -42,12 +42,12 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{StreamBlocks, Turns};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// let (often, _) = m.offer(lit(1, 1), lit(8, 2));
     /// let (seldom, _) = m.offer(count.eq(2), lit(8, 1));
     /// let word = m.arbiter("u_arbiter", Turns::Priority, [seldom, often]).take_when(1);
-    /// net!(sent = *word);
+    /// def!(sent = *word);
     /// # });
     /// assert_eq!(example.values("sent"), [2, 2, 1, 2, 2, 2, 1]);
     /// ```
@@ -86,17 +86,17 @@ impl Arbiter {
     fn build(&self, m: Module, i: ArbiterIn) -> StreamOut {
         // Bit 0 is sender 0; one bit of each of the others is high at most.
         let valid: Vec<Signal> = i.into.iter().rev().map(|stream| stream.valid).collect();
-        net!(requests = concat(&valid));
-        let locked = m.reg("locked", self.senders).reset(0);
+        def!(requests = concat(&valid));
+        def!(locked = m.reg(self.senders).reset(0));
         let last = matches!(self.turns, Turns::RoundRobin).then(|| m.reg("last", self.senders).reset(0));
         let next = match last {
             None => first(requests),
             Some(last) => {
-                net!(after = requests & !(last | (last - 1)));
+                def!(after = requests & !(last | (last - 1)));
                 mux(after.any_one(), first(after), first(requests))
             }
         };
-        net!(chosen = mux(locked.any_one(), locked, next));
+        def!(chosen = mux(locked.any_one(), locked, next));
 
         let arms = i.into.iter().zip(0..).map(|(stream, sender)| (chosen.bit(sender), stream.payload));
         let (out, sent) = m.offer(requests.any_one(), select(arms.skip(1).collect::<Vec<_>>(), i.into[0].payload));

@@ -1,7 +1,7 @@
 //! Streams of another width.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::{Module, below, bit, bits, block, case, concat, mux, stream};
+use tilewright_hdl::{Module, below, bit, bits, block, case, concat, def, mux, stream};
 
 block! {
     /// Sends each word in parts, the least significant first.
@@ -19,7 +19,7 @@ block! {
     /// # let example = tilewright_sim::traced(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(12, 0xabc));
     /// let out = m.instance("u_narrow", &Narrow::new(3, 4), StreamIn { into }).out;
-    /// net!(part = *out.take_when(1));
+    /// def!(part = *out.take_when(1));
     /// # });
     /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
     /// ```
@@ -53,12 +53,12 @@ impl Narrow {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let part = m.reg("part", below(self.parts)).reset(0);
+        def!(part = m.reg(below(self.parts)).reset(0));
         let at_end = part.eq(self.parts - 1);
         let word = i.into.payload;
         let parts = (0..self.parts - 1).map(|part| (part.into(), word.part(part * self.width, self.width)));
         let payload =
-            case(part.value(), parts.collect::<Vec<(u64, _)>>(), word.part((self.parts - 1) * self.width, self.width));
+            case(*part, parts.collect::<Vec<(u64, _)>>(), word.part((self.parts - 1) * self.width, self.width));
         let (out, sent) = m.offer(i.into.valid, payload);
         i.into.take_when(at_end & out.ready);
         part.when(sent, mux(at_end, 0, part + 1));
@@ -79,11 +79,11 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{StreamIn, Widen};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(1);
+    /// def!(count = m.reg(4).reset(1));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let word = m.instance("u_widen", &Widen::new(2, 4), StreamIn { into }).out.take_when(1);
-    /// net!(words = mux(word.taken, *word, 0));
+    /// def!(words = mux(word.taken, *word, 0));
     /// # });
     /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43, 0]);
     /// ```
@@ -117,10 +117,10 @@ impl Widen {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let full = m.reg("full", bit()).reset(0);
-        let part = m.reg("part", below(self.parts)).reset(0);
+        def!(full = m.reg(bit()).reset(0));
+        def!(part = m.reg(below(self.parts)).reset(0));
         let held: Vec<_> = (0..self.parts).map(|part| m.reg(&format!("held{part}"), self.width)).collect();
-        let word: Vec<_> = held.iter().rev().map(|part| part.value()).collect();
+        let word: Vec<_> = held.iter().rev().map(|part| **part).collect();
         let (out, sent) = m.offer(full, concat(&word));
         let into = i.into.take_when(!full | out.ready);
         let at_end = part.eq(self.parts - 1);

@@ -1,6 +1,6 @@
 //! A counter.
 
-use tilewright_hdl::{Module, below, bit, block, mux, net};
+use tilewright_hdl::{Module, below, bit, block, def, mux};
 
 block! {
     /// Counts the clocks with `enable` high, from 0 to `limit - 1`, and starts again.
@@ -59,8 +59,8 @@ impl Counter {
     }
 
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-        let count = m.reg("count", below(self.limit)).reset(0);
-        net!(at_end = count.eq(self.limit - 1));
+        def!(count = m.reg(below(self.limit)).reset(0));
+        def!(at_end = count.eq(self.limit - 1));
         count.when(i.restart, 0).when(i.enable, mux(at_end, 0, count + 1));
         CounterOut { count: *count, wraps: at_end & i.enable & !i.restart }
     }

@@ -1,6 +1,6 @@
 //! A cyclic redundancy check.
 
-use tilewright_hdl::{Module, bit, bits, block, concat, hex, mux};
+use tilewright_hdl::{Module, bit, bits, block, concat, def, hex, mux};
 
 /// Which bit of a byte is sent first.
 ///
@@ -34,11 +34,11 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{BitOrder, Crc, CrcIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let at = m.reg("at", 4).reset(0);
+    /// def!(at = m.reg(4).reset(0));
     /// at.when(at.ne(9), at + 1);
     /// let message = CrcIn { restart: lit(1, 0), take: at.ne(9), data: at.zext(8) + u64::from(b'1') }; // "123456789"
     /// let crc = Crc::new(32, 0x04c1_1db7, 0xffff_ffff, BitOrder::LeastFirst);
-    /// net!(check = !m.instance("u_crc", &crc, message).crc);
+    /// def!(check = !m.instance("u_crc", &crc, message).crc);
     /// # });
     /// let checks: [u64; 10] = example.values("check");
     /// assert_eq!(checks[9], 0xcbf4_3926); // as every table of these codes says
@@ -91,7 +91,7 @@ impl Crc {
     }
 
     fn build(&self, m: Module, i: CrcIn) -> CrcOut {
-        let rest = m.reg("rest", self.width).reset(hex(self.start));
+        def!(rest = m.reg(self.width).reset(hex(self.start)));
         let mut next = *rest;
         for step in 0..8 {
             let sent = match self.order {

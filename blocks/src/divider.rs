@@ -28,7 +28,7 @@ block! {
     /// let (operands, _) = m.offer(lit(1, 1), Operands { dividend: lit(4, 14), divisor: lit(4, 4) });
     /// let result = m.instance("u_divider", &Divider::new(4), DividerIn { operands }).results.take_when(1);
     /// m.assert(result.taken.implies(result.quotient.eq(3) & result.remainder.eq(2)), "14 = 3 * 4 + 2");
-    /// net!(taken = result.taken);
+    /// def!(taken = result.taken);
     /// # });
     /// assert_eq!(example.values("taken"), [0, 0, 0, 0, 1, 1]);
     /// ```

@@ -2,7 +2,7 @@
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, net, stream};
+use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, def, stream};
 
 /// A queue that is filled on one clock and emptied on another.
 ///
@@ -29,7 +29,7 @@ use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, b
 /// const VIDEO: Clock = Clock::new("video", Period::ns(14));
 ///
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.on(HOST).reg("count", 4).reset(0);
+/// def!(count = m.on(HOST).reg(4).reset(0));
 /// let (into, sent) = m.on(HOST).offer(lit(1, 1), *count);
 /// count.when(sent, count + 1);
 /// let queue = DualClockFifo::new(4, 4, HOST, VIDEO);
@@ -101,31 +101,31 @@ impl Block for DualClockFifo {
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
         let (write, read) = (m.on(self.write), m.on(self.read));
-        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
+        def!(words = m.memory(self.depth, self.width, ReadUnderWrite::Any));
         let address = words.address_width(); // One bit more tells full from empty.
-        let free = write.reg("free", address + 1).reset(0);
-        let free_gray = write.reg("free_gray", address + 1).reset(0);
-        let oldest = read.reg("oldest", address + 1).reset(0);
-        let oldest_gray = read.reg("oldest_gray", address + 1).reset(0);
+        def!(free = write.reg(address + 1).reset(0));
+        def!(free_gray = write.reg(address + 1).reset(0));
+        def!(oldest = read.reg(address + 1).reset(0));
+        def!(oldest_gray = read.reg(address + 1).reset(0));
 
         // In Gray code the pointers are `depth` apart if their two upper bits differ and no others.
-        let seen_oldest = cross(write, "seen_oldest", oldest_gray.value());
-        net!(full = (free_gray ^ seen_oldest).eq(3u64 << (address - 1)));
+        let seen_oldest = cross(write, "seen_oldest", *oldest_gray);
+        def!(full = (free_gray ^ seen_oldest).eq(3u64 << (address - 1)));
         let into = i.into.take_when(!full);
-        words.on(self.write).write(into.taken, free.trunc(address), *into);
-        net!(next_free = free + into.taken.zext(address + 1));
+        words.on(self.write).write(into.taken, free.low(), *into);
+        def!(next_free = free + into.taken.zext(address + 1));
         free.next(next_free);
         free_gray.next(gray(next_free));
 
-        let seen_free = cross(read, "seen_free", free_gray.value());
-        let shown = read.reg("shown", bit()).reset(0);
+        let seen_free = cross(read, "seen_free", *free_gray);
+        def!(shown = read.reg(bit()).reset(0));
         let (out, sent) = read.offer(shown, ());
-        net!(next_oldest = oldest + sent.zext(address + 1));
+        def!(next_oldest = oldest + sent.zext(address + 1));
         oldest.next(next_oldest);
         oldest_gray.next(gray(next_oldest));
-        net!(filled = gray(next_oldest).ne(seen_free));
+        def!(filled = gray(next_oldest).ne(seen_free));
         shown.next(filled);
-        let word = words.on(self.read).read_when(filled, next_oldest.trunc(address));
+        let word = words.on(self.read).read_when(filled, next_oldest.low());
         let out = out.with(word);
         state_that_it_stays(read, &out);
         StreamOut { out }

@@ -11,7 +11,7 @@
 //! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, mux, net, stream, up_to};
+use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, def, mux, stream, up_to};
 
 /// So many words in registers move on when one is taken; more are kept where they came in, as a choice among them is less than moving all.
 const MOST_SHIFTED: u32 = 2;
@@ -24,7 +24,7 @@ const MOST_SHIFTED: u32 = 2;
 /// # let example = tilewright_sim::traced(|m| {
 /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
 /// let queue = Fifo::new(4, 8, Storage::BlockRam);
-/// net!(taken = m.instance("u_queue", &queue, StreamIn { into }).out.take_when(1).taken);
+/// def!(taken = m.instance("u_queue", &queue, StreamIn { into }).out.take_when(1).taken);
 /// # });
 /// assert_eq!(example.values("taken"), [0, 0, 1, 1]); // 2 clocks, then one a clock all the same
 /// ```
@@ -52,7 +52,7 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Fifo, Storage, StreamIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let queue = Fifo::new(3, 4, Storage::Registers);
@@ -93,7 +93,7 @@ impl Fifo {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let used = m.reg("used", up_to(self.depth)).reset(0);
+        def!(used = m.reg(up_to(self.depth)).reset(0));
         let into = i.into.take_when(used.ne(self.depth));
         let (out, sent) = match self.storage {
             Storage::Registers if self.depth <= MOST_SHIFTED => self.shifted(m, used, &into),
@@ -123,10 +123,10 @@ impl Fifo {
 
     /// The words in a memory, each where it came in.
     fn addressed(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
-        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
+        def!(words = m.memory(self.depth, self.width, ReadUnderWrite::Any));
         let address = words.address_width();
-        let free = m.reg("free", address).reset(0);
-        let oldest = m.reg("oldest", address).reset(0);
+        def!(free = m.reg(address).reset(0));
+        def!(oldest = m.reg(address).reset(0));
         let after = |pointer: Reg| mux(pointer.eq(self.depth - 1), 0, pointer + 1);
         words.write(into.taken, free, **into);
         free.when(into.taken, after(free));
@@ -134,9 +134,9 @@ impl Fifo {
             Storage::Registers => m.offer(used.ne(0), words.read_async(oldest)),
             Storage::BlockRam => {
                 // What is written at this edge is not read at it: `used` does not count it yet.
-                let shown = m.reg("shown", bit()).reset(0);
+                def!(shown = m.reg(bit()).reset(0));
                 let (out, sent) = m.offer(shown, ());
-                net!(filled = mux(sent, used.ne(1), used.ne(0)));
+                def!(filled = mux(sent, used.ne(1), used.ne(0)));
                 shown.next(filled);
                 (out.with(words.read_when(filled, mux(sent, after(oldest), oldest))), sent)
             }

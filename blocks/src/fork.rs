@@ -18,14 +18,14 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Fork, StreamIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let out = m.instance("u_fork", &Fork::new(2, 4), StreamIn { into }).out;
-    /// let slow = m.reg("slow", 1).reset(0);
+    /// def!(slow = m.reg(1).reset(0));
     /// slow.next(!*slow);
-    /// net!(fast_takes = out[0].take_when(1).taken);
-    /// net!(slow_takes = out[1].take_when(*slow).taken);
+    /// def!(fast_takes = out[0].take_when(1).taken);
+    /// def!(slow_takes = out[1].take_when(*slow).taken);
     /// # });
     /// assert_eq!(example.values("fast_takes"), [1, 0, 1, 0]); // it waits for the other
     /// assert_eq!(example.values("slow_takes"), [0, 1, 0, 1]);

@@ -1,6 +1,6 @@
 //! A linear feedback shift register.
 
-use tilewright_hdl::{Module, binary, bit, bits, block, cat};
+use tilewright_hdl::{Module, binary, bit, bits, block, cat, def};
 
 /// For each width from 2 on the bits, counted from 1, whose parity is shifted in, so that all numbers but 0 come.
 const TAPS: [&[u32]; 31] = [
@@ -101,7 +101,7 @@ impl Lfsr {
 
     fn build(&self, m: Module, i: LfsrIn) -> LfsrOut {
         // 0 follows 0: it does not begin with that, even where nobody resets it.
-        let number = m.reg("number", self.width).initial(1).reset(1);
+        def!(number = m.reg(self.width).initial(1).reset(1));
         let taps = self.taps().iter().fold(0, |taps, tap| taps | 1 << (tap - 1));
         number.when(i.enable, cat![number.trunc(self.width - 1), (number & binary(taps)).parity()]);
         LfsrOut { number: *number }

@@ -1,7 +1,7 @@
 //! A stack.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, mux, net, stream, up_to};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, def, mux, stream, up_to};
 
 block! {
     /// A stack: gives the newest of the words that it holds, but keeps to the one that it shows until that is taken.
@@ -23,7 +23,7 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Lifo, StreamIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// m.instance("u_stack", &Lifo::new(3, 4), StreamIn { into }).out.take_when(0);
@@ -59,20 +59,20 @@ impl Lifo {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Any);
-        let used = m.reg("used", up_to(self.depth)).reset(0);
-        let shown = m.reg("shown", bit()).reset(0);
-        let held = m.reg("held", self.width);
+        def!(words = m.memory(self.depth, self.width, ReadUnderWrite::Any));
+        def!(used = m.reg(up_to(self.depth)).reset(0));
+        def!(shown = m.reg(bit()).reset(0));
+        def!(held = m.reg(self.width));
 
         let (out, sent) = m.offer(shown, *held);
         let into = i.into.take_when(used.ne(self.depth));
-        net!(moves = !shown | sent); // the newest is shown, and is what comes in if something does
-        net!(pushes = into.taken & !moves);
-        net!(pops = moves & !into.taken & used.ne(0));
-        words.write(pushes, used.trunc(words.address_width()), *into);
+        def!(moves = !shown | sent); // the newest is shown, and is what comes in if something does
+        def!(pushes = into.taken & !moves);
+        def!(pops = moves & !into.taken & used.ne(0));
+        words.write(pushes, used.low(), *into);
         used.when(pushes, used + 1).when(pops, used - 1);
         shown.when(moves, into.taken | pops);
-        let newest = words.read_async((used - 1).trunc(words.address_width()));
+        let newest = words.read_async((used - 1).low());
         held.when(moves, mux(into.taken, *into, newest));
         state_that_it_stays(m, &out);
         StreamOut { out }

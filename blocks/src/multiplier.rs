@@ -28,7 +28,7 @@ block! {
     /// # use tilewright_blocks::{Multiplier, MultiplierIn};
     /// # let example = tilewright_sim::traced(|m| {
     /// let factors = MultiplierIn { enable: lit(1, 1), left: lit(8, 200), right: lit(8, 100) };
-    /// net!(product = m.instance("u_times", &Multiplier::new(8, 4), factors).product);
+    /// def!(product = m.instance("u_times", &Multiplier::new(8, 4), factors).product);
     /// # });
     /// assert_eq!(example.values("product"), [0, 0, 0, 0, 20_000]);
     /// ```

@@ -29,7 +29,7 @@ bundle! {
     /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
     /// let queue = Fifo::new(4, 8, Storage::Registers);
     /// let StreamOut { out } = m.instance("u_queue", &queue, StreamIn { into });
-    /// net!(taken = out.take_when(1).taken);
+    /// def!(taken = out.take_when(1).taken);
     /// # });
     /// assert_eq!(example.values("taken"), [0, 1, 1, 1]); // latency 1 clock
     /// ```

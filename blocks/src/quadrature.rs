@@ -1,6 +1,6 @@
 //! The position of a knob or a motor.
 
-use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, one_of};
+use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, def, one_of};
 
 codes! {
     /// A step that a [`Quadrature`] decoder sees.
@@ -38,10 +38,10 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Quadrature, QuadratureIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let code = m.reg("code", 2).reset(0);
+    /// def!(code = m.reg(2).reset(0));
     /// code.next(cat![code.bit(0), !code.bit(1)]); // 00, 01, 11, 10: `b` leads
     /// let lines = QuadratureIn { a: code.bit(1), b: code.bit(0) };
-    /// net!(position = m.instance("u_knob", &Quadrature::new(8), lines).position);
+    /// def!(position = m.instance("u_knob", &Quadrature::new(8), lines).position);
     /// # });
     /// assert_eq!(example.values("position"), [0, 0, 0, 0xff, 0xfe, 0xfd]); // 0, -1, -2 ..
     /// ```
@@ -84,13 +84,13 @@ impl Quadrature {
 
     fn build(&self, m: Module, i: QuadratureIn) -> QuadratureOut {
         let now = cat![i.a, i.b];
-        let last = m.reg("last", 2).reset(0);
+        def!(last = m.reg(2).reset(0));
         last.next(now);
         let up = [0b00_10, 0b10_11, 0b11_01, 0b01_00].map(|change| (change, Turn::Up));
         let down = [0b00_01, 0b01_11, 0b11_10, 0b10_00].map(|change| (change, Turn::Down));
-        let turn = m.reg("turn", one_of::<Turn>()).reset(Turn::Still);
+        def!(turn = m.reg(one_of::<Turn>()).reset(Turn::Still));
         turn.next(case(cat![last, now], up.into_iter().chain(down), Turn::Still));
-        let position = m.reg("position", bits(self.width).signed()).reset(0);
+        def!(position = m.reg(bits(self.width).signed()).reset(0));
         position.next(turn.choose(|turn| match turn {
             Turn::Still => *position,
             Turn::Up => position + 1,

@@ -24,11 +24,11 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Ram, RamIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let first = m.reg("first", 1).reset(1);
+    /// def!(first = m.reg(1).reset(1));
     /// first.next(0);
     /// let write = mux(*first, lit(2, 0b11), 0b10); // both bytes, then the upper one
     /// let data = mux(*first, lit(16, 0x1122), 0x3344);
-    /// net!(word = m.instance("u_ram", &Ram::new(256, 2), RamIn { address: lit(8, 5), write, data }).word);
+    /// def!(word = m.instance("u_ram", &Ram::new(256, 2), RamIn { address: lit(8, 5), write, data }).word);
     /// # });
     /// assert_eq!(example.values("word"), [0, 0, 0x1122, 0x3322]);
     /// ```

@@ -1,6 +1,6 @@
 //! A shift register.
 
-use tilewright_hdl::{Module, bit, bits, block, cat};
+use tilewright_hdl::{Module, bit, bits, block, cat, def};
 
 block! {
     /// Shifts a word out, most significant bit first, or a word in.
@@ -61,7 +61,7 @@ impl ShiftRegister {
     }
 
     fn build(&self, m: Module, i: ShiftRegisterIn) -> ShiftRegisterOut {
-        let held = m.reg("held", self.width).reset(0);
+        def!(held = m.reg(self.width).reset(0));
         held.when(i.load, i.word).when(i.shift, cat![held.trunc(self.width - 1), i.bit_in]);
         ShiftRegisterOut { held: *held, bit_out: held.msb() }
     }

@@ -43,7 +43,7 @@ block! {
     /// # let example = tilewright_sim::traced(|m| {
     /// let kind = lit(2, Shifting::Arithmetic.code()).code::<Shifting>();
     /// let shift = ShifterIn { enable: lit(1, 1), word: lit(8, 0b1001_0000), places: lit(3, 3), kind };
-    /// net!(shifted = m.instance("u_shift", &Shifter::new(8), shift).shifted);
+    /// def!(shifted = m.instance("u_shift", &Shifter::new(8), shift).shifted);
     /// # });
     /// assert_eq!(example.values("shifted"), [0, 0, 0, 0b1111_0010]);
     /// ```

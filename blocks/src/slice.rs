@@ -1,7 +1,7 @@
 //! Register slices: registers on one direction of a stream, or on both.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::{Module, bit, bits, block, mux, stream};
+use tilewright_hdl::{Module, bit, bits, block, def, mux, stream};
 
 /// Which paths a [`RegisterSlice`] cuts.
 ///
@@ -55,7 +55,7 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{RegisterSlice, Slice, StreamIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let skid = RegisterSlice { width: 4, cuts: Slice::Both };
@@ -79,11 +79,11 @@ block! {
 
 impl RegisterSlice {
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let full = m.reg("full", bit()).reset(0);
-        let held = m.reg("held", self.width);
+        def!(full = m.reg(bit()).reset(0));
+        def!(held = m.reg(self.width));
         match self.cuts {
             Slice::Forward => {
-                let (out, sent) = m.offer(full, held.value());
+                let (out, sent) = m.offer(full, *held);
                 let into = i.into.take_when(!full | out.ready);
                 held.when(into.taken, *into);
                 full.when(into.taken, 1).when(sent, 0);
@@ -98,9 +98,9 @@ impl RegisterSlice {
                 StreamOut { out }
             }
             Slice::Both => {
-                let spare_full = m.reg("spare_full", bit()).reset(0);
-                let spare = m.reg("spare", self.width);
-                let (out, _) = m.offer(full, held.value());
+                def!(spare_full = m.reg(bit()).reset(0));
+                def!(spare = m.reg(self.width));
+                let (out, _) = m.offer(full, *held);
                 let into = i.into.take_when(!spare_full);
                 let moves = !full | out.ready;
                 held.when(moves, mux(spare_full, spare, *into));

@@ -1,6 +1,6 @@
 //! What works before there is a reset: registers that begin with their power-on values.
 
-use tilewright_hdl::{Module, below, bit, block, mux, net, up_to};
+use tilewright_hdl::{Module, below, bit, block, def, mux, up_to};
 
 block! {
     /// Holds the reset of everything else for some clocks after power-on, and when it is asked to.
@@ -56,8 +56,8 @@ impl PowerOnReset {
     }
 
     fn build(&self, m: Module, i: PowerOnResetIn) -> PowerOnResetOut {
-        let left = m.reg("left", up_to(self.clocks)).initial(self.clocks);
-        net!(reset = left.ne(0));
+        def!(left = m.reg(up_to(self.clocks)).initial(self.clocks));
+        def!(reset = left.ne(0));
         left.when(i.again, self.clocks).when(reset, left - 1);
         PowerOnResetOut { reset }
     }
@@ -76,7 +76,7 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Ticks, TicksIn};
     /// # let example = tilewright_sim::traced(|m| {
-    /// net!(tick = m.instance("u_ticks", &Ticks::new(3), TicksIn { restart: lit(1, 0) }).tick);
+    /// def!(tick = m.instance("u_ticks", &Ticks::new(3), TicksIn { restart: lit(1, 0) }).tick);
     /// # });
     /// assert_eq!(example.values("tick"), [1, 0, 0, 1, 0, 0, 1]);
     /// ```
@@ -113,8 +113,8 @@ impl Ticks {
     }
 
     fn build(&self, m: Module, i: TicksIn) -> TicksOut {
-        let count = m.reg("count", below(self.every)).initial(0);
-        net!(tick = count.eq(0));
+        def!(count = m.reg(below(self.every)).initial(0));
+        def!(tick = count.eq(0));
         count.next(mux(i.restart | count.eq(self.every - 1), 0, count + 1));
         TicksOut { tick }
     }

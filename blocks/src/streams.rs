@@ -33,11 +33,11 @@ pub trait StreamBlocks {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(5);
+    /// def!(count = m.reg(4).reset(5));
     /// let (numbers, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let number = m.fifo("u_queue", 4, numbers).take_when(1);
-    /// net!(out = mux(number.taken, *number, 0));
+    /// def!(out = mux(number.taken, *number, 0));
     /// # });
     /// assert_eq!(example.values("out"), [0, 5, 6, 7]);
     /// ```
@@ -50,11 +50,11 @@ pub trait StreamBlocks {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(5);
+    /// def!(count = m.reg(4).reset(5));
     /// let (numbers, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let number = m.block_ram_fifo("u_queue", 512, numbers).take_when(1);
-    /// net!(out = mux(number.taken, *number, 0));
+    /// def!(out = mux(number.taken, *number, 0));
     /// # });
     /// assert_eq!(example.values("out"), [0, 0, 5, 6]); // a clock later than from registers
     /// ```
@@ -67,11 +67,11 @@ pub trait StreamBlocks {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (numbers, sent) = m.offer(count.lt(3), *count);
     /// count.when(sent, count + 1);
     /// let number = m.lifo("u_stack", 4, numbers).take_when(count.eq(3));
-    /// net!(out = mux(number.taken, *number, 15));
+    /// def!(out = mux(number.taken, *number, 15));
     /// # });
     /// assert_eq!(example.values("out"), [15, 15, 15, 0, 2, 1]); // 0 is shown from the first on, and what is shown stays
     /// ```
@@ -91,7 +91,7 @@ pub trait StreamBlocks {
     /// let (colours, _) = m.on(HOST).offer(lit(1, 1), lit(24, 0xff8000));
     /// let shown = m.cross_by_fifo("u_crossing", 16, (HOST, VIDEO), colours);
     /// let colour = shown.take_when(1);
-    /// let rgb = m.on(VIDEO).reg("rgb", 24).reset(0);
+    /// def!(rgb = m.on(VIDEO).reg(24).reset(0));
     /// rgb.when(colour.taken, *colour);
     /// # });
     /// let rgb: [u64; 14] = example.values("rgb");
@@ -108,7 +108,7 @@ pub trait StreamBlocks {
     /// # let example = tilewright_sim::traced(|m| {
     /// let (words, _) = m.offer(lit(1, 1), lit(8, 7));
     /// let word = m.slice("u_slice", Slice::Forward, words).take_when(1);
-    /// net!(taken = word.taken);
+    /// def!(taken = word.taken);
     /// # });
     /// assert_eq!(example.values("taken"), [0, 1, 1]);
     /// ```
@@ -169,7 +169,7 @@ pub trait StreamBlocks {
     /// # use tilewright_blocks::{StreamBlocks, Turns};
     /// # let example = tilewright_sim::traced(|m| {
     /// let streams = [1, 2, 3].map(|word| m.offer(lit(1, 1), lit(8, word)).0);
-    /// net!(word = *m.arbiter("u_arbiter", Turns::RoundRobin, streams).take_when(1));
+    /// def!(word = *m.arbiter("u_arbiter", Turns::RoundRobin, streams).take_when(1));
     /// # });
     /// assert_eq!(example.values("word"), [1, 2, 3, 1, 2]);
     /// ```
@@ -190,15 +190,15 @@ pub trait StreamBlocks {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (left, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
-    /// let half = m.reg("half", 1).reset(0);
+    /// def!(half = m.reg(1).reset(0));
     /// half.next(!*half);
     /// let (right, _) = m.offer(*half, lit(4, 10));
     ///
     /// let sum = m.join(left, right, |left, right| left + right).take_when(1);
-    /// net!(sums = mux(sum.taken, *sum, 0));
+    /// def!(sums = mux(sum.taken, *sum, 0));
     /// # });
     /// assert_eq!(example.values("sums"), [0, 10, 0, 11, 0, 12]); // one waits for the other
     /// ```
@@ -217,7 +217,7 @@ pub trait StreamBlocks {
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
     /// let (words, _) = m.offer(lit(1, 1), lit(12, 0xabc));
-    /// net!(part = *m.narrow("u_narrow", 3, words).take_when(1));
+    /// def!(part = *m.narrow("u_narrow", 3, words).take_when(1));
     /// # });
     /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
     /// ```
@@ -230,11 +230,11 @@ pub trait StreamBlocks {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::StreamBlocks;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(1);
+    /// def!(count = m.reg(4).reset(1));
     /// let (digits, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// let word = m.widen("u_widen", 2, digits).take_when(1);
-    /// net!(words = mux(word.taken, *word, 0));
+    /// def!(words = mux(word.taken, *word, 0));
     /// # });
     /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43]);
     /// ```

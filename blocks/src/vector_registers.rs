@@ -1,6 +1,6 @@
 //! Registers of a processor that works on several numbers at once.
 
-use tilewright_hdl::{Module, ReadUnderWrite, below, bits, block, row};
+use tilewright_hdl::{Module, ReadUnderWrite, below, bits, block, def, row};
 
 block! {
     /// The registers of a vector processor: two are read in a clock, and of a third those lanes are written that a mask names.
@@ -23,7 +23,7 @@ block! {
     /// let read = m.instance("u_registers", &registers, VectorRegistersIn {
     ///     left: seven, right: lit(3, 0), to: seven, mask, value: lit(32, 0x1122_3344),
     /// });
-    /// net!(held = read.left_value);
+    /// def!(held = read.left_value);
     /// # });
     /// assert_eq!(example.values("held"), [0, 0x0022_0044]);
     /// ```
@@ -82,7 +82,7 @@ impl VectorRegisters {
             }
         }
         let lanes = row(self.lanes);
-        let registers = m.memory("registers", self.count, bits(self.width).of(lanes), ReadUnderWrite::Old);
+        def!(registers = m.memory(self.count, bits(self.width).of(lanes), ReadUnderWrite::Old));
         let registers = registers.attribute("ram_style", "distributed");
         registers.write(i.mask.unpack(lanes), i.to, i.value.unpack(lanes));
         let read = |number| registers.read_async(number).pack();

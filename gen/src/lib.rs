@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use tilewright_gen::verilog;
-//! use tilewright_hdl::{Block, Module, Width, bit, bundle, elaborate};
+//! use tilewright_hdl::{Block, Module, Width, bit, bundle, def, elaborate};
 //!
 //! bundle! {
 //!     struct ToggleIn<T> { flip: T }
@@ -25,9 +25,9 @@
 //!     }
 //!
 //!     fn build(&self, m: Module, i: ToggleIn) -> ToggleOut {
-//!         let on = m.reg("on", 1).reset(0);
-//!         on.enable(i.flip).next(!on.value());
-//!         ToggleOut { on: on.value() }
+//!         def!(on = m.reg(1).reset(0));
+//!         on.enable(i.flip).next(!on);
+//!         ToggleOut { on: *on }
 //!     }
 //! }
 //!

@@ -53,7 +53,7 @@ impl Block for Asserted {
         let cells = m.array("u_cell", 3, &Cell, |row| CellIn { x: row.y.previous(i.x) });
         let count = m.reg("count", 8);
         count.next(count + 1);
-        net!(fits = count.lt(100));
+        def!(fits = count.lt(100));
         m.assert(fits, "the count stays small");
         m.assert(select([(i.go, i.x.ne(7)), (i.x.bit(0), i.x.ne(9))], lit(1, 1)), "no choice fails");
         m.assert(!cells.y.lane(2).eq(99), "the last lane is never 99");
@@ -62,7 +62,7 @@ impl Block for Asserted {
         let seen = slow.reg("seen", 8);
         seen.next(count.quasi_static("the test looks at what a race would spoil"));
         slow.assert(seen.ne(50), "the slow clock never sees 50");
-        TopOut { y: cells.y.xor_all(), count: count.value(), seen: seen.value() }
+        TopOut { y: cells.y.xor_all(), count: *count, seen: *seen }
     }
 }
 

@@ -25,7 +25,7 @@ fn a_memory_between_two_clocks() {
     let text = clean("two_clocks", |m, i| {
         let memory = m.memory("words", 256, 8, ReadUnderWrite::Any);
         let write = m.reg("write", 1).reset(0);
-        write.next(!write.value());
+        write.next(!write);
         memory.write(write, i.a, i.b);
         let address = m.on(SLOW).reg("address", 8).reset(0);
         address.next(address + 1);
@@ -101,9 +101,9 @@ fn what_all_lanes_make_is_called_after_the_array() {
 fn names_that_arrays_use_are_free_for_others() {
     clean("hostile", |m, i| {
         let inner = Small { name: "inner", build: |_, i| i.a + i.b };
-        net!(y_ = i.a ^ 3);
-        net!(u_cell_y = !i.b);
-        net!(lane = i.b & y_);
+        def!(y_ = i.a ^ 3);
+        def!(u_cell_y = !i.b);
+        def!(lane = i.b & y_);
         let genvar = (lane | i.a).named("i");
         let cells = m.array("u_cell", 3, &inner, |row| Pair { a: row.y.previous(lane), b: lane });
         let more = m.array("u_more", 3, &inner, |_| Pair { a: constants(bits(8).of(3), u64::from), b: u_cell_y });
@@ -116,7 +116,7 @@ fn what_nothing_reads_is_tied() {
     let text = clean("unread", |m, i| {
         let child = Small { name: "pass", build: |_, i| i.a };
         let _ = m.instance("u_idle", &child, Pair { a: i.a, b: i.b });
-        net!(checked = i.a.lt(i.b));
+        def!(checked = i.a.lt(i.b));
         m.assert(checked, "a stays below b");
         m.assert((i.a + i.b).ne(0), "the sum is not zero");
         let idle = m.reg("idle", 8);

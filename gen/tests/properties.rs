@@ -98,7 +98,7 @@ impl Apart {
         let held = m.reg("held", 1).reset(0);
         held.next(i.x);
         m.assert(m.past(i.x).eq(held), "it is held");
-        net!(late = m.past(i.y) & !i.y);
+        def!(late = m.past(i.y) & !i.y);
         m.cover("y was high", late);
         let counts = m.reg("counts", 8).reset(0);
         counts.next(cat![i.x.repeat(5), i.y.repeat(3)]);

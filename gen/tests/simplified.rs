@@ -30,7 +30,7 @@ fn check(cases: &[(Build, &str)]) {
 fn wire(m: Module, name: &str, value: Signal) -> Signal {
     let wire = m.wire(name, 8);
     wire.drive(value);
-    wire.value()
+    *wire
 }
 
 #[test]

@@ -16,10 +16,10 @@ block! {
 
 impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-        let count = m.reg("count", self.width).reset(0);
-        net!(at_end = count.eq(self.limit - 1));
+        def!(count = m.reg(self.width).reset(0));
+        def!(at_end = count.eq(self.limit - 1));
         count.when(i.enable, mux(at_end, 0, count + 1));
-        CounterOut { count: count.value(), wraps: at_end & i.enable }
+        CounterOut { count: *count, wraps: at_end & i.enable }
     }
 }
 

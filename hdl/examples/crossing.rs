@@ -17,10 +17,10 @@ block! {
 
 impl Crossing {
     fn build(&self, m: Module, i: CrossingIn) -> CrossingOut {
-        let light = m.fsm("light", Light::Green);
-        let clocks = m.reg("clocks", 4).reset(1);
-        net!(over = clocks.eq(light.constants(4, |light| self.clocks[light as usize])));
-        net!(changes = over & (i.button | !light.is(Light::Green)));
+        def!(light = m.fsm(Light::Green));
+        def!(clocks = m.reg(4).reset(1));
+        def!(over = clocks.eq(light.constants(4, |light| self.clocks[light as usize])));
+        def!(changes = over & (i.button | !light.is(Light::Green)));
         clocks.enable(changes | !over).next(mux(changes, 1, clocks + 1));
         light.next(|light| match light {
             Light::Green => when(changes, Light::Amber),

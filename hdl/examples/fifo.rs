@@ -16,16 +16,16 @@ block! {
 
 impl Fifo {
     fn build(&self, m: Module, i: FifoIn) -> FifoOut {
-        let words = m.memory("words", self.depth, self.width, ReadUnderWrite::Old);
+        def!(words = m.memory(self.depth, self.width, ReadUnderWrite::Old));
         let address = words.address_width(); // One bit more tells full from empty.
-        let oldest = m.reg("oldest", address + 1).reset(0);
-        let free = m.reg("free", address + 1).reset(0);
-        net!(empty = oldest.eq(free));
-        net!(full = (oldest ^ free).eq(self.depth));
-        words.write(i.push & !full, free.trunc(address), i.data);
+        def!(oldest = m.reg(address + 1).reset(0));
+        def!(free = m.reg(address + 1).reset(0));
+        def!(empty = oldest.eq(free));
+        def!(full = (oldest ^ free).eq(self.depth));
+        words.write(i.push & !full, free.low(), i.data);
         free.when(i.push & !full, free + 1);
         oldest.when(i.pop & !empty, oldest + 1);
-        FifoOut { head: words.read_async(oldest.trunc(address)), empty, full }
+        FifoOut { head: words.read_async(oldest.low()), empty, full }
     }
 }
 

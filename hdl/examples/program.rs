@@ -29,23 +29,24 @@ block! {
 impl Run {
     fn build(&self, m: Module, i: RunIn) -> RunOut {
         let layout = Step { alu: one_of::<Alu>(), operand: bits(8), more: bits(2), ends: bit() };
-        let program = m.rom(
-            "program",
-            layout,
-            [
-                step(Alu::Load, 3),
-                step(Alu::Add, 5),
-                Step { more: 2, ..step(Alu::Double, 0) },
-                Step { ends: 1, ..step(Alu::Add, 100) },
-            ],
+        def!(
+            program = m.rom(
+                layout,
+                [
+                    step(Alu::Load, 3),
+                    step(Alu::Add, 5),
+                    Step { more: 2, ..step(Alu::Double, 0) },
+                    Step { ends: 1, ..step(Alu::Add, 100) },
+                ],
+            )
         );
-        let busy = m.reg("busy", bit()).reset(0);
-        let at = m.reg("at", program.address_width()).reset(0);
-        let done = m.reg("done", 2).reset(0);
-        let sum = m.reg("sum", 8).reset(0);
+        def!(busy = m.reg(bit()).reset(0));
+        def!(at = m.reg(program.address_width()).reset(0));
+        def!(done = m.reg(2).reset(0));
+        def!(sum = m.reg(8).reset(0));
 
-        net!(step = program.read_async(at));
-        net!(last = done.eq(step.more));
+        def!(step = program.read_async(at));
+        def!(last = done.eq(step.more));
         busy.when(i.start, 1).when(last & step.ends, 0);
         at.when(i.start, 0).when(busy & last, at + 1);
         done.when(i.start | last, 0).when(busy, done + 1);
@@ -55,7 +56,7 @@ impl Run {
             Alu::Double => sum << 1,
         });
         sum.when(busy, result);
-        RunOut { sum: sum.value(), busy: busy.value() }
+        RunOut { sum: *sum, busy: *busy }
     }
 }
 

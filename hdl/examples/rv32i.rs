@@ -52,27 +52,27 @@ impl Block for Core {
     fn inputs(&self) {}
 
     fn build(&self, m: Module, _: ()) -> CoreOut {
-        let pc = m.reg("pc", 32).reset(0);
-        net!(stopped = pc.eq(self.stop));
+        def!(pc = m.reg(32).reset(0));
+        def!(stopped = pc.eq(self.stop));
 
         // Four bytes side by side, each of which may be written alone.
-        let memory = m.memory("memory", self.words, bits(8).of(4), ReadUnderWrite::Any);
+        def!(memory = m.memory(self.words, bits(8).of(4), ReadUnderWrite::Any));
         let place = |address: Signal| address.part(2, memory.address_width());
-        net!(instruction = memory.read_async(place(*pc)).pack());
-        net!(opcode = instruction.part(2, 5).code::<Opcode>());
-        net!(funct3 = instruction.part(12, 3));
+        def!(instruction = memory.read_async(place(*pc)).pack());
+        def!(opcode = instruction.part(2, 5).code::<Opcode>());
+        def!(funct3 = instruction.part(12, 3));
         let immediate = immediates(instruction);
 
         let registers = m.memory("x", 32, 32, ReadUnderWrite::Any).fill(Bits::zero(32));
-        net!(left = registers.read_async(instruction.part(15, 5)));
-        net!(right = registers.read_async(instruction.part(20, 5)));
+        def!(left = registers.read_async(instruction.part(15, 5)));
+        def!(right = registers.read_async(instruction.part(20, 5)));
 
         let computes_with_register = opcode.is(Opcode::Register);
-        net!(operand = mux(computes_with_register, right, immediate.i));
+        def!(operand = mux(computes_with_register, right, immediate.i));
         let is_other = instruction.bit(30);
         let amount = operand.trunc(5);
-        net!(operation = funct3.code::<Operation>());
-        net!(
+        def!(operation = funct3.code::<Operation>());
+        def!(
             computed = operation.choose(|operation| match operation {
                 Operation::Add => mux(computes_with_register & is_other, left - operand, left + operand),
                 Operation::ShiftLeft => left << amount,
@@ -87,9 +87,9 @@ impl Block for Core {
 
         // Branches: equal, less, less unsigned, or the reverse.
         let less = [(2, left.signed().lt(right.signed())), (3, left.lt(right))];
-        net!(taken = case(funct3.part(1, 2), less, left.eq(right)) ^ funct3.bit(0));
-        net!(following = pc + 4);
-        net!(
+        def!(taken = case(funct3.part(1, 2), less, left.eq(right)) ^ funct3.bit(0));
+        def!(following = pc + 4);
+        def!(
             target = opcode.choose(|opcode| match opcode {
                 Opcode::Jump => pc + immediate.j,
                 Opcode::JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
@@ -100,18 +100,18 @@ impl Block for Core {
         pc.when(!stopped, target);
 
         // Loads and stores of 1, 2 or 4 bytes.
-        net!(address = left + mux(opcode.is(Opcode::Store), immediate.s, immediate.i));
+        def!(address = left + mux(opcode.is(Opcode::Store), immediate.s, immediate.i));
         let offset = address.trunc(2);
-        net!(word = memory.read_async(place(address)).pack() >> cat![offset, lit(3, 0)]);
+        def!(word = memory.read_async(place(address)).pack() >> cat![offset, lit(3, 0)]);
         let is_unsigned = funct3.bit(2);
         let extended = |bits: u32| mux(is_unsigned, word.trunc(bits).zext(32), word.trunc(bits).sext(32));
-        net!(loaded = case(funct3.part(0, 2), [(0, extended(8)), (1, extended(16))], word));
+        def!(loaded = case(funct3.part(0, 2), [(0, extended(8)), (1, extended(16))], word));
         let size = funct3.part(0, 2);
         let bytes = case(size, [(0, right.trunc(8).repeat(4)), (1, right.trunc(16).repeat(2))], right);
-        net!(written = case(size, arms![0 => lit(4, 1), 1 => 3], 15) << offset);
+        def!(written = case(size, arms![0 => lit(4, 1), 1 => 3], 15) << offset);
         memory.write(opcode.is(Opcode::Store) & !stopped & written.unpack(4), place(address), bytes.unpack(4));
 
-        net!(
+        def!(
             result = opcode.choose(|opcode| match opcode {
                 Opcode::Load => loaded,
                 Opcode::LoadUpper => immediate.u,
@@ -123,7 +123,7 @@ impl Block for Core {
         let has_none = [Opcode::Store, Opcode::Branch, Opcode::Fence, Opcode::System].map(|none| opcode.is(none));
         let to = instruction.part(7, 5);
         registers.write(!stopped & to.ne(0) & !stack(has_none).or_all(), to, result);
-        CoreOut { pc: pc.value(), stopped }
+        CoreOut { pc: *pc, stopped }
     }
 }
 

@@ -17,13 +17,13 @@ block! {
 impl Systolic {
     fn build(&self, m: Module, i: SystolicIn) -> SystolicOut {
         let cells = grid(self.size, self.size);
-        let x = m.reg("x", bits(8).of(cells));
-        let y = m.reg("y", bits(8).of(cells));
-        let sum = m.reg("sum", bits(16).of(cells));
+        def!(x = m.reg(bits(8).of(cells)));
+        def!(y = m.reg(bits(8).of(cells)));
+        def!(sum = m.reg(bits(16).of(cells)));
         x.next(x.columns().previous(i.left));
         y.next(y.rows().previous(i.above));
         sum.when(i.clear, 0).otherwise(*sum + x * *y);
-        SystolicOut { product: sum.value() }
+        SystolicOut { product: *sum }
     }
 }
 

@@ -16,11 +16,11 @@ block! {
 
 impl Transmitter {
     fn build(&self, m: Module, i: TransmitterIn) -> TransmitterOut {
-        let clock = m.reg("clock", below(self.clocks_per_bit)).reset(0);
-        let left = m.reg("left", up_to(10)).reset(0);
-        let line = m.reg("line", 9).reset(0x1ff); // what is to be sent; the stop bit follows by itself
-        net!(bit_ends = clock.eq(self.clocks_per_bit - 1));
-        net!(byte_ends = bit_ends & left.eq(1));
+        def!(clock = m.reg(below(self.clocks_per_bit)).reset(0));
+        def!(left = m.reg(up_to(10)).reset(0));
+        def!(line = m.reg(9).reset(0x1ff)); // what is to be sent; the stop bit follows by itself
+        def!(bit_ends = clock.eq(self.clocks_per_bit - 1));
+        def!(byte_ends = bit_ends & left.eq(1));
         let byte = i.bytes.take_when(left.eq(0) | byte_ends);
         clock.when(byte.taken | bit_ends, 0).otherwise(clock + 1);
         left.when(byte.taken, 10).when(bit_ends & left.ne(0), left - 1);
@@ -50,23 +50,23 @@ block! {
 
 impl Receiver {
     fn build(&self, m: Module, i: ReceiverIn) -> ReceiverOut {
-        let line = m.synchronize_from(true, "line", i.rx);
-        let was_high = m.pipe("was_high", line);
-        let clock = m.reg("clock", below(self.clocks_per_bit)).reset(0);
-        let left = m.reg("left", up_to(10)).reset(0);
-        let bits = m.reg("bits", 8);
-        net!(starts = left.eq(0) & was_high & !line);
-        net!(samples = left.ne(0) & clock.eq(0));
-        net!(glitch = left.eq(10) & line); // no start bit: its middle is high
-        net!(ends = samples & left.eq(1));
+        def!(line = m.synchronize_from(true, i.rx));
+        def!(was_high = m.pipe(line));
+        def!(clock = m.reg(below(self.clocks_per_bit)).reset(0));
+        def!(left = m.reg(up_to(10)).reset(0));
+        def!(bits = m.reg(8));
+        def!(starts = left.eq(0) & was_high & !line);
+        def!(samples = left.ne(0) & clock.eq(0));
+        def!(glitch = left.eq(10) & line); // no start bit: its middle is high
+        def!(ends = samples & left.eq(1));
         clock.when(starts, self.clocks_per_bit / 2 - 1).when(samples, self.clocks_per_bit - 1).otherwise(clock - 1);
         left.when(starts, 10).when(samples & glitch, 0).when(samples, left - 1);
         bits.when(samples, cat![line, bits.part(1, 7)]);
 
-        let full = m.reg("full", bit()).reset(0);
-        let held = m.reg("held", 8);
+        def!(full = m.reg(bit()).reset(0));
+        def!(held = m.reg(8));
         let (bytes, sent) = m.offer(full, *held);
-        net!(keeps = ends & line & !full);
+        def!(keeps = ends & line & !full);
         held.when(keeps, *bits);
         full.when(keeps, 1).when(sent, 0);
         ReceiverOut { bytes, framing_error: ends & !line, overrun: ends & line & full }

@@ -49,14 +49,14 @@ impl Block for CoverageTest {
     }
 
     fn build(&self, m: Module, i: TestIn) -> TestOut {
-        let busy = m.reg("busy", bit()).reset(0);
-        let held = m.reg("held", window());
-        let number = m.reg("number", 2).reset(0);
-        net!(quarter = held.quarter(*number, self.half));
-        net!(covers = !quarter.edges.is_negative().or_all());
+        def!(busy = m.reg(bit()).reset(0));
+        def!(held = m.reg(window()));
+        def!(number = m.reg(2).reset(0));
+        def!(quarter = held.quarter(*number, self.half));
+        def!(covers = !quarter.edges.is_negative().or_all());
         let (quarters, sent) = m.offer(busy & covers, quarter);
-        net!(tested = sent | (busy & !covers));
-        net!(ends = tested & number.all_ones());
+        def!(tested = sent | (busy & !covers));
+        def!(ends = tested & number.all_ones());
         let next = i.windows.take_when(!busy | ends);
         held.when(next.taken, *next);
         number.when(next.taken, 0).when(tested, number + 1);

@@ -19,7 +19,7 @@ impl Reg {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-    /// let late = m.reg("late", 8).attribute("keep", "true");
+    /// def!(late = m.reg(8).attribute("keep", "true"));
     /// late.next(i.word);
     /// #     ShownOut { late: *late }
     /// # };
@@ -43,7 +43,7 @@ impl<B: Bundle> Reg<B> {
     /// bundle! { struct Pair<T> { low: T, high: T } }
     ///
     /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-    /// let pair = m.reg("pair", Pair { low: bits(4), high: bits(4) }).attribute("keep", "true");
+    /// def!(pair = m.reg(Pair { low: bits(4), high: bits(4) }).attribute("keep", "true"));
     /// pair.next(Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) });
     /// #     ShownOut { late: pair.pack() }
     /// # };
@@ -72,7 +72,7 @@ impl<V: Data> Mem<V> {
     ///
     /// impl Lines {
     ///     fn build(&self, m: Module, i: LinesIn) -> LinesOut {
-    ///         let lines = m.memory("lines", 1024, 24, ReadUnderWrite::Any).attribute("ram_style", "block");
+    ///         def!(lines = m.memory(1024, 24, ReadUnderWrite::Any).attribute("ram_style", "block"));
     ///         lines.write(i.write, i.at, i.pixel);
     ///         LinesOut { shown: lines.read(i.at) }
     ///     }

@@ -246,7 +246,7 @@ pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
 /// # }
 /// # impl Toggle {
 /// #     fn build(&self, m: Module, _: ()) -> ToggleOut {
-/// #         let high = m.reg("high", 1).reset(0);
+/// #         def!(high = m.reg(1).reset(0));
 /// #         high.next(!*high);
 /// #         ToggleOut { high: *high }
 /// #     }

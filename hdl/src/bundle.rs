@@ -141,7 +141,7 @@ pub fn join(path: &str, field: &str) -> String {
 /// bundle! { struct Pixel<T> { z: T, rgb: T } }
 ///
 /// let layout = Pixel { z: bits(24), rgb: bits(24) };
-/// net!(pixel = layout.unpack(lit(48, 0x000005_ff8000)));       // nets `pixel_z` and `pixel_rgb`
+/// def!(pixel = layout.unpack(lit(48, 0x000005_ff8000)));       // nets `pixel_z` and `pixel_rgb`
 /// let darker = Pixel { rgb: pixel.rgb >> 1, ..pixel };
 /// let word: Signal = darker.pack();
 /// m.assert(word.eq(0x000005_7fc000), "the depth is as it was");

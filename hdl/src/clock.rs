@@ -77,7 +77,7 @@ impl fmt::Display for Period {
 ///
 /// impl Column {
 ///     fn build(&self, m: Module, _: ()) -> ColumnOut {
-///         let x = m.on(self.clock).reg("x", 10).reset(0);
+///         def!(x = m.on(self.clock).reg(10).reset(0));
 ///         x.next(x + 1);
 ///         ColumnOut { x: *x }
 ///     }

@@ -126,7 +126,7 @@ pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Alu { Load, Add, Double } }
 ///
-/// let operation = m.reg("operation", one_of::<Alu>()).reset(Alu::Add);
+/// def!(operation = m.reg(one_of::<Alu>()).reset(Alu::Add));
 /// operation.next(mux(operation.is(Alu::Add), Alu::Double, Alu::Load));
 /// # });
 /// assert_eq!(example.values("operation"), [1, 2, 0, 0]); // in 2 bits, as 3 codes need
@@ -144,7 +144,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// codes! { enum Phase { Idle, Fill, Drain } }
     ///
-    /// let phase = m.reg("phase", one_of::<Phase>()).reset(Phase::Idle);
+    /// def!(phase = m.reg(one_of::<Phase>()).reset(Phase::Idle));
     /// phase.when(phase.is(Phase::Idle), Phase::Drain);
     /// m.assert(phase.is(Phase::Idle) | phase.is(Phase::Drain), "a code of another enum is a mistake here, as a number is");
     /// # });
@@ -201,7 +201,7 @@ impl Signal {
     /// impl Additions {
     ///     fn build(&self, m: Module, i: AdditionsIn) -> AdditionsOut {
     ///         m.assume(i.valid.implies(i.operation.is_code()), "what is valid is an operation");
-    ///         let additions = m.reg("additions", 8).reset(0);
+    ///         def!(additions = m.reg(8).reset(0));
     ///         additions.when(i.valid & i.operation.is(Alu::Add), additions + 1);
     ///         AdditionsOut { additions: *additions }
     ///     }

@@ -90,7 +90,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.when(count.eq(2), 0).otherwise(count + 1);
     /// m.assert(!count.eq(3), "a number takes the width of the signal, here 2 bits");
     /// # });
@@ -105,7 +105,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let left = m.reg("left", 4).reset(9);
+    /// def!(left = m.reg(4).reset(9));
     /// left.when(left.ne(0), left - 1);
     /// m.assert(left.ne(0).eq(left.any_one()), "not 0 is: some bit is one");
     /// # });
@@ -134,7 +134,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.when(count.lt(12), count + 1);
     /// m.assert(count.le(12), "it counts up to 12, with that");
     /// # });

@@ -26,9 +26,9 @@ impl Module {
     ///     Step { add: -2, halt: 0 },
     ///     Step { add: 0, halt: 1 },
     /// ]);
-    /// let at = m.reg("at", program.address_width()).reset(0);
-    /// net!(step = program.read_async(at));
-    /// let sum = m.reg("sum", bits(8).signed()).reset(0);
+    /// def!(at = m.reg(program.address_width()).reset(0));
+    /// def!(step = program.read_async(at));
+    /// def!(sum = m.reg(bits(8).signed()).reset(0));
     /// sum.next(sum + step.add);
     /// at.when(!step.halt, at + 1);
     /// # });
@@ -54,10 +54,10 @@ impl<V: Data> Mem<V> {
     /// # tilewright_sim::example(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let depths = m.memory("depths", 16, 24, ReadUnderWrite::Any).fill(Bits::ones(24));
+    /// def!(depths = m.memory(16, 24, ReadUnderWrite::Any).fill(Bits::ones(24)));
     /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not bring it back");
     /// let layout = Entry { resident: bit(), page: below(12) };
-    /// let table = m.memory("table", 16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 });
+    /// def!(table = m.memory(16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 }));
     /// m.assert(table.read_async(5).page.eq(11), "a number for each field");
     /// # });
     /// ```
@@ -73,10 +73,10 @@ impl<V: Data> Mem<V> {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let squares = m.memory("squares", 8, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x));
-    /// let at = m.reg("at", 3).reset(1);
+    /// def!(squares = m.memory(8, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x)));
+    /// def!(at = m.reg(3).reset(1));
     /// at.next(at + 1);
-    /// net!(square = squares.read_async(at));
+    /// def!(square = squares.read_async(at));
     /// # });
     /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // above address 3 there are zeros
     /// ```
@@ -118,7 +118,7 @@ impl<V: Data> Mem<V> {
             };
             let part = match value {
                 Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind)),
-                Value::Signal(signal) => constant(signal, name, width.bits),
+                Value::Signal(signal) | Value::Low(signal) => constant(signal, name, width.bits),
             };
             bits = Some(bits.map_or(part.clone(), |bits| bits.concat(&part)));
         }

@@ -68,7 +68,7 @@ impl<V: Data, const N: usize> Data for [V; N] {
 ///
 /// let [now, before] = history(m, Range { from: bits(4), to: bits(8) });
 /// now.next(Range { from: now.from + 1, to: now.to + 2 });
-/// before.next(now.value());
+/// before.next(*now);
 /// # });
 /// assert_eq!(example.values("now_to"), [0, 2, 4, 6]);
 /// assert_eq!(example.values("before_from"), [0, 0, 1, 2]);
@@ -102,7 +102,7 @@ impl<W: IntoWidth> Layout for W {
 /// # let example = tilewright_sim::traced(|m| {
 /// bundle! { struct Pixel<T> { z: T, rgb: T } }
 ///
-/// let nearest = m.reg("nearest", Pixel { z: bits(4), rgb: bits(24) }).reset(Pixel { z: 8, rgb: 0 }); // numbers
+/// def!(nearest = m.reg(Pixel { z: bits(4), rgb: bits(24) }).reset(Pixel { z: 8, rgb: 0 })); // numbers
 /// nearest
 ///     .when(nearest.z.eq(1), 0) // zeros
 ///     .otherwise(Pixel { z: nearest.z >> 1, rgb: lit(24, 7) }); // signals
@@ -250,7 +250,7 @@ impl<V: Data> Given<V> {
 /// The signals among the values count as used.
 fn report_instead_of_all(values: &[(String, Value)], loc: Loc) {
     for (_, value) in values {
-        if let Value::Signal(signal) = value {
+        if let Value::Signal(signal) | Value::Low(signal) = value {
             let id = signal.id_at(loc);
             elaboration::draft(|draft| draft.in_problems.insert(id));
         }

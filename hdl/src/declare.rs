@@ -13,7 +13,7 @@ use crate::width::Width;
 /// Declares a block: its parameters, its ports with their widths, and what is said about them.
 ///
 /// ```
-/// use tilewright_hdl::{Module, below, bit, block, elaborate, up_to};
+/// use tilewright_hdl::{Module, below, bit, block, def, elaborate, up_to};
 ///
 /// block! {
 ///     /// Names the next free page.
@@ -39,7 +39,7 @@ use crate::width::Width;
 ///
 /// impl PageIdGenerator {
 ///     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
-///         let used = m.reg("used", up_to(self.pages)).reset(0);
+///         def!(used = m.reg(up_to(self.pages)).reset(0));
 ///         used.when(i.restart, 0).when(i.take, used + 1);
 ///         PageIdGeneratorOut { page: used.trunc(below(self.pages)), exhausted: used.eq(self.pages) }
 ///     }

@@ -72,7 +72,7 @@ impl Module {
     /// }
     ///
     /// let cells = m.array("u_cell", 3, &Cell, |cells| CellIn { left: cells.held.previous(7) });
-    /// net!(all = cells.held.pack());
+    /// def!(all = cells.held.pack());
     /// # });
     /// assert_eq!(example.values("u_cell[1].held"), [0, 0, 7, 7]);
     /// assert_eq!(example.values("all"), [0x000, 0x007, 0x077, 0x777]);

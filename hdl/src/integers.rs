@@ -44,8 +44,8 @@ impl Signal {
     /// The product with a signal, or with an integer, which has as many bits as it needs: `x * 3` is 2 bits wider than `x`.
     #[track_caller]
     pub(crate) fn times_any(self, right: impl Operand) -> Signal {
-        match right.operand() {
-            Value::Signal(right) => self.times(right),
+        match right.operand().cut_to(self.width) {
+            Value::Signal(right) | Value::Low(right) => self.times(right),
             Value::Literal(Literal::Integer(value, radix)) => {
                 let needed = 128 - if value < 0 { (!value).leading_zeros() } else { value.leading_zeros() };
                 let width = if self.kind == Kind::Signed { needed + 1 } else { needed.max(1) };

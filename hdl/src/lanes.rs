@@ -393,7 +393,7 @@ of_a_row! {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 3).reset(0);
+    /// def!(count = m.reg(3).reset(0));
     /// count.next(count + 1);
     /// let square = constants(bits(4).of(row(4)), |lane| u64::from(lane * lane)).pick(count);
     /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");

@@ -14,10 +14,10 @@
 //!
 //! impl Counter {
 //!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-//!         let count = m.reg("count", self.width).reset(0);
-//!         net!(at_end = count.eq(self.limit - 1));
+//!         def!(count = m.reg(self.width).reset(0));
+//!         def!(at_end = count.eq(self.limit - 1));
 //!         count.when(i.enable, mux(at_end, 0, count + 1));
-//!         CounterOut { count: count.value(), wraps: at_end & i.enable }
+//!         CounterOut { count: *count, wraps: at_end & i.enable }
 //!     }
 //! }
 //!
@@ -32,10 +32,10 @@
 //! | which parameters there are blocks of | `ranges(self) { depth: 2..=self.words }` in [`block!`] |
 //! | a port | its name and width in [`block!`]: [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)`, [`up_to`]`(n)`, or a record of these |
 //! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
-//! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
+//! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`low`](Signal::low) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
 //! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value); of signals, numbers or records |
 //! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
-//! | a named net | `net!(at_end = ..)`, or [`Signal::named`] |
+//! | a name, of a variable and of what it holds | [`def!`]`(count = m.reg(8))`, `def!(at_end = count.eq(9))`; one that is made: `m.reg(&name, 8)`, [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that turns over |
 //! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) where two stages are to meet |
@@ -74,6 +74,7 @@ mod compare;
 mod contents;
 mod data;
 mod declare;
+mod def;
 mod draft;
 mod elaboration;
 mod fields;
@@ -86,6 +87,7 @@ pub mod ir;
 mod lanes;
 mod limits;
 mod loc;
+mod low;
 mod machine;
 mod memory;
 mod module;
@@ -136,6 +138,7 @@ pub use index::Index;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
+pub use low::Low;
 pub use machine::{StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
 pub use module::Module;

@@ -16,8 +16,8 @@ use std::ops::Deref;
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Pump { Fill, Drain } }
 ///
-/// let pump = m.fsm("pump", Pump::Fill);
-/// let level = m.reg("level", 4).reset(0);
+/// def!(pump = m.fsm(Pump::Fill));
+/// def!(level = m.reg(4).reset(0));
 /// level.when(pump.is(Pump::Fill), level + 2).otherwise(level - 1);
 /// pump.next(|pump| match pump {
 ///     Pump::Fill => when(level.ge(2), Pump::Drain),
@@ -58,23 +58,6 @@ impl<S> Operand for StateReg<S> {
 }
 
 impl<S: Codes + Operand> StateReg<S> {
-    /// The code of the present state.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// codes! { enum Pump { Fill, Drain } }
-    ///
-    /// let pump = m.fsm("pump", Pump::Fill);
-    /// pump.next(|_| goto(Pump::Drain));
-    /// let state: Signal = pump.value(); // for an output, or a record
-    /// m.assert(state.eq(Pump::Fill) | state.eq(Pump::Drain), "one of its codes");
-    /// # });
-    /// ```
-    pub fn value(self) -> Signal {
-        self.register.signal
-    }
-
     /// 1 bit: the machine is in `state`.
     ///
     /// ```
@@ -82,7 +65,7 @@ impl<S: Codes + Operand> StateReg<S> {
     /// # tilewright_sim::example(|m| {
     /// codes! { enum Pump { Fill, Drain } }
     ///
-    /// let pump = m.fsm("pump", Pump::Fill);
+    /// def!(pump = m.fsm(Pump::Fill));
     /// pump.next(|_| goto(Pump::Drain));
     /// let valve_is_open = !pump.is(Pump::Drain);
     /// m.assert(valve_is_open.eq(pump.is(Pump::Fill)), "a condition like any other");
@@ -109,9 +92,9 @@ impl<S: Codes + Operand> StateReg<S> {
     ///
     /// impl Tank {
     ///     fn build(&self, m: Module, i: TankIn) -> TankOut {
-    ///         let level = m.reg("level", up_to(self.litres)).reset(0);
-    ///         let filled = m.reg("filled", 8).reset(0);
-    ///         let pump = m.fsm("pump", Pump::Idle);
+    ///         def!(level = m.reg(up_to(self.litres)).reset(0));
+    ///         def!(filled = m.reg(8).reset(0));
+    ///         def!(pump = m.fsm(Pump::Idle));
     ///         let moves = pump.next(|state| match state {
     ///             Pump::Idle => when(i.start, Pump::Fill),
     ///             Pump::Fill => when(level.eq(self.litres), Pump::Drain),
@@ -163,13 +146,13 @@ impl<S: Codes + Operand> StateReg<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Scan { Idle, Front, Back } }
     ///
-    /// let scan = m.fsm("scan", Scan::Idle);
+    /// def!(scan = m.fsm(Scan::Idle));
     /// scan.next(|scan| match scan {
     ///     Scan::Idle => goto(Scan::Front),
     ///     Scan::Front => goto(Scan::Back),
     ///     Scan::Back => hold(),
     /// });
-    /// net!(porch = scan.constants(6, |scan| match scan {
+    /// def!(porch = scan.constants(6, |scan| match scan {
     ///     Scan::Idle => 0,
     ///     Scan::Front => 16,
     ///     Scan::Back => 48,
@@ -189,12 +172,12 @@ impl<S: Codes + Operand> StateReg<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Run { Up, Down } }
     ///
-    /// let run = m.fsm("run", Run::Up);
+    /// def!(run = m.fsm(Run::Up));
     /// run.next(|run| match run {
     ///     Run::Up => goto(Run::Down),
     ///     Run::Down => hold(),
     /// });
-    /// let count = m.reg("count", 4).reset(5);
+    /// def!(count = m.reg(4).reset(5));
     /// count.next(run.pick(|run| match run {
     ///     Run::Up => count + 1,
     ///     Run::Down => count - 1,
@@ -224,7 +207,7 @@ impl<S: Codes + Operand> StateReg<S> {
 /// codes! { enum Door { Shut, Open, Locked } }
 ///
 /// let (push, turn) = (lit(1, 1), lit(1, 0));
-/// let door = m.fsm("door", Door::Shut);
+/// def!(door = m.fsm(Door::Shut));
 /// // What several states share is a function or, as here, a value that is made where it is wanted.
 /// let shuts = || when(push, Door::Shut);
 /// door.next(|door| match door {
@@ -248,7 +231,7 @@ pub struct Transition<S> {
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Step { Fetch, Execute } }
 ///
-/// let step = m.fsm("step", Step::Fetch);
+/// def!(step = m.fsm(Step::Fetch));
 /// step.next(|step| match step {
 ///     Step::Fetch => goto(Step::Execute),
 ///     Step::Execute => goto(Step::Fetch),
@@ -267,7 +250,7 @@ pub fn goto<S>(state: S) -> Transition<S> {
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Run { Runs, Halted } }
 ///
-/// let run = m.fsm("run", Run::Runs);
+/// def!(run = m.fsm(Run::Runs));
 /// run.next(|run| match run {
 ///     Run::Runs => goto(Run::Halted),
 ///     Run::Halted => hold(), // until a reset
@@ -286,9 +269,9 @@ pub fn hold<S>() -> Transition<S> {
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Start { Waits, Runs } }
 ///
-/// let count = m.reg("count", 4).reset(0);
+/// def!(count = m.reg(4).reset(0));
 /// count.next(count + 1);
-/// let start = m.fsm("start", Start::Waits);
+/// def!(start = m.fsm(Start::Waits));
 /// start.next(|start| match start {
 ///     Start::Waits => when(count.eq(2), Start::Runs),
 ///     Start::Runs => hold(),
@@ -309,7 +292,7 @@ impl<S> Transition<S> {
     /// codes! { enum Lift { Stands, Rises, Sinks } }
     ///
     /// let (floor, wanted) = (m.reg("floor", 3).reset(2), lit(3, 4));
-    /// let lift = m.fsm("lift", Lift::Stands);
+    /// def!(lift = m.fsm(Lift::Stands));
     /// floor.when(lift.is(Lift::Rises) & floor.ne(wanted), floor + 1);
     /// lift.next(|_| when(wanted.gt(floor), Lift::Rises).or_when(wanted.lt(floor), Lift::Sinks).or_else(Lift::Stands));
     /// # });
@@ -328,9 +311,9 @@ impl<S> Transition<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Line { Idle, Start, Data } }
     ///
-    /// let level = m.reg("level", 1).reset(0);
+    /// def!(level = m.reg(1).reset(0));
     /// level.next(1);
-    /// let line = m.fsm("line", Line::Idle);
+    /// def!(line = m.fsm(Line::Idle));
     /// line.next(|line| match line {
     ///     Line::Idle => when(!*level, Line::Start),
     ///     Line::Start => when(!*level, Line::Data).or_else(Line::Idle), // without it, it would stay

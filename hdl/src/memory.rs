@@ -16,11 +16,11 @@ use crate::width::Width;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 2).reset(0);
+/// def!(count = m.reg(2).reset(0));
 /// count.next(count + 1);
-/// let table = m.memory("table", 4, 8, ReadUnderWrite::Old).fill(9);
+/// def!(table = m.memory(4, 8, ReadUnderWrite::Old).fill(9));
 /// table.write(count.bit(0), count, count.zext(8));
-/// net!(word = table.read_async(count));
+/// def!(word = table.read_async(count));
 /// # });
 /// // Words 1 and 3 are written at the end of the clock in which they are read first.
 /// assert_eq!(example.values("word"), [9, 9, 9, 9, 9, 1, 9, 3]);
@@ -60,7 +60,7 @@ impl Mem {
     ///
     /// impl Palette {
     ///     fn build(&self, m: Module, i: PaletteIn) -> PaletteOut {
-    ///         let colours = m.memory("colours", 256, 24, ReadUnderWrite::Any);
+    ///         def!(colours = m.memory(256, 24, ReadUnderWrite::Any));
     ///         colours.on(HOST).write(i.set, i.index, i.rgb);
     ///         PaletteOut { rgb_out: colours.on(VIDEO).read(i.pixel) }
     ///     }
@@ -82,7 +82,7 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let table = m.memory("table", 12, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+    /// def!(table = m.memory(12, 8, ReadUnderWrite::Any).fill(Bits::zero(8)));
     /// let last = lit(table.address_width(), 11);
     /// m.assert(table.read_async(last).eq(0), "4 bits, of which the addresses 12 to 15 lead nowhere");
     /// # });
@@ -96,7 +96,7 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let table = m.memory("table", 12, below(100), ReadUnderWrite::Any).fill(99);
+    /// def!(table = m.memory(12, below(100), ReadUnderWrite::Any).fill(99));
     /// let word = table.read_async(0);
     /// m.assert(word.eq(lit(table.width(), 99)), "7 bits hold every number below 100");
     /// # });
@@ -110,12 +110,12 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
-    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).true_dual_port().fill(Bits::zero(8));
+    /// def!(table = m.memory(4, 8, ReadUnderWrite::Any).true_dual_port().fill(Bits::zero(8)));
     /// table.write(lit(1, 1), count, 1);
     /// table.write(count.bit(0), count, 2); // of two writes to one word the later port wins
-    /// net!(word = table.read_async(count));
+    /// def!(word = table.read_async(count));
     /// # });
     /// assert_eq!(example.values("word"), [0, 0, 0, 0, 1, 2, 1, 2]);
     /// ```
@@ -135,12 +135,15 @@ impl Mem {
     pub(crate) fn sized(self, operand: impl Operand, (width, kind): (u32, Kind), what: &str) -> Signal {
         let loc = Loc::caller();
         self.check_module(loc);
-        let signal = match operand.operand() {
+        let signal = match operand.operand().cut_to(width) {
             Value::Literal(literal) => return literal.sized(width, kind),
-            Value::Signal(signal) if signal.width == width && signal.kind == kind => return signal,
-            Value::Signal(signal) if signal.width == width => return self.of_kind(signal, kind, what),
-            Value::Signal(signal) => signal,
+            Value::Signal(signal) | Value::Low(signal) => signal,
         };
+        match (signal.width == width, signal.kind == kind) {
+            (true, true) => return signal,
+            (true, false) => return self.of_kind(signal, kind, what),
+            (false, _) => {}
+        }
         let id = signal.id();
         elaboration::with(|e| {
             let draft = e.draft();
@@ -214,10 +217,10 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let at = m.reg("at", 2).reset(0);
+    /// def!(at = m.reg(2).reset(0));
     /// at.next(at + 1);
-    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]);
-    /// net!(word = table.read(at));
+    /// def!(table = m.memory(4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]));
+    /// def!(word = table.read(at));
     /// # });
     /// assert_eq!(example.values("at"), [0, 1, 2, 3]);
     /// assert_eq!(example.values("word"), [0, 10, 11, 12]); // the data is a register, which a reset does not set
@@ -233,10 +236,10 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let at = m.reg("at", 2).reset(0);
+    /// def!(at = m.reg(2).reset(0));
     /// at.next(at + 1);
-    /// let table = m.memory("table", 4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]);
-    /// net!(word = table.read_when(at.bit(0), at));
+    /// def!(table = m.memory(4, 8, ReadUnderWrite::Any).words([10, 11, 12, 13]));
+    /// def!(word = table.read_when(at.bit(0), at));
     /// # });
     /// assert_eq!(example.values("word"), [0, 0, 11, 11, 13, 13]);
     /// ```
@@ -251,10 +254,10 @@ impl Mem {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let at = m.reg("at", 2).reset(0);
+    /// def!(at = m.reg(2).reset(0));
     /// at.next(at + 1);
-    /// let table = m.memory("table", 3, 8, ReadUnderWrite::Any).words([10, 11, 12]);
-    /// net!(word = table.read_async(at));
+    /// def!(table = m.memory(3, 8, ReadUnderWrite::Any).words([10, 11, 12]));
+    /// def!(word = table.read_async(at));
     /// # });
     /// assert_eq!(example.values("word"), [10, 11, 12, 0]); // there is no word 3
     /// ```
@@ -299,7 +302,7 @@ impl Mem {
     ///
     /// impl Ram {
     ///     fn build(&self, m: Module, i: RamIn) -> RamOut {
-    ///         let words = m.memory("words", 256, bits(8).of(row(4)), ReadUnderWrite::Any);
+    ///         def!(words = m.memory(256, bits(8).of(row(4)), ReadUnderWrite::Any));
     ///         words.write(i.writes & i.bytes.unpack(row(4)), i.at, i.data.unpack(row(4)));
     ///         RamOut { word: words.read(i.at).pack() }
     ///     }

@@ -29,7 +29,7 @@ use std::marker::PhantomData;
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
 /// // `m` is this block's module: what has a name is declared by it.
-/// let count = m.reg("count", 8).reset(0);
+/// def!(count = m.reg(8).reset(0));
 /// count.next(count + 3);
 /// m.assert(count.le(252), "252 is 84 times 3");
 /// # });
@@ -73,9 +73,9 @@ impl Module {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let used = m.reg("used", up_to(12)).reset(0);
+    /// def!(used = m.reg(up_to(12)).reset(0));
     /// used.when(used.ne(12), used + 1);
-    /// let entry = m.reg("entry", Entry { resident: bit(), page: below(12) });
+    /// def!(entry = m.reg(Entry { resident: bit(), page: below(12) }));
     /// entry.next(Entry { resident: used.ne(12), page: *used });
     /// # });
     /// assert_eq!(example.values("used"), [0, 1, 2, 3]);
@@ -110,7 +110,7 @@ impl Module {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Light { Red, Green, Amber } }
     ///
-    /// let light = m.fsm("light", Light::Red);
+    /// def!(light = m.fsm(Light::Red));
     /// light.next(|light| match light {
     ///     Light::Red => goto(Light::Green),
     ///     Light::Green => goto(Light::Amber),
@@ -130,9 +130,9 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(5);
+    /// def!(count = m.reg(4).reset(5));
     /// count.next(count + 1);
-    /// let late = m.pipe("late", *count);
+    /// def!(late = m.pipe(*count));
     /// let _ = m.pipe("later", late);
     /// # });
     /// assert_eq!(example.values("late"), [0, 5, 6, 7]);
@@ -148,7 +148,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(5);
+    /// def!(count = m.reg(4).reset(5));
     /// count.next(count + 1);
     /// let _ = m.pipe_when(!count.bit(0), "even", *count);
     /// # });
@@ -171,7 +171,7 @@ impl Module {
                 let _ = register.enable(enable);
             }
             register.next(signal);
-            registers.push(register.value());
+            registers.push(*register);
         }
         from_leaves(&value, registers)
     }
@@ -183,8 +183,8 @@ impl Module {
     /// # tilewright_sim::example(|m| {
     /// bundle! { struct Grant<T> { taken: T, page: T } }
     ///
-    /// let grant = m.wire("grant", Grant { taken: bit(), page: below(12) });
-    /// let free = m.reg("free", below(12)).reset(0);
+    /// def!(grant = m.wire(Grant { taken: bit(), page: below(12) }));
+    /// def!(free = m.reg(below(12)).reset(0));
     /// free.when(grant.taken, grant.page + 1);
     /// grant.drive(Grant { taken: free.lt(11), page: *free });
     /// m.assert(free.le(11), "the wire closed a loop, but through a register");
@@ -217,10 +217,10 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
-    /// let squares = m.memory("squares", 4, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x));
-    /// net!(square = squares.read(count));
+    /// def!(squares = m.memory(4, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x)));
+    /// def!(square = squares.read(count));
     /// # });
     /// // The word comes one clock after its address. What a read beside a write gives does not matter: nothing writes.
     /// assert_eq!(example.values("square"), [0, 0, 1, 4, 9, 0]);
@@ -291,7 +291,7 @@ impl Module {
     ///     fn build(&self, m: Module, i: StartIn) -> StartOut {
     ///         let m = m.on(VIDEO);
     ///         let go = m.synchronize("go_here", i.go);
-    ///         let running = m.reg("running", 1).reset(0);
+    ///         def!(running = m.reg(1).reset(0));
     ///         running.when(go, 1);
     ///         StartOut { running: *running }
     ///     }
@@ -347,7 +347,7 @@ impl Module {
         });
         meta.next(entered);
         stable.next(meta);
-        stable.value()
+        *stable
     }
 
     /// States that an input is not used on purpose; for a bundle, that none of its fields need be.

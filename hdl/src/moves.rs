@@ -13,12 +13,12 @@ use crate::signal::Signal;
 /// # let example = tilewright_sim::traced(|m| {
 /// codes! { enum Step { Fetch, Execute } }
 ///
-/// let step = m.fsm("step", Step::Fetch);
+/// def!(step = m.fsm(Step::Fetch));
 /// let moves = step.next(|step| match step {
 ///     Step::Fetch => goto(Step::Execute),
 ///     Step::Execute => goto(Step::Fetch),
 /// });
-/// let executed = m.reg("executed", 4).reset(0);
+/// def!(executed = m.reg(4).reset(0));
 /// executed.when(moves.leaves(Step::Execute), executed + 1);
 /// # });
 /// assert_eq!(example.values("executed"), [0, 0, 1, 1, 2]);
@@ -44,14 +44,14 @@ impl<S: Codes + Operand> Moves<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Start { Waits, Runs } }
     ///
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.next(count + 1);
-    /// let start = m.fsm("start", Start::Waits);
+    /// def!(start = m.fsm(Start::Waits));
     /// let moves = start.next(|start| match start {
     ///     Start::Waits => when(count.eq(2), Start::Runs),
     ///     Start::Runs => hold(),
     /// });
-    /// net!(begins = moves.leaves(Start::Waits));
+    /// def!(begins = moves.leaves(Start::Waits));
     /// # });
     /// assert_eq!(example.values("begins"), [0, 0, 1, 0, 0]); // in the clock before it runs
     /// ```
@@ -67,13 +67,13 @@ impl<S: Codes + Operand> Moves<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Light { Red, Green, Amber } }
     ///
-    /// let light = m.fsm("light", Light::Red);
+    /// def!(light = m.fsm(Light::Red));
     /// let moves = light.next(|light| match light {
     ///     Light::Red => goto(Light::Green),
     ///     Light::Green => goto(Light::Amber),
     ///     Light::Amber => goto(Light::Red),
     /// });
-    /// net!(stops = moves.enters(Light::Red));
+    /// def!(stops = moves.enters(Light::Red));
     /// # });
     /// assert_eq!(example.values("stops"), [0, 0, 1, 0, 0, 1]);
     /// ```
@@ -98,12 +98,12 @@ impl<S: Codes + Operand> Moves<S> {
     /// # let example = tilewright_sim::traced(|m| {
     /// codes! { enum Run { Runs, Halted } }
     ///
-    /// let run = m.fsm("run", Run::Runs);
+    /// def!(run = m.fsm(Run::Runs));
     /// let moves = run.next(|run| match run {
     ///     Run::Runs => goto(Run::Halted),
     ///     Run::Halted => hold(),
     /// });
-    /// net!(stays = moves.goes(Run::Halted, Run::Halted));
+    /// def!(stays = moves.goes(Run::Halted, Run::Halted));
     /// # });
     /// assert_eq!(example.values("stays"), [0, 1, 1]);
     /// ```

@@ -19,7 +19,7 @@ use std::fmt;
 ///     (value << 1) + more
 /// }
 ///
-/// let count = m.reg("count", 8).reset(20);
+/// def!(count = m.reg(8).reset(20));
 /// count.next(count);
 /// m.assert(twice(*count, 2).eq(42), "a number, which takes the width of what it meets");
 /// m.assert(twice(*count, count).eq(60), "a register, a wire or a signal");
@@ -45,7 +45,7 @@ pub trait Operand {
 ///     a & b
 /// }
 ///
-/// let half = m.reg("half", 1).reset(0);
+/// def!(half = m.reg(1).reset(0));
 /// half.next(!*half);
 /// m.assert(!both(half, !*half), "a register and a signal");
 /// # });
@@ -66,6 +66,8 @@ pub enum Value {
     Signal(Signal),
     /// A number, which takes the width of what it meets.
     Literal(Literal),
+    /// A signal's low bits, as many as what they meet has.
+    Low(Signal),
 }
 
 #[doc(hidden)]
@@ -102,10 +104,12 @@ impl Value {
     #[track_caller]
     pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
         let loc = Loc::caller();
-        let right = match self {
+        let right = match self.cut_to(left.width) {
             Value::Literal(literal) => return literal.for_signal(left, operator),
-            Value::Signal(right) if right.width == left.width => return right.of_kind_of(left, operator),
-            Value::Signal(right) => right,
+            Value::Signal(right) | Value::Low(right) if right.width == left.width => {
+                return right.of_kind_of(left, operator);
+            }
+            Value::Signal(right) | Value::Low(right) => right,
         };
         let (left_id, right_id) = (left.id(), right.id());
         elaboration::with(|e| {

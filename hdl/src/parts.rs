@@ -29,7 +29,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let timer = m.reg("timer", 5).reset(9);
+    /// def!(timer = m.reg(5).reset(9));
     /// timer.when(!timer.msb(), timer - 1);
     /// m.assert(timer.msb().implies(timer.all_ones()), "below 0 the top bit ends it, and no comparator is needed");
     /// # });

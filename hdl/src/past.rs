@@ -24,7 +24,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 8).reset(0);
+    /// def!(count = m.reg(8).reset(0));
     /// count.next(count + 3);
     /// m.assert(count.eq(m.past(*count) + 3), "says nothing of the first edge, as there is no past");
     /// # });
@@ -45,7 +45,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.next(count + 1);
     /// m.assert(m.rose(count.msb()).eq(count.eq(8)), "once, where the top bit comes");
     /// # });
@@ -61,7 +61,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.next(count + 1);
     /// m.assert(m.fell(count.msb()).eq(count.eq(0)), "where it wraps");
     /// # });
@@ -77,9 +77,9 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let half = m.reg("half", 1).reset(0);
+    /// def!(half = m.reg(1).reset(0));
     /// half.next(!*half);
-    /// let count = m.reg("count", 8).reset(0);
+    /// def!(count = m.reg(8).reset(0));
     /// count.when(*half, count + 1);
     /// m.assert(m.stable(count).eq(!m.past(*half)), "it changes where it was enabled, and nowhere else");
     /// # });

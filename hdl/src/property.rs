@@ -24,8 +24,8 @@ use crate::signal::Signal;
 ///
 /// impl Taken {
 ///     fn build(&self, m: Module, i: TakenIn) -> TakenOut {
-///         let taken = m.reg("taken", up_to(self.most)).reset(0);
-///         net!(full = taken.eq(self.most));
+///         def!(taken = m.reg(up_to(self.most)).reset(0));
+///         def!(full = taken.eq(self.most));
 ///         taken.when(i.restart, 0).when(i.take, taken + 1);
 ///         m.assume(i.take.implies(!full | i.restart), "nothing is taken when all is");
 ///         m.assert(taken.le(self.most), "no more is taken than there is");
@@ -42,7 +42,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let used = m.reg("used", up_to(12)).reset(0);
+    /// def!(used = m.reg(up_to(12)).reset(0));
     /// let take = used.lt(12);
     /// used.when(take, used + 1);
     /// m.assert(take.implies(used.ne(12)), "a page is taken only while one is free");
@@ -81,7 +81,7 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.when(i.enable, count + 1);
     /// m.cover("it is full", count.all_ones());
     /// #     ShownOut { count: *count }

@@ -46,7 +46,7 @@ pub struct Written {
 ///
 /// impl Finder {
 ///     fn build(&self, m: Module, i: FinderIn) -> FinderOut {
-///         let kept = m.reg("kept", 8).reset(binary(0b101));
+///         def!(kept = m.reg(8).reset(binary(0b101)));
 ///         kept.when(i.x.gt(100), i.x);
 ///         FinderOut { found: i.x.eq(hex(0x3f)), kept: *kept }
 ///     }

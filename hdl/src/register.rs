@@ -12,7 +12,7 @@ use crate::signal::{Signal, bits_text};
 use crate::wire::{CHOOSE, is_here, report_second_driver};
 use std::ops::Deref;
 
-/// A register of a signal, or of a record. It reads as its present value; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
+/// A register of a signal, or of a record. It reads as its present value, and is `*count` where a bare signal must stand; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
 /// stands in its place.
 ///
 /// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
@@ -22,7 +22,7 @@ use std::ops::Deref;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(3);
+/// def!(count = m.reg(4).reset(3));
 /// let is_even = !count.bit(0); // what it holds now, ..
 /// count.next(count + 1); // .. and what it holds from the next edge on
 /// let _ = is_even.named("is_even");
@@ -50,31 +50,16 @@ compared_as_signal!(Reg);
 reads_as_signal!(Reg);
 
 impl Reg {
-    /// The present value.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 4).reset(0);
-    /// count.next(count + 1);
-    /// let digits: [Signal; 2] = [count.value(), *count];
-    /// m.assert(digits[0].eq(digits[1]), "a bare signal; `*count` says the same");
-    /// # });
-    /// ```
-    pub fn value(self) -> Signal {
-        self.signal
-    }
-
     /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let level = m.reg("level", bits(8).signed()).reset(-2);
+    /// def!(level = m.reg(bits(8).signed()).reset(-2));
     /// level.next(level + 1);
-    /// let lamps = m.reg("lamps", bit().of(row(3))).reset(true);
+    /// def!(lamps = m.reg(bit().of(row(3))).reset(true));
     /// lamps.next(lamps.previous(0));
-    /// net!(lit = lamps.pack());
+    /// def!(lit = lamps.pack());
     /// # });
     /// assert_eq!(example.values("level"), [0xfe, 0xff, 0, 1]);
     /// assert_eq!(example.values("lit"), [0b111, 0b110, 0b100, 0b000]);
@@ -93,7 +78,7 @@ impl Reg {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let ring = m.reg("ring", bits(4).of(row(3))).reset_each([7, 8, 9]);
+    /// def!(ring = m.reg(bits(4).of(row(3))).reset_each([7, 8, 9]));
     /// ring.next(ring.previous(ring.last()));
     /// # });
     /// assert_eq!(example.values("ring[0]"), [7, 9, 8, 7]);
@@ -135,8 +120,8 @@ impl Reg {
     ///
     /// impl PowerOn {
     ///     fn build(&self, m: Module, i: PowerOnIn) -> PowerOnOut {
-    ///         let left = m.reg("left", up_to(self.clocks)).initial(self.clocks);
-    ///         net!(reset = left.ne(0));
+    ///         def!(left = m.reg(up_to(self.clocks)).initial(self.clocks));
+    ///         def!(reset = left.ne(0));
     ///         left.when(i.again, self.clocks).when(reset, left - 1);
     ///         PowerOnOut { reset }
     ///     }
@@ -166,7 +151,7 @@ impl Reg {
         let loc = Loc::caller();
         let constant = match value.operand() {
             Value::Literal(literal) => literal.for_signal(self.signal, when),
-            Value::Signal(signal) => signal,
+            Value::Signal(signal) | Value::Low(signal) => signal,
         };
         let id = constant.id();
         let bits = elaboration::with(|e| match &e.draft().node(id).op {
@@ -188,9 +173,9 @@ impl Reg {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let half = m.reg("half", 1).reset(0);
+    /// def!(half = m.reg(1).reset(0));
     /// half.next(!*half);
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.enable(*half).next(count + 1);
     /// # });
     /// assert_eq!(example.values("count"), [0, 0, 1, 1, 2, 2]);
@@ -211,7 +196,7 @@ impl Reg {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let fibonacci = m.reg("fibonacci", 8).reset(1);
+    /// def!(fibonacci = m.reg(8).reset(1));
     /// let before = m.reg("last", 8).reset(0);
     /// before.next(fibonacci);
     /// fibonacci.next(before + *fibonacci); // both sample at once: `before` is still what it was
@@ -231,7 +216,7 @@ impl Reg {
     /// else it keeps what it holds. The first condition that holds wins, as in `if`, `else if`, which is what Verilog has.
     ///
     /// ```
-    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, elaborate};
+    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def, elaborate};
     /// # bundle! {
     /// #     /// When it counts.
     /// #     pub struct CountIn<T> { pub restart: T, pub take: T }
@@ -245,9 +230,9 @@ impl Reg {
     /// #     type Out = CountOut;
     /// #     fn inputs(&self) -> CountIn<Width> { CountIn { restart: bit(), take: bit() } }
     /// #     fn build(&self, m: Module, i: CountIn) -> CountOut {
-    /// let used = m.reg("used", 8).reset(0);
+    /// def!(used = m.reg(8).reset(0));
     /// used.when(i.restart, 0).when(i.take, used + 1);
-    /// #         CountOut { used: used.value() }
+    /// #         CountOut { used: *used }
     /// #     }
     /// # }
     /// # elaborate(&Count).unwrap();
@@ -287,10 +272,10 @@ impl Reg {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 3).reset(0);
+/// def!(count = m.reg(3).reset(0));
 /// count.next(count + 1);
-/// let busy = m.reg("busy", 1).reset(0).when(count.eq(2), 1).when(count.eq(4), 0);
-/// net!(served = mux(busy, count + 1, 0));
+/// def!(busy = m.reg(1).reset(0).when(count.eq(2), 1).when(count.eq(4), 0));
+/// def!(served = mux(busy, count + 1, 0));
 /// # });
 /// assert_eq!(example.values("served"), [0, 0, 0, 4, 5, 0]);
 /// ```
@@ -300,7 +285,7 @@ impl Reg {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
+/// def!(count = m.reg(4).reset(0));
 /// let mut updates = count.when(count.eq(9), 0);
 /// for (at, skip_to) in [(2, 5), (6, 8)] {
 ///     updates = updates.when(count.eq(at), skip_to);
@@ -334,7 +319,7 @@ impl Updates {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.when(count.eq(3), 0).when(count.le(3), count + 1);
     /// # });
     /// // At 3 both conditions hold, and the first wins.
@@ -352,7 +337,7 @@ impl Updates {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let timer = m.reg("timer", 4).reset(1);
+    /// def!(timer = m.reg(4).reset(1));
     /// timer.when(timer.eq(0), 3).otherwise(timer - 1);
     /// # });
     /// assert_eq!(example.values("timer"), [1, 0, 3, 2, 1, 0]);

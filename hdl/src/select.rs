@@ -97,7 +97,7 @@ macro_rules! cat {
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let (a, b) = (lit(8, 40), lit(8, 2));
-/// let op = m.reg("op", 2).reset(0);
+/// def!(op = m.reg(2).reset(0));
 /// op.next(op + 1);
 /// let result = case(op, arms![0 => 0, 1 => a + b, 2 => a - b], a);
 /// m.assert(op.eq(1).implies(result.eq(42)), "an arm that is a signal");
@@ -108,25 +108,6 @@ macro_rules! cat {
 macro_rules! arms {
     ($($key:expr => $value:expr),* $(,)?) => {
         [$(($key, $crate::Fits::given($value))),*]
-    };
-}
-
-/// `let NAME = EXPRESSION;` that also names the net: `net!(at_end = count.eq(limit - 1));` Of a record, `net!(entry = ..)`
-/// names the net of each field: `entry_page`.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
-/// net!(at_end = count.eq(2));
-/// count.next(mux(at_end, 0, count + 1));
-/// # });
-/// assert_eq!(example.values("at_end"), [0, 0, 1, 0, 0, 1]);
-/// ```
-#[macro_export]
-macro_rules! net {
-    ($name:ident = $value:expr) => {
-        let $name = $value.named(stringify!($name));
     };
 }
 
@@ -165,11 +146,13 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
         Value::Literal(code @ Literal::Code { names, .. }) => {
             code.clone().sized(index_width(names.codes.len() as u64), Kind::Code(*names))
         }
-        Value::Literal(literal) => {
-            elaboration::with(|e| {
-                let message = format!("`{of}` has only integers to choose from, which leaves its width open");
-                e.report(Problem::new(loc, message).help(format!("give one a width, as in `lit(8, {literal})`")));
-            });
+        open => {
+            let (only, help) = match open {
+                Value::Literal(literal) => ("integers", format!("give one a width, as in `lit(8, {literal})`")),
+                _ => ("low bits", "give one a width, as in `.trunc(8)`".to_owned()),
+            };
+            let message = format!("`{of}` has only {only} to choose from, which leaves its width open");
+            elaboration::with(|e| e.report(Problem::new(loc, message).help(help)));
             return values.iter().map(|_| lit(1, 0)).collect();
         }
     };
@@ -213,7 +196,7 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let level = m.reg("level", 8).reset(0);
+/// def!(level = m.reg(8).reset(0));
 /// level.next(level + 25);
 /// let warning = select([(level.gt(200), lit(2, 3)), (level.gt(100), lit(2, 1))], 0);
 /// m.assert(level.gt(200).implies(warning.eq(3)), "above 200 both hold, and the first wins");
@@ -252,7 +235,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let digit = m.reg("digit", 2).reset(0);
+/// def!(digit = m.reg(2).reset(0));
 /// digit.next(digit + 1);
 /// let square = case(digit, [(2, lit(4, 4)), (3, lit(4, 9))], digit.zext(4));
 /// m.assert(square.eq(digit * *digit), "0 and 1 are their own squares");

@@ -80,7 +80,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// count.when(count.ne(9), count + 1);
     /// let full = count.eq(9);
     /// m.assert(full.implies(!count.bit(1)), "9 has no bit 1");
@@ -102,9 +102,9 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
-    /// let front = m.toggle("front", count.eq(2));
+    /// def!(front = m.toggle(count.eq(2)));
     /// m.assert(front.implies(!m.rose(front) | count.eq(3)), "it turns behind the edge");
     /// # });
     /// assert_eq!(example.values("front"), [0, 0, 0, 1, 1, 1, 1, 0]);

@@ -135,15 +135,15 @@ impl Signal {
         self.width
     }
 
-    /// Names the net; waves and Verilog show it by this name. [`net!`](crate::net!) does it for a `let`.
+    /// Names the net; waves and Verilog show it by this name. [`def!`](crate::def!) does it for a `let`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// for bit in 0..2 {
-    ///     // A name that is made; `net!` names a net after its variable.
+    ///     // A name that is made; `def!` names a net after its variable.
     ///     let _ = count.bit(bit).named(&format!("count_bit{bit}"));
     /// }
     /// # });
@@ -291,7 +291,7 @@ impl Signal {
     ///
     /// impl Border {
     ///     fn build(&self, m: Module, i: BorderIn) -> BorderOut {
-    ///         let held = m.on(HOST).pipe("held", i.colour);
+    ///         def!(held = m.on(HOST).pipe(i.colour));
     ///         let colour = held.quasi_static("it is set while the screen is dark");
     ///         BorderOut { rgb: m.on(VIDEO).pipe("rgb", colour) }
     ///     }

@@ -19,7 +19,7 @@ impl Width {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let height = m.reg("height", bits(8).signed()).reset(-3);
+    /// def!(height = m.reg(bits(8).signed()).reset(-3));
     /// height.next(height + 1);
     /// m.assert(height.lt(-3).implies(height.is_negative()), "compared in two's complement");
     /// # });

@@ -39,7 +39,7 @@ impl Module {
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
     /// let lanes = lit(5, 0b10111).unpack(5).zext(3);
-    /// net!(hits = m.tree_of_stages("level", lanes, |a: Signal, b| a + b));
+    /// def!(hits = m.tree_of_stages("level", lanes, |a: Signal, b| a + b));
     /// # });
     /// // Three levels, so the sum of five lanes is there after three clocks.
     /// assert_eq!(example.values("hits"), [0, 0, 0, 4, 4]);

@@ -14,8 +14,8 @@ use std::ops::Deref;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let ready = m.wire("ready", bit());
-/// let count = m.reg("count", 4).reset(0);
+/// def!(ready = m.wire(bit()));
+/// def!(count = m.reg(4).reset(0));
 /// count.when(ready, count + 1); // read here, ..
 /// ready.drive(count.lt(3)); // .. driven there
 /// # });
@@ -41,27 +41,12 @@ compared_as_signal!(Wire);
 reads_as_signal!(Wire);
 
 impl Wire {
-    /// What drives it, as a signal.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let wire = m.wire("wire", 8);
-    /// let half: Signal = wire.value() >> 1;
-    /// wire.drive(lit(8, 10));
-    /// m.assert(half.eq(5), "a bare signal, where a `Wire` does not do");
-    /// # });
-    /// ```
-    pub fn value(self) -> Signal {
-        self.signal
-    }
-
     /// Says what drives the wire.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let sum = m.wire("sum", 8);
+    /// def!(sum = m.wire(8));
     /// sum.drive(250);
     /// m.assert((sum + 10).eq(4), "a number takes the width of the wire");
     /// # });

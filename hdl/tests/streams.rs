@@ -28,7 +28,7 @@ impl Block for Delay {
     fn build(&self, m: Module, i: JobsIn) -> JobsOut {
         let full = m.reg("full", bit()).reset(0);
         let held = m.reg("held", job());
-        let (delayed, sent) = m.offer(full, held.value());
+        let (delayed, sent) = m.offer(full, *held);
         let jobs = i.jobs.take_when(!full | sent);
         held.when(jobs.taken, *jobs);
         full.when(jobs.taken, 1).when(sent, 0);

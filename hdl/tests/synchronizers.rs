@@ -35,7 +35,7 @@ impl Block for Receiver {
         before.next(line);
         let starts = m.reg("starts", 4).reset(0).enable(line.ne(u8::from(self.idle)) & before.eq(self.idle));
         starts.next(starts + 1);
-        ReceiverOut { line, starts: starts.value() }
+        ReceiverOut { line, starts: *starts }
     }
 }
 

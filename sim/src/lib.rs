@@ -1,7 +1,7 @@
 //! Runs a circuit cycle by cycle: engines, testbenches, waves.
 //!
 //! ```
-//! use tilewright_hdl::{Block, Module, Width, bit, bundle};
+//! use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
 //! use tilewright_sim::Simulation;
 //!
 //! bundle! {
@@ -19,9 +19,9 @@
 //!     type Out = CounterOut;
 //!     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
 //!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-//!         let count = m.reg("count", self.width).reset(0);
+//!         def!(count = m.reg(self.width).reset(0));
 //!         count.enable(i.enable).next(count + 1);
-//!         CounterOut { count: count.value() }
+//!         CounterOut { count: *count }
 //!     }
 //! }
 //!
@@ -72,7 +72,7 @@
 //! byte; an assertion that fails says in which run, and stops all.
 //!
 //! ```
-//! # use tilewright_hdl::{Block, Module, Width, bits, bundle};
+//! # use tilewright_hdl::{Block, Module, Width, bits, bundle, def};
 //! # bundle! {
 //! #     /// What is added.
 //! #     pub struct SumIn<T> { pub x: T }
@@ -86,9 +86,9 @@
 //! #     type Out = SumOut;
 //! #     fn inputs(&self) -> SumIn<Width> { SumIn { x: bits(8) } }
 //! #     fn build(&self, m: Module, i: SumIn) -> SumOut {
-//! #         let sum = m.reg("sum", 8).reset(0);
+//! #         def!(sum = m.reg(8).reset(0));
 //! #         sum.next(sum + i.x);
-//! #         SumOut { sum: sum.value() }
+//! #         SumOut { sum: *sum }
 //! #     }
 //! # }
 //! # fn main() -> Result<(), tilewright_sim::Error> {

@@ -31,10 +31,10 @@ impl Block for Bad {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let clocks = m.reg("clocks", 8).reset(0);
+        def!(clocks = m.reg(8).reset(0));
         clocks.next(clocks + 1);
-        let full = m.reg("full", bit()).reset(0);
-        let held = m.reg("held", 8);
+        def!(full = m.reg(bit()).reset(0));
+        def!(held = m.reg(8));
         let out = match self.0 {
             Fault::Changes => {
                 let (out, _) = m.offer(i.into.valid, i.into.payload ^ clocks);
@@ -42,15 +42,15 @@ impl Block for Bad {
                 out
             }
             Fault::Loses => {
-                let (out, sent) = m.offer(full, held.value());
+                let (out, sent) = m.offer(full, *held);
                 let into = i.into.take_when(1);
                 held.when(into.taken & (!full | sent), *into);
                 full.when(into.taken, 1).when(sent, 0);
                 out
             }
             Fault::Doubles => {
-                let again = m.reg("again", bit()).reset(0);
-                let (out, sent) = m.offer(full, held.value());
+                def!(again = m.reg(bit()).reset(0));
+                let (out, sent) = m.offer(full, *held);
                 let into = i.into.take_when(!full);
                 held.when(into.taken, *into);
                 full.when(into.taken, 1).when(sent & *again, 0);
@@ -59,7 +59,7 @@ impl Block for Bad {
             }
             Fault::Sticks => {
                 i.into.take_when(0);
-                m.offer(full & !i.into.valid & i.into.payload.bit(0), held.value()).0
+                m.offer(full & !i.into.valid & i.into.payload.bit(0), *held).0
             }
         };
         if self.0 == Fault::Changes || self.0 == Fault::Sticks {

@@ -57,14 +57,14 @@ block! {
 
 impl Test {
     fn build(&self, m: Module, i: WindowsIn) -> WindowsOut {
-        let busy = m.reg("busy", bit()).reset(0);
-        let held = m.reg("held", window());
-        let number = m.reg("number", 2).reset(0);
-        net!(quarter = held.quarter(*number));
-        net!(covers = !quarter.edges.is_negative().or_all());
+        def!(busy = m.reg(bit()).reset(0));
+        def!(held = m.reg(window()));
+        def!(number = m.reg(2).reset(0));
+        def!(quarter = held.quarter(*number));
+        def!(covers = !quarter.edges.is_negative().or_all());
         let (leaves, sent) = m.offer(busy & covers, quarter);
-        net!(tested = sent | (busy & !covers));
-        net!(ends = tested & number.all_ones());
+        def!(tested = sent | (busy & !covers));
+        def!(ends = tested & number.all_ones());
         let next = i.windows.take_when(!busy | ends);
         held.when(next.taken, *next);
         number.when(next.taken, 0).when(tested, number + 1);
@@ -104,8 +104,8 @@ block! {
 
 impl Stack {
     fn build(&self, m: Module, i: WindowsIn) -> WindowsOut {
-        let again = m.stream_wire("again", window());
-        let windows = m.arbiter("u_prefer", Turns::Priority, [again.value(), i.windows]);
+        def!(again = m.stream_wire(window()));
+        let windows = m.arbiter("u_prefer", Turns::Priority, [*again, i.windows]);
         let quarters = m.instance("u_test", &Test, WindowsIn { windows }).leaves;
         let [inner, leaves] = m.split_by(quarters, |window| window.level.eq(0));
         again.drive(m.lifo("u_stack", self.depth, inner));

@@ -25,9 +25,9 @@ block! {
 impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", self.width).reset(0);
-        net!(at_end = count.eq(self.limit - 1));
+        def!(at_end = count.eq(self.limit - 1));
         count.enable(i.enable).next(mux(at_end, 0, count + 1));
-        CounterOut { count: count.value(), wrapped: at_end & i.enable }
+        CounterOut { count: *count, wrapped: at_end & i.enable }
     }
 }
 
@@ -112,7 +112,7 @@ impl Block for Cell {
     fn build(&self, m: Module, i: CellIn) -> CellOut {
         let q = m.reg("q", 8);
         q.next(mux(i.op, i.left + i.x.zext(8), q));
-        CellOut { q: q.value(), hit: q.eq(i.left), sum: (i.left ^ i.weight) + q }
+        CellOut { q: *q, hit: q.eq(i.left), sum: (i.left ^ i.weight) + q }
     }
 }
 
@@ -208,7 +208,7 @@ impl Block for Clocks {
         count.next(count + 1);
         let seen = m.on(Clock::new("slow", Period::ns(14))).reg("seen", 8);
         seen.next(count.quasi_static("the test looks at what a race would spoil"));
-        ClocksOut { count: count.value(), seen: seen.value() }
+        ClocksOut { count: *count, seen: *seen }
     }
 }
 
@@ -237,7 +237,7 @@ impl Block for Updates {
         last.when(i.load, i.value).when(i.clear, 0xff);
         let moved = m.reg("moved", 2).enable(!i.clear);
         moved.when(i.load, 2).when(i.step, 1).otherwise(0);
-        UpdatesOut { count: count.value(), loads: loads.value(), last: last.value(), moved: moved.value() }
+        UpdatesOut { count: *count, loads: *loads, last: *last, moved: *moved }
     }
 
     fn name(&self) -> String {
@@ -265,7 +265,7 @@ impl Block for Latest {
     fn build(&self, m: Module, i: LatestIn) -> LatestOut {
         let latest = m.reg("latest", 8).reset(0);
         latest.when(i.forget, 0).when(i.load, i.value);
-        LatestOut { latest: latest.value() }
+        LatestOut { latest: *latest }
     }
 }
 

@@ -57,10 +57,10 @@ impl Block for Shapes {
         let kept = m.reg("kept", 8);
         kept.next(mux(!i.go, kept, mux(which.eq(4), nested, a)));
         let last = m.reg("last", 8);
-        last.next(select([(i.go, a), (which.bit(0), last.value()), (which.bit(1), b)], last));
+        last.next(select([(i.go, a), (which.bit(0), *last), (which.bit(1), b)], last));
         let held = m.reg("held", 8);
-        held.next(select([(i.go, a), (which.bit(0), b), (which.bit(1), held.value())], held));
-        net!(stopped = !i.go);
+        held.next(select([(i.go, a), (which.bit(0), b), (which.bit(1), *held)], held));
+        def!(stopped = !i.go);
         let (once, again) = (m.reg("once", 8), m.reg("again", 8));
         once.next(mux(!i.go, once, a));
         again.next(mux(stopped, again, b));
@@ -70,13 +70,13 @@ impl Block for Shapes {
             chain,
             masked,
             signs,
-            products: a.times(b) + cat![kept.value(), last ^ held ^ once ^ again ^ cased],
+            products: a.times(b) + cat![*kept, last ^ held ^ once ^ again ^ cased],
             parts,
             few,
             many,
             first,
             picked,
-            sampled: m.on(Clock::new("slow", Period::ns(14))).synchronize("sampled", kept.value().bit(0)),
+            sampled: m.on(Clock::new("slow", Period::ns(14))).synchronize("sampled", kept.bit(0)),
         }
     }
 }

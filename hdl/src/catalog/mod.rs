@@ -3,7 +3,7 @@
 //!
 //! ```
 //! use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
-//! use tilewright_hdl::{DEFAULT_PERIOD, Module, Script, below, bit, block, elaborate};
+//! use tilewright_hdl::{DEFAULT_PERIOD, Module, Script, below, bit, block, def, elaborate};
 //!
 //! block! {
 //!     /// Counts.
@@ -14,7 +14,7 @@
 //!
 //! impl Counter {
 //!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-//!         let count = m.reg("count", below(self.limit)).reset(0);
+//!         def!(count = m.reg(below(self.limit)).reset(0));
 //!         count.when(i.enable, count + 1);
 //!         CounterOut { count: *count }
 //!     }

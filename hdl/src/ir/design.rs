@@ -8,7 +8,7 @@ use crate::problem::Problems;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
-/// let count = m.reg("count", 8).reset(0);
+/// def!(count = m.reg(8).reset(0));
 /// count.when(i.enable, count + 1);
 /// #     ShownOut { count: *count }
 /// # };
@@ -92,7 +92,7 @@ impl Design {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-    /// let late = m.pipe("late", i.word);
+    /// def!(late = m.pipe(i.word));
     /// #     ShownOut { late }
     /// # };
     /// let mut modules = design.into_modules();
@@ -108,7 +108,7 @@ impl Design {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-    /// let late = m.pipe("late", i.word);
+    /// def!(late = m.pipe(i.word));
     /// #     ShownOut { late }
     /// # };
     /// assert_eq!(design.top().inputs[0].name, "word"); // what a simulation sets

@@ -5,7 +5,7 @@
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-/// let late = m.pipe("late", i.word);
+/// def!(late = m.pipe(i.word));
 /// #     ShownOut { late }
 /// # };
 /// assert_eq!(design.module(ir::ModuleId(0)).name, design.top().name);
@@ -34,7 +34,7 @@ pub struct NodeId(pub u32);
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-/// let late = m.pipe("late", i.word);
+/// def!(late = m.pipe(i.word));
 /// #     ShownOut { late }
 /// # };
 /// let top = design.top();
@@ -49,7 +49,7 @@ pub struct ClockId(pub u32);
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-/// let late = m.pipe("late", i.word);
+/// def!(late = m.pipe(i.word));
 /// #     ShownOut { late }
 /// # };
 /// let top = design.top();

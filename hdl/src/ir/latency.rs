@@ -44,7 +44,7 @@ impl Design {
     ///
     /// impl Square {
     ///     fn build(&self, m: Module, i: SquareIn) -> SquareOut {
-    ///         let sum = m.pipe_when(i.advances, "sum", i.a + i.b);
+    ///         def!(sum = m.pipe_when(i.advances, i.a + i.b));
     ///         SquareOut { square: m.pipe_when(i.advances, "squared", sum.times(sum)) }
     ///     }
     /// }

@@ -9,7 +9,7 @@ use crate::loc::Loc;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 2).reset(0);
+/// def!(count = m.reg(2).reset(0));
 /// count.next(count + 1);
 /// for (name, policy) in [("old", ReadUnderWrite::Old), ("any", ReadUnderWrite::Any)] {
 ///     let cell = m.memory(&format!("{name}_cell"), 1, 2, policy).fill(Bits::zero(2));
@@ -34,7 +34,7 @@ pub enum ReadUnderWrite {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { square: bits(8) }
-/// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..3).map(|x| x * x));
+/// def!(squares = m.memory(16, 8, ReadUnderWrite::Any).words((0..3).map(|x| x * x)));
 /// let square = squares.read(i.at);
 /// #     ShownOut { square }
 /// # };
@@ -63,7 +63,7 @@ pub enum Contents {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { last_word: bits(8) }
-/// let last = m.memory("last", 12, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
+/// def!(last = m.memory(12, 8, ReadUnderWrite::Old).fill(Bits::zero(8)));
 /// last.write(i.at.lt(12), i.at, i.word);
 /// let last_word = last.read(i.at);
 /// #     ShownOut { last_word }
@@ -100,7 +100,7 @@ pub struct Memory {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4) } out { now: bits(8), later: bits(8) }
-/// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+/// def!(table = m.memory(16, 8, ReadUnderWrite::Any).fill(Bits::zero(8)));
 /// let (now, later) = (table.read_async(i.at), table.read(i.at));
 /// #     ShownOut { now, later }
 /// # };
@@ -125,7 +125,7 @@ pub struct ReadPort {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { at: bits(4), word: bits(8) } out { word_before: bits(8) }
-/// let table = m.memory("table", 16, 8, ReadUnderWrite::Any).fill(Bits::zero(8));
+/// def!(table = m.memory(16, 8, ReadUnderWrite::Any).fill(Bits::zero(8)));
 /// table.write(lit(1, 1), i.at, i.word);
 /// let word_before = table.read(3);
 /// #     ShownOut { word_before }

@@ -45,7 +45,7 @@ pub use state::State;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
-/// let count = m.reg("count", 8).reset(0);
+/// def!(count = m.reg(8).reset(0));
 /// count.when(i.enable, count + 1);
 /// #     ShownOut { count: *count }
 /// # };
@@ -127,7 +127,7 @@ pub struct About {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |_, i| in { a: bits(8).of(row(4)), b: bits(8) } out { sum: _ }
-/// net!(sum = i.a + i.b);
+/// def!(sum = i.a + i.b);
 /// #     ShownOut { sum }
 /// # };
 /// // One node for four adders.
@@ -267,7 +267,7 @@ impl Module {
     /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { out: bits(8) }
     /// bundle! { struct Pair<T> { low: T, high: T } }
     ///
-    /// let pair = m.pipe("pair", Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) });
+    /// def!(pair = m.pipe(Pair { low: i.word.part(0, 4), high: i.word.part(4, 4) }));
     /// let out = pair.pack();
     /// #     ShownOut { out }
     /// # };

@@ -8,7 +8,7 @@ use crate::clock::Period;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-/// let late = m.pipe("late", i.word);
+/// def!(late = m.pipe(i.word));
 /// #     ShownOut { late }
 /// # };
 /// let clock = &design.top().clocks[0];

@@ -55,7 +55,7 @@ pub enum Directive {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { word: bits(8) } out { late: bits(8) }
-/// let late = m.reg("late", 8).attribute("keep", "true");
+/// def!(late = m.reg(8).attribute("keep", "true"));
 /// late.next(i.word);
 /// #     ShownOut { late: *late }
 /// # };

@@ -13,7 +13,7 @@ use crate::bits::Bits;
 /// # }
 /// # impl Shown {
 /// #     fn build(&self, m: Module, _: ()) -> ShownOut {
-/// let ring = m.reg("ring", bits(4).of(row(3))).reset_each([7, 8, 9]);
+/// def!(ring = m.reg(bits(4).of(row(3))).reset_each([7, 8, 9]));
 /// ring.next(ring.previous(ring.last()));
 /// #         ShownOut { next: *ring }
 /// #     }
@@ -53,7 +53,7 @@ impl Init {
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
-/// let count = m.reg("count", 8).reset(5);
+/// def!(count = m.reg(8).reset(5));
 /// count.enable(i.enable).next(count + 1);
 /// #     ShownOut { count: *count }
 /// # };

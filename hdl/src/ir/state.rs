@@ -7,7 +7,7 @@ use super::{Design, Module};
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(8) }
-/// let count = m.reg("count", 8).reset(0);
+/// def!(count = m.reg(8).reset(0));
 /// count.when(i.enable, count + 1);
 /// #     ShownOut { count: *count }
 /// # };
@@ -79,8 +79,8 @@ impl Design {
     /// # impl Line {
     /// #     fn build(&self, m: Module, i: LineIn) -> LineOut {
     /// let cells = m.array("u_cell", 100, &Cell, |cells| CellIn { left: cells.held.previous(i.word) });
-    /// let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any).words((0..16).map(|x| x * x));
-    /// let cell = m.memory("cell", 5, bits(2).of(row(3)), ReadUnderWrite::Any);
+    /// def!(squares = m.memory(16, 8, ReadUnderWrite::Any).words((0..16).map(|x| x * x)));
+    /// def!(cell = m.memory(5, bits(2).of(row(3)), ReadUnderWrite::Any));
     /// cell.write(lit(1, 1), i.word.trunc(3), i.word.trunc(2).of(row(3)));
     /// #         let (square, held) = (squares.read_async(i.word), cell.read_async(i.word.trunc(3)));
     /// #         LineOut { last: cells.held.last(), square, held }

@@ -11,7 +11,7 @@ use crate::select::concat;
 use crate::width::Width;
 
 /// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
-/// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `net!(step = ..)`, names
+/// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `def!(step = ..)`, names
 /// its word and its fields, `step_address`, in waves and in Verilog.
 ///
 /// ```
@@ -30,8 +30,8 @@ use crate::width::Width;
 ///     Step { address: 0, counts: 0, ends: 1 },
 ///     COUNT,
 /// ]);
-/// let at = m.reg("at", 2).reset(0);
-/// net!(step = program.read_async(at));
+/// def!(at = m.reg(2).reset(0));
+/// def!(step = program.read_async(at));
 /// at.when(!step.ends, at + 1);
 /// # });
 /// assert_eq!(example.values("step_address"), [17, 18, 0, 0]);
@@ -58,7 +58,7 @@ impl<B: Bundle> Mem<B> {
     /// # impl Text {
     /// #     fn build(&self, m: Module, i: TextIn) -> TextOut {
     ///
-    /// let tiles = m.memory("tiles", 1024, Tile { glyph: bits(8), colour: bits(4) }, ReadUnderWrite::Any);
+    /// def!(tiles = m.memory(1024, Tile { glyph: bits(8), colour: bits(4) }, ReadUnderWrite::Any));
     /// tiles.on(HOST).write(i.set, i.at, i.tile);
     /// let now = tiles.on(VIDEO).read(i.shown);
     /// #         TextOut { now }
@@ -78,7 +78,7 @@ impl<B: Bundle> Mem<B> {
     /// # tilewright_sim::example(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let table = m.memory("table", 12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0);
+    /// def!(table = m.memory(12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0));
     /// let last = lit(table.address_width(), 11);
     /// m.assert(!table.read_async(last).resident, "4 bits lead to 12 records");
     /// # });
@@ -94,7 +94,7 @@ impl<B: Bundle> Mem<B> {
     /// # tilewright_sim::example(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let table = m.memory("table", 12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0);
+    /// def!(table = m.memory(12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0));
     /// m.assert(table.read_async(0).pack().eq(lit(table.width(), 0)), "1 bit and 7");
     /// # });
     /// ```
@@ -109,13 +109,13 @@ impl<B: Bundle> Mem<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// let layout = Entry { resident: bit(), page: bits(2) };
-    /// let table = m.memory("table", 4, layout, ReadUnderWrite::Any).true_dual_port().fill(0);
+    /// def!(table = m.memory(4, layout, ReadUnderWrite::Any).true_dual_port().fill(0));
     /// table.write(lit(1, 1), count, Entry { resident: lit(1, 1), page: *count });
     /// table.write(count.eq(1), 3, 0);
-    /// net!(entry = table.read_async(3));
+    /// def!(entry = table.read_async(3));
     /// # });
     /// assert_eq!(example.values("entry_resident"), [0, 0, 0, 0, 1, 1, 0, 0]);
     /// ```
@@ -131,12 +131,12 @@ impl<B: Bundle> Mem<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let at = m.reg("at", 1).reset(0);
+    /// def!(at = m.reg(1).reset(0));
     /// at.next(!*at);
     /// let table = m
     ///     .memory("table", 2, Entry { resident: bit(), page: bits(4) }, ReadUnderWrite::Any)
     ///     .words([Entry { resident: 0, page: 9 }, Entry { resident: 1, page: 7 }]);
-    /// net!(entry = table.read(at));
+    /// def!(entry = table.read(at));
     /// # });
     /// assert_eq!(example.values("entry_page"), [0, 9, 7, 9]);
     /// assert_eq!(example.values("entry_resident"), [0, 0, 1, 0]);
@@ -153,12 +153,12 @@ impl<B: Bundle> Mem<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// let table = m
     ///     .memory("table", 2, Entry { resident: bit(), page: bits(4) }, ReadUnderWrite::Any)
     ///     .words([Entry { resident: 0, page: 9 }, Entry { resident: 1, page: 7 }]);
-    /// net!(entry = table.read_when(count.bit(0), count.bit(1)));
+    /// def!(entry = table.read_when(count.bit(0), count.bit(1)));
     /// # });
     /// assert_eq!(example.values("entry_page"), [0, 0, 9, 9, 7, 7, 9]);
     /// ```
@@ -175,7 +175,7 @@ impl<B: Bundle> Mem<B> {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
     /// let layout = Entry { resident: bit(), page: bits(4) };
-    /// let table = m.memory("table", 2, layout, ReadUnderWrite::Any).words([Entry { resident: 1, page: 7 }]);
+    /// def!(table = m.memory(2, layout, ReadUnderWrite::Any).words([Entry { resident: 1, page: 7 }]));
     /// let Entry { resident, page } = table.read_async(0);
     /// m.assert(resident & page.eq(7), "its fields, taken apart");
     /// # });
@@ -192,10 +192,10 @@ impl<B: Bundle> Mem<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
-    /// let count = m.reg("count", 3).reset(0);
+    /// def!(count = m.reg(3).reset(0));
     /// count.next(count + 1);
-    /// let table = m.memory("table", 2, Entry { resident: bit(), page: bits(3) }, ReadUnderWrite::Old).fill(0);
-    /// net!(entry = table.read_async(1));
+    /// def!(table = m.memory(2, Entry { resident: bit(), page: bits(3) }, ReadUnderWrite::Old).fill(0));
+    /// def!(entry = table.read_async(1));
     /// table.write(count.bit(0), 1, Entry { page: *count, ..entry }); // the other field is written as it is
     /// # });
     /// assert_eq!(example.values("entry_page"), [0, 0, 1, 1, 3, 3, 5]);

@@ -12,7 +12,7 @@ use crate::select::condition;
 /// enabled and updated together.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, Width, below, bit, bundle, elaborate};
+/// # use tilewright_hdl::{Block, Module, Width, below, bit, bundle, def, elaborate};
 /// bundle! {
 ///     /// An entry of a table.
 ///     pub struct Entry<T> { pub resident: T, pub page: T }
@@ -30,9 +30,9 @@ use crate::select::condition;
 /// #         KeeperIn { clear: bit(), take: bit(), found: Entry { resident: bit(), page: below(12) } }
 /// #     }
 /// #     fn build(&self, m: Module, i: KeeperIn) -> Entry {
-/// let entry = m.reg("entry", Entry { resident: bit(), page: below(12) }).reset(Entry { resident: 0, page: 11 });
+/// def!(entry = m.reg(Entry { resident: bit(), page: below(12) }).reset(Entry { resident: 0, page: 11 }));
 /// entry.when(i.clear, 0).when(i.take & !entry.resident, i.found);
-/// #         entry.value()
+/// #         *entry
 /// #     }
 /// # }
 /// # let design = elaborate(&Keeper).unwrap();
@@ -40,23 +40,6 @@ use crate::select::condition;
 /// # assert!(names.contains(&"entry_resident") && names.contains(&"entry_page"));
 /// ```
 impl<B: Bundle> Reg<B> {
-    /// The present values.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
-    ///
-    /// let nearest = m.reg("nearest", Pixel { z: bits(16), rgb: bits(24) }).reset(Pixel { z: 5, rgb: 7 });
-    /// nearest.next(nearest.value());
-    /// let Pixel { z, rgb } = nearest.value();
-    /// m.assert(z.eq(5) & rgb.eq(7), "a record of signals, for an output or a helper; one field is `nearest.z`");
-    /// # });
-    /// ```
-    pub fn value(&self) -> B {
-        self.signal.clone()
-    }
-
     /// The values after a reset: a record of numbers, or 0 for all.
     ///
     /// ```
@@ -64,7 +47,7 @@ impl<B: Bundle> Reg<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Pixel<T> { z: T, rgb: T } }
     ///
-    /// let nearest = m.reg("nearest", Pixel { z: bits(4), rgb: bits(8) }).reset(Pixel { z: 15, rgb: 0 });
+    /// def!(nearest = m.reg(Pixel { z: bits(4), rgb: bits(8) }).reset(Pixel { z: 15, rgb: 0 }));
     /// nearest.next(Pixel { z: nearest.z - 1, rgb: nearest.rgb + 9 });
     /// # });
     /// assert_eq!(example.values("nearest_z"), [15, 14, 13]);
@@ -85,7 +68,7 @@ impl<B: Bundle> Reg<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).initial(Point { x: 3, y: 9 });
+    /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).initial(Point { x: 3, y: 9 }));
     /// point.next(Point { x: point.x + 1, y: point.y });
     /// # });
     /// assert_eq!(example.values("point_x"), [3, 4, 5]);
@@ -106,9 +89,9 @@ impl<B: Bundle> Reg<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let half = m.reg("half", 1).reset(0);
+    /// def!(half = m.reg(1).reset(0));
     /// half.next(!*half);
-    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+    /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(0));
     /// point.enable(*half).next(Point { x: point.x + 1, y: point.y - 1 });
     /// # });
     /// assert_eq!(example.values("point_x"), [0, 0, 1, 1, 2]);
@@ -130,7 +113,7 @@ impl<B: Bundle> Reg<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(Point { x: 1, y: 2 });
+    /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(Point { x: 1, y: 2 }));
     /// point.next(Point { x: point.y, y: point.x }); // both sample at once
     /// # });
     /// assert_eq!(example.values("point_x"), [1, 2, 1, 2]);
@@ -150,10 +133,10 @@ impl<B: Bundle> Reg<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let point = m.reg("point", Point { x: bits(2), y: bits(2) }).reset(0);
+    /// def!(point = m.reg(Point { x: bits(2), y: bits(2) }).reset(0));
     /// point
     ///     .when(point.x.eq(2), Point { x: lit(2, 0), y: point.y + 1 })
-    ///     .otherwise(Point { x: point.x + 1, ..point.value() });
+    ///     .otherwise(Point { x: point.x + 1, ..*point });
     /// # });
     /// assert_eq!(example.values("point_x"), [0, 1, 2, 0, 1]);
     /// assert_eq!(example.values("point_y"), [0, 0, 0, 1, 1]);
@@ -193,7 +176,7 @@ impl<B: Bundle> Reg<B> {
 /// # let example = tilewright_sim::traced(|m| {
 /// bundle! { struct Point<T> { x: T, y: T } }
 ///
-/// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+/// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(0));
 /// let updates = point.when(point.x.eq(1), Point { x: 8, y: 9 });
 /// updates.when(point.x.eq(8), 0).otherwise(Point { x: point.x + 1, y: point.y });
 /// # });
@@ -221,7 +204,7 @@ impl<B: Bundle> RecordUpdates<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(0);
+    /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(0));
     /// point
     ///     .when(point.x.eq(3), 0)
     ///     .when(point.y.lt(4), Point { x: point.x + 1, y: point.y + 2 }); // else it stays as it is
@@ -244,7 +227,7 @@ impl<B: Bundle> RecordUpdates<B> {
     /// # let example = tilewright_sim::traced(|m| {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
-    /// let point = m.reg("point", Point { x: bits(4), y: bits(4) }).reset(Point { x: 3, y: 0 });
+    /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(Point { x: 3, y: 0 }));
     /// point.when(point.x.eq(3), 0).otherwise(Point { x: point.x + 1, y: point.y + 2 });
     /// # });
     /// assert_eq!(example.values("point_x"), [3, 0, 1, 2, 3, 0]);

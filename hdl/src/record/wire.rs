@@ -6,23 +6,6 @@ use crate::wire::Wire;
 
 /// A wire of a record is one wire for each field, named `sent_page` for the field `page` of `sent`.
 impl<B: Bundle> Wire<B> {
-    /// What drives it, as a record of signals.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// bundle! { struct Pixel<T> { z: T, rgb: T } }
-    ///
-    /// let nearest = m.wire("nearest", Pixel { z: bits(16), rgb: bits(24) });
-    /// let Pixel { z, rgb } = nearest.value();
-    /// nearest.drive(Pixel { z: 7, rgb: 0xff8000 });
-    /// m.assert(z.eq(7) & rgb.part(16, 8).eq(0xff), "a record of signals");
-    /// # });
-    /// ```
-    pub fn value(&self) -> B {
-        self.signal.clone()
-    }
-
     /// Says what drives the wires.
     ///
     /// ```
@@ -30,7 +13,7 @@ impl<B: Bundle> Wire<B> {
     /// # tilewright_sim::example(|m| {
     /// bundle! { struct Pixel<T> { z: T, rgb: T } }
     ///
-    /// let nearest = m.wire("nearest", Pixel { z: bits(16), rgb: bits(24) });
+    /// def!(nearest = m.wire(Pixel { z: bits(16), rgb: bits(24) }));
     /// nearest.drive(0);
     /// m.assert(nearest.z.eq(nearest.rgb.trunc(16)), "0 alone stands for a record of zeros");
     /// # });

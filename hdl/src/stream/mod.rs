@@ -52,9 +52,9 @@ use std::ops::Deref;
 ///     }
 ///
 ///     fn build(&self, m: Module, i: DelayIn) -> DelayOut {
-///         let full = m.reg("full", bit()).reset(0);
-///         let held = m.reg("held", Job { page: below(self.pages), last: bit() });
-///         let (delayed, sent) = m.offer(full, held.value());
+///         def!(full = m.reg(bit()).reset(0));
+///         def!(held = m.reg(Job { page: below(self.pages), last: bit() }));
+///         let (delayed, sent) = m.offer(full, *held);
 ///         let jobs = i.jobs.take_when(!full | sent);
 ///         held.when(jobs.taken, *jobs);
 ///         full.when(jobs.taken, 1).when(sent, 0);

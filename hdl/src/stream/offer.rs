@@ -16,14 +16,14 @@ use std::ops::Deref;
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// let count = m.reg("count", 4).reset(0);
+/// def!(count = m.reg(4).reset(0));
 /// let (numbers, sent) = m.offer(lit(1, 1), *count);
 /// count.when(sent, count + 1);
 ///
-/// let busy = m.reg("busy", 1).reset(0);
+/// def!(busy = m.reg(1).reset(0));
 /// let number = numbers.take_when(!*busy);
 /// busy.next(number.taken);
-/// let sum = m.reg("sum", 8).reset(0);
+/// def!(sum = m.reg(8).reset(0));
 /// sum.when(number.taken, sum + number.zext(8)); // it reads as the payload
 /// # });
 /// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3]);
@@ -53,14 +53,14 @@ impl<P: Data> Stream<P> {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let left = m.reg("left", 4).reset(3);
+    /// def!(left = m.reg(4).reset(3));
     /// let (tokens, sent) = m.offer(left.ne(0), *left);
     /// left.when(sent, left - 1);
     ///
-    /// let wait = m.reg("wait", 1).reset(1);
+    /// def!(wait = m.reg(1).reset(1));
     /// wait.next(0);
     /// let token = tokens.take_when(!*wait);
-    /// net!(taken = token.taken);
+    /// def!(taken = token.taken);
     /// # });
     /// // It is ready from the second clock on, and there are three.
     /// assert_eq!(example.values("taken"), [0, 1, 1, 1, 0]);
@@ -142,11 +142,11 @@ impl Module {
     /// ```
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
-    /// let count = m.reg("count", 4).reset(0);
+    /// def!(count = m.reg(4).reset(0));
     /// let (numbers, sent) = m.offer(count.lt(3), *count);
     /// count.when(sent, count + 1);
     /// let number = numbers.take_when(1);
-    /// net!(taken = number.taken);
+    /// def!(taken = number.taken);
     /// # });
     /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3]);
     /// assert_eq!(example.values("taken"), [1, 1, 1, 0, 0]);

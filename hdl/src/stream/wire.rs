@@ -16,7 +16,7 @@ use std::ops::Deref;
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let words = m.stream_wire("words", 8);
+/// def!(words = m.stream_wire(8));
 /// let word = words.take_when(1); // taken here, ..
 /// words.drive(m.offer(lit(1, 1), lit(8, 7)).0); // .. made there
 /// m.assert(word.taken & word.eq(7), "as if it had been the other way round");
@@ -53,8 +53,8 @@ impl Module {
     /// # }
     /// # impl Slot {
     /// #     fn build(&self, m: Module, i: SlotIn) -> SlotOut {
-    /// #         let full = m.reg("full", bit()).reset(self.full);
-    /// #         let held = m.reg("held", 8).reset(0);
+    /// #         def!(full = m.reg(bit()).reset(self.full));
+    /// #         def!(held = m.reg(8).reset(0));
     /// #         let (out, sent) = m.offer(full, *held);
     /// #         let into = i.into.take_when(!full);
     /// #         held.when(into.taken, *into);
@@ -69,8 +69,8 @@ impl Module {
     /// # }
     /// # impl Ring {
     /// #     fn build(&self, m: Module, (): ()) -> RingOut {
-    /// let again = m.stream_wire("again", 8);
-    /// let first = m.instance("u_first", &Slot { full: false }, SlotIn { into: again.value() }).out;
+    /// def!(again = m.stream_wire(8));
+    /// let first = m.instance("u_first", &Slot { full: false }, SlotIn { into: *again }).out;
     /// let second = m.instance("u_second", &Slot { full: true }, SlotIn { into: first }).out;
     /// again.drive(second.with(*second + 1));
     /// #         RingOut { number: again.payload }
@@ -90,32 +90,17 @@ impl Module {
             let path = if path.is_empty() { "payload" } else { path };
             self.net(&port_name(name, path), *width, loc).signal
         });
-        StreamWire { stream: self.offer(valid.value(), payload).0, index: valid.index }
+        StreamWire { stream: self.offer(*valid, payload).0, index: valid.index }
     }
 }
 
 impl<P: Data> StreamWire<P> {
-    /// The stream, to be taken.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # tilewright_sim::example(|m| {
-    /// let words = m.stream_wire("words", 8);
-    /// let word = words.value().with(words.payload + 1).take_when(1);
-    /// words.drive(m.offer(lit(1, 1), lit(8, 7)).0);
-    /// m.assert(word.eq(8), "a `Stream`, for what asks for one");
-    /// # });
-    /// ```
-    pub fn value(&self) -> Stream<P> {
-        self.stream.clone()
-    }
-
     /// Says which stream it is, and takes that.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let words = m.stream_wire("words", 8);
+    /// def!(words = m.stream_wire(8));
     /// let (sent, takes) = m.offer(lit(1, 1), lit(8, 7));
     /// words.drive(sent);
     /// let _ = words.take_when(0);

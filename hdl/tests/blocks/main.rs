@@ -211,7 +211,7 @@ impl<U: Unit> Wheel<U> {
             Way::Right => at + 1,
         };
         at.when(i.turn, next);
-        WheelOut { at: at.value() }
+        WheelOut { at: *at }
     }
 }
 

@@ -30,6 +30,12 @@ fn choices_that_leave_something_open() {
          --> [|_, i| mux(i.c, 1, 0),]
          help: give one a width, as in `lit(8, 1)`",
     );
+    expect(
+        |_, i| mux(i.c, i.a.low(), i.b.low()),
+        "`mux` has only low bits to choose from, which leaves its width open
+         --> [|_, i| mux(i.c, i.a.low(), i.b.low()),]
+         help: give one a width, as in `.trunc(8)`",
+    );
     let widths = problems(&Case(|_, i| mux(i.c, Bits::new(8, 1), Bits::new(7, 1))));
     assert!(widths.contains("8 bits") && widths.contains("7'h01") && widths.contains("let widths ="), "{widths}");
     elaborate(&Case(|_, i| mux(i.c, Bits::new(8, 3), 0))).expect("one width is enough");

@@ -113,7 +113,7 @@ impl Block for Keeper {
             Kept::Result(signal) => !signal,
             Kept::Register(register) => {
                 register.next(0);
-                register.value()
+                *register
             }
         };
         Out { out }

@@ -68,7 +68,7 @@ fn codes_and_numbers() {
 fn operation(m: Module) -> Signal {
     let operation = m.reg("operation", one_of::<Operation>()).reset(Operation::And);
     operation.next(mux(operation.is(Operation::Add), Operation::Subtract, Operation::Add));
-    operation.value()
+    *operation
 }
 
 /// What comes out of an instance is what the block says that it is, whatever it made it of.

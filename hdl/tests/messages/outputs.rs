@@ -86,7 +86,7 @@ fn an_output_that_is_a_register_of_its_name() {
         fn build(&self, m: Module, (): ()) -> WideOut {
             let count = m.reg("count", below(4)).reset(0);
             count.next(count + 1);
-            WideOut { count: count.value() }
+            WideOut { count: *count }
         }
     }
     assert!(problems(&Wide).starts_with("output `count` is declared with 3 bits, but what drives it has 2 bits\n"));

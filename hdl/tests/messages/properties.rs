@@ -106,7 +106,7 @@ fn a_past_has_the_name_of_its_signal_or_says_what_it_is_of() {
          help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`",
     );
     let design = elaborate(&Case(|m, i| {
-        net!(a_past = !i.a);
+        def!(a_past = !i.a);
         // The same past once more is the same register.
         m.past(i.a) & m.past(i.a) & m.past(a_past) & m.past(m.past(i.a)) & m.past(i.a + 1) & m.past(i.a + 2)
     }))

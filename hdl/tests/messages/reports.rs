@@ -17,7 +17,7 @@ fn messages_from_closures_name_the_users_line() {
         ("the condition of `select`", |m, i| {
             let lamp = m.fsm("lamp", Lamp::Off);
             lamp.next(|_| when(i.a, Lamp::On));
-            lamp.value()
+            *lamp
         }),
     ];
     for (message, build) in cases {
@@ -32,7 +32,7 @@ fn all_problems_are_reported_in_one_go() {
     let text = problems(&Case(|m, i| {
         let r = m.reg("r", 8);
         let _ = i.a + i.b;
-        r.value().slice(0..9)
+        r.slice(0..9)
     }));
     for message in
         ["`+` needs equal widths", "the slice 0..9 is outside of `r`", "register `r` of `Case` is never driven"]

@@ -6,7 +6,7 @@ use tilewright_hdl::*;
 fn lanes(m: Module, name: &str, shape: Shape) -> Signal {
     let register = m.reg(name, bits(8).of(shape));
     register.next(0);
-    register.value()
+    *register
 }
 
 #[test]

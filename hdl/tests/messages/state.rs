@@ -29,7 +29,7 @@ fn registers_and_wires_that_are_driven_twice() {
             let r = m.reg("r", 8);
             r.next(i.a);
             r.next(0);
-            r.value()
+            *r
         },
         "`r` is given a next value twice
          --> [r.next(0);]
@@ -42,7 +42,7 @@ fn registers_and_wires_that_are_driven_twice() {
             let r = m.reg("r", 8);
             r.when(i.c, i.a).when(!i.c, 0);
             r.when(i.b.bit(0), 7);
-            r.value()
+            *r
         },
         "`r` is given a next value twice
          --> [r.when(i.b.bit(0), 7);]
@@ -53,14 +53,14 @@ fn registers_and_wires_that_are_driven_twice() {
     let enabled = |m: Module, i: In| {
         let r = m.reg("r", 8).enable(i.c).enable(!i.c);
         r.next(i.a);
-        r.value()
+        *r
     };
     assert!(problems(&Case(enabled)).starts_with("`r` is enabled twice"));
     let driven = |m: Module, i: In| {
         let w = m.wire("w", 8);
         w.drive(i.a);
         w.drive(i.a);
-        w.value()
+        *w
     };
     assert!(problems(&Case(driven)).starts_with("`w` is driven twice"));
 }
@@ -71,7 +71,7 @@ fn what_a_chain_takes_fits_its_register() {
         |m, i| {
             let r = m.reg("r", 8);
             r.when(i.c, 0).when(i.a, r + 1).when(!i.c, 256);
-            r.value()
+            *r
         },
         "the condition of `when` is 1 bit, but `a` has 8 bits
          --> [r.when(i.c, 0).when(i.a, r + 1).when(!i.c, 256);]
@@ -96,7 +96,7 @@ fn handles_give_their_values_as_signals() {
             Lamp::Off => when(i.c, Lamp::On),
             Lamp::On => goto(Lamp::Off),
         });
-        let values: [Signal; 3] = [register.value(), wire.value(), lamp.value()];
+        let values: [Signal; 3] = [*register, *wire, *lamp];
         concat(&values).trunc(8)
     };
     let design = elaborate(&Case(build)).unwrap();
@@ -115,7 +115,7 @@ fn reset_values_that_are_not_constants() {
     let build = |m: Module, i: In| {
         let r = m.reg("r", 8).reset(i.a);
         r.next(i.a);
-        r.value()
+        *r
     };
     expect(
         build,

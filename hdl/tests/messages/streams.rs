@@ -220,7 +220,7 @@ fn stream_wires_that_are_not_driven_once() {
     expect(
         |m, i| {
             let back = m.stream_wire("back", 8);
-            JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: vec![back.value(), i.jobs.with(i.jobs.page)] }
+            JobsOut { found: m.offer(i.go, i.jobs.page).0, copy: vec![*back, i.jobs.with(i.jobs.page)] }
         },
         "wire `back_valid` of `Streams` is never driven
          --> [let back = m.stream_wire(\"back\", 8);]
@@ -247,7 +247,7 @@ fn stream_wires_that_are_not_driven_once() {
             let back = m.stream_wire("back", 8);
             back.drive(i.jobs.with(i.jobs.page));
             back.drive(m.offer(i.go, i.jobs.page).0);
-            JobsOut { found: back.value(), copy: vec![] }
+            JobsOut { found: *back, copy: vec![] }
         },
         "`back_valid` is driven twice
          --> [back.drive(m.offer(i.go, i.jobs.page).0);]

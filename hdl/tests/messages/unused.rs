@@ -51,13 +51,13 @@ fn inputs_in_faulty_expressions_are_used() {
         ("the reset value", |m, i| {
             let r = m.reg("r", 8).reset(i.a);
             r.next(cat![i.b, i.c]);
-            r.value()
+            *r
         }),
         ("`r` is given a next value twice", |m, i| {
             let r = m.reg("r", 8);
             r.next(i.a);
             r.next(cat![i.b, i.c]);
-            r.value()
+            *r
         }),
         ("an address", |m, i| {
             let words = m.memory("words", 16, 1, ReadUnderWrite::Old);

@@ -27,6 +27,26 @@ fn operands_that_are_expressions_are_shown() {
     );
 }
 
+#[test]
+fn low_bits_of_too_few() {
+    expect(
+        |_, i| i.a + i.b.low(),
+        "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits
+         --> [|_, i| i.a + i.b.low(),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`",
+    );
+    let of_memory = problems(&Case(|m, i| m.memory("words", 256, 8, ReadUnderWrite::Old).fill(0).read(i.b.low())));
+    assert!(of_memory.starts_with("an address of memory `words` has 8 bits, but `b` has 7 bits"), "{of_memory}");
+    let of_constant = problems(&Case(|m, i| {
+        let r = m.reg("r", 7).reset(i.a.low());
+        r.next(*r);
+        *r
+    }));
+    assert!(of_constant.starts_with("the reset value of `r` is not a constant of 7 bits"), "{of_constant}");
+}
+
 /// Widths meet in every operator, choice and sink, and the message names which.
 #[test]
 fn every_meeting_of_widths_is_checked() {
@@ -46,7 +66,7 @@ fn every_meeting_of_widths_is_checked() {
             |m, i| {
                 let r = m.reg("r", 8);
                 r.next(i.b);
-                r.value()
+                *r
             },
             "`next`",
         ),
@@ -54,7 +74,7 @@ fn every_meeting_of_widths_is_checked() {
             |m, i| {
                 let w = m.wire("w", 8);
                 w.drive(i.b);
-                w.value()
+                *w
             },
             "`drive`",
         ),
@@ -144,12 +164,12 @@ fn things_without_bits() {
         ("register `r` has no bits", |m, _| {
             let r = m.reg("r", 0);
             r.next(0);
-            r.value()
+            *r
         }),
         ("wire `w` has no bits", |m, _| {
             let w = m.wire("w", 0);
             w.drive(0);
-            w.value()
+            *w
         }),
         ("a constant has no bits", |_, _| lit(0, 5)),
         ("a constant has no bits", |m, _| {
@@ -200,7 +220,7 @@ fn what_is_declared_has_at_most_a_million_bits() {
         |m, _| {
             let r = m.reg("r", 600_000_000).reset(300);
             r.next(300);
-            r.value()
+            *r
         },
         "register `r` of 600000000 bits is wider than 1048576
          --> [let r = m.reg(\"r\", 600_000_000).reset(300);]
@@ -210,7 +230,7 @@ fn what_is_declared_has_at_most_a_million_bits() {
         |m, _| {
             let w = m.wire("w", u32::MAX);
             w.drive(300);
-            w.value()
+            *w
         },
         "wire `w` of 4294967295 bits is wider than 1048576
          --> [let w = m.wire(\"w\", u32::MAX);]

@@ -189,7 +189,7 @@ impl Block for Mover {
         });
         let all = Phase::ALL;
         MovesOut {
-            state: phase.value().bits(),
+            state: phase.bits(),
             leaves: all.iter().map(|state| moves.leaves(*state)).collect(),
             enters: all.iter().map(|state| moves.enters(*state)).collect(),
             goes: all.iter().flat_map(|from| all.iter().map(|to| moves.goes(*from, *to))).collect(),

@@ -36,7 +36,7 @@ impl Block for Table {
             m.memory("entries", 6, entry(), ReadUnderWrite::Old).words([first, Entry { page: [9, 100], ..first }]);
         assert_eq!((entries.width(), entries.address_width()), (12, 3));
         entries.write(i.write, i.address, i.entry);
-        net!(read = entries.read_when(!i.write, i.address));
+        def!(read = entries.read_when(!i.write, i.address));
         let seen = match self.crossing {
             true => entries
                 .on(FAST)
@@ -97,7 +97,7 @@ impl Block for Flags {
 
     fn build(&self, m: Module, i: FlagIn) -> FlagOut {
         let entries = m.memory("entries", 6, entry(), ReadUnderWrite::Old).fill(Entry { resident: 1, page: [7, 9] });
-        net!(named = entries.read(i.address));
+        def!(named = entries.read(i.address));
         let nameless = entries.read(i.address);
         let held = m.reg("held", entry()).reset(0);
         held.next(entries.read_async(i.address));
@@ -135,7 +135,7 @@ impl Block for Run {
             .memory("program", 8, Step { alu: one_of::<Alu>(), operand: bits(8), ends: bit() }, ReadUnderWrite::Any)
             .words([step(Alu::Load, 40), step(Alu::Add, 2), step(Alu::Add, 100), end]);
         let at = m.reg("at", 3).reset(0);
-        net!(step = program.read_async(at));
+        def!(step = program.read_async(at));
         at.when(!step.ends, at + 1);
         let sum = m.reg("sum", 8).reset(0);
         sum.next(step.alu.choose(|alu| match alu {
@@ -143,7 +143,7 @@ impl Block for Run {
             Alu::Add => sum + step.operand,
             Alu::Hold => *sum,
         }));
-        RunOut { sum: sum.value(), done: step.ends }
+        RunOut { sum: *sum, done: step.ends }
     }
 }
 

@@ -39,10 +39,10 @@ impl Block for Holder {
         let next = m.wire("next_sprite", sprite());
         let held = m.reg("holder", sprite()).reset(RESET());
         held.when(i.clear, 0).when(i.load | i.hide, next.clone());
-        next.drive(mux(i.hide, Sprite { visible: !held.visible, ..held.value() }, i.sprite));
+        next.drive(mux(i.hide, Sprite { visible: !held.visible, ..(*held).clone() }, i.sprite));
         let delayed = m.reg("later", sprite()).enable(!i.clear);
         delayed.next(held.clone());
-        SpriteOut { held: held.value(), delayed: delayed.value() }
+        SpriteOut { held: (*held).clone(), delayed: (*delayed).clone() }
     }
 }
 

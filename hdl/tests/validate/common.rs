@@ -28,7 +28,7 @@ impl Block for Stage {
     fn build(&self, m: M, i: StageIn) -> StageOut {
         let q = m.reg("q", 8).reset(3).enable(i.enable);
         q.next(i.a);
-        StageOut { at_once: (!i.a).named("inverted"), later: q.value() }
+        StageOut { at_once: (!i.a).named("inverted"), later: *q }
     }
 }
 

@@ -75,14 +75,14 @@ impl GfbSequencer {
         let drain = STAGES * self.units;
 
         // The parts of the round.
-        let round = m.fsm("round", Round::Idle);
-        let x = m.reg("x", below(width)).reset(0);
-        let y = m.reg("y", below(height)).reset(0);
+        def!(round = m.fsm(Round::Idle));
+        def!(x = m.reg(below(width)).reset(0));
+        def!(y = m.reg(below(height)).reset(0));
         let longest = drain.max(self.overhead).max(SCAN_LATENCY);
-        let clocks_left = m.reg("clocks_left", below(longest)).reset(0);
-        net!(part_ends = clocks_left.eq(0));
-        net!(last_pixel = x.eq(width - 1));
-        net!(last_line_ends = part_ends & y.eq(height - 1));
+        def!(clocks_left = m.reg(below(longest)).reset(0));
+        def!(part_ends = clocks_left.eq(0));
+        def!(last_pixel = x.eq(width - 1));
+        def!(last_line_ends = part_ends & y.eq(height - 1));
         let moves = round.next(|part| match part {
             Round::Idle => when(i.start, Round::Prime),
             Round::Prime => when(part_ends, Round::Line),
@@ -90,29 +90,29 @@ impl GfbSequencer {
             Round::Overhead => when(last_line_ends, Round::Drain).or_when(part_ends, Round::Line),
             Round::Drain => when(part_ends, Round::Idle),
         });
-        net!(begins = moves.leaves(Round::Idle));
-        net!(line_ends = moves.leaves(Round::Line));
-        net!(overhead_ends = round.is(Round::Overhead) & part_ends);
-        net!(scan_ends = moves.enters(Round::Drain));
-        net!(ends = moves.leaves(Round::Drain));
+        def!(begins = moves.leaves(Round::Idle));
+        def!(line_ends = moves.leaves(Round::Line));
+        def!(overhead_ends = round.is(Round::Overhead) & part_ends);
+        def!(scan_ends = moves.enters(Round::Drain));
+        def!(ends = moves.leaves(Round::Drain));
         x.when(line_ends, 0).when(round.is(Round::Line), x + 1);
         y.when(scan_ends, 0).when(overhead_ends, y + 1);
         let lengths = [(begins, SCAN_LATENCY - 1), (line_ends, self.overhead - 1), (scan_ends, drain - 1)];
         clocks_left.next(select(lengths, mux(part_ends, 0, clocks_left - 1)));
 
         // The pixels that enter the chain, and those that have gone through all of it.
-        net!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
-        let feed = m.reg("feed", below(self.screen.pixels())).reset(0);
+        def!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
+        def!(feed = m.reg(below(self.screen.pixels())).reset(0));
         feed.when(begins, 0).when(enable, feed + 1);
         let way = SCAN_LATENCY + drain;
-        let until_stored = m.reg("until_stored", up_to(way)).reset(0);
-        net!(stores = enable & until_stored.eq(0));
+        def!(until_stored = m.reg(up_to(way)).reset(0));
+        def!(stores = enable & until_stored.eq(0));
         until_stored.when(begins, way).when(enable & !stores, until_stored - 1);
-        let store = m.reg("store", below(self.screen.pixels())).reset(0);
+        def!(store = m.reg(below(self.screen.pixels())).reset(0));
         store.when(begins, 0).when(stores, store + 1);
 
-        let clocks = m.reg("clocks", up_to(self.merge_clocks())).reset(0);
-        net!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
+        def!(clocks = m.reg(up_to(self.merge_clocks())).reset(0));
+        def!(counts = round.is(Round::Line) | round.is(Round::Overhead) | round.is(Round::Drain));
         clocks.when(begins, 0).when(counts, clocks + 1);
 
         let scan = ScanControl { restart: begins, enable };

@@ -83,13 +83,13 @@ impl GfbUnit {
         // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
         // pixel is fed long before it is stored.
         let filled = m.toggle("filled_bank", swap);
-        let banks = m.memory("banks", 2 * self.screen.pixels(), WORD, ReadUnderWrite::Any);
+        def!(banks = m.memory(2 * self.screen.pixels(), WORD, ReadUnderWrite::Any));
         banks.write(round.stores, cat![round.store, filled], i.merged);
-        net!(read_word = banks.read(cat![read_address, !filled]));
+        def!(read_word = banks.read(cat![read_address, !filled]));
 
-        let first_round = m.reg("first_round", 1).reset(1).when(swap, 1).when(round.ends, 0);
-        net!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
-        let left = m.pipe_when(round.scan.enable, "left", mux(first_round, background, old));
+        def!(first_round = m.reg(1).reset(1).when(swap, 1).when(round.ends, 0));
+        def!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
+        def!(left = m.pipe_when(round.scan.enable, mux(first_round, background, old)));
 
         let view = View { read_word, busy: round.busy, first_round: *first_round, clocks: round.clocks };
         GfbUnitOut { view, scan: round.scan, left }

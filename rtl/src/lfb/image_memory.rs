@@ -81,8 +81,8 @@ impl ImageMemory {
 
         let front = m.on(PE);
         let stage = front.fsm("stage2", Stage2::Idle);
-        net!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
-        net!(accept = i.draw.valid & can_accept);
+        def!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
+        def!(accept = i.draw.valid & can_accept);
         front.assume(i.draw.valid.implies(can_accept), "the second stage ends before the first has a page again");
         stage.next(|state| match state {
             Stage2::Idle => when(accept, Stage2::Read),
@@ -93,15 +93,15 @@ impl ImageMemory {
 
         let address = front.pipe_when(accept, "drawn_address", cat!(i.draw.page, i.draw.offset, i.front));
         let word = front.pipe_when(accept, "drawn_word", i.draw.word);
-        net!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
-        let nearer = front.pipe_when(stage.is(Stage2::Compare), "nearer", word.lt(old_word));
+        def!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
+        def!(nearer = front.pipe_when(stage.is(Stage2::Compare), word.lt(old_word)));
         memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
 
-        net!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
-        net!(take = i.send.enable & i.send.resident);
-        net!(taken_word = memory.on(MERGE).read_when(take, send_address));
+        def!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
+        def!(take = i.send.enable & i.send.resident);
+        def!(taken_word = memory.on(MERGE).read_when(take, send_address));
         memory.on(MERGE).write(take, send_address, empty());
-        let resident = m.on(MERGE).reg("resident", 1).reset(0).when(i.send.enable, i.send.resident);
+        def!(resident = m.on(MERGE).reg(1).reset(0).when(i.send.enable, i.send.resident));
         ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
     }
 }

@@ -39,8 +39,8 @@ block! {
 
 impl PageIdGenerator {
     fn build(&self, m: Module, i: PageIdGeneratorIn) -> PageIdGeneratorOut {
-        let used = m.reg("used", up_to(self.pages)).reset(0);
-        net!(exhausted = used.eq(self.pages));
+        def!(used = m.reg(up_to(self.pages)).reset(0));
+        def!(exhausted = used.eq(self.pages));
         m.assume(i.take.implies(!exhausted), "a page is taken only while one is free");
         used.when(i.restart, 0).when(i.take, used + 1);
         m.assert(m.past(i.restart).implies(used.eq(0)), "a restart frees all pages");

@@ -96,23 +96,23 @@ impl PatchTable {
         use Stage1::*;
         let m = m.on(PE);
         let stage = m.fsm("stage1", Idle);
-        let clearing = m.reg("clearing", 2).reset(0);
+        def!(clearing = m.reg(2).reset(0));
 
-        net!(table_free = clearing.eq(0) & i.settled);
-        net!(can_accept = stage.is(Idle) | stage.is(Found));
+        def!(table_free = clearing.eq(0) & i.settled);
+        def!(can_accept = stage.is(Idle) | stage.is(Found));
         let look_up = i.look_up.take_when(can_accept);
         let clear = i.clear.take_when(table_free & (can_accept | stage.is(Overflow)));
         clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
-        let patch = m.pipe_when(look_up.taken, "patch", look_up.patch);
+        def!(patch = m.pipe_when(look_up.taken, look_up.patch));
 
         // The two ports are never in the same buffer.
         let entry = Entry { resident: bit(), page: below(self.pages) };
         let table = m.memory("entries", 2 * self.patches, entry, ReadUnderWrite::Any).fill(0);
-        net!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
-        net!(read = stage.is(Read) & table_free);
-        net!(entry = table.on(PE).read_when(read, address));
+        def!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
+        def!(read = stage.is(Read) & table_free);
+        def!(entry = table.on(PE).read_when(read, address));
 
-        net!(allocate = stage.is(Allocate));
+        def!(allocate = stage.is(Allocate));
         let taking = PageIdGeneratorIn { restart: i.restart, take: allocate };
         let free = m.instance("u_page_id_generator", &PageIdGenerator { pages: self.pages }, taking);
         let moves = stage.next(|state| match state {
@@ -126,9 +126,9 @@ impl PatchTable {
 
         m.cover("a look-up finds no free page", moves.enters(Overflow));
 
-        let page = m.pipe_when(stage.is(Examine), "page", mux(entry.resident, entry.page, free.page));
+        def!(page = m.pipe_when(stage.is(Examine), mux(entry.resident, entry.page, free.page)));
         table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
-        net!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
+        def!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         let (overflow, idle, found) = (stage.is(Overflow), stage.is(Idle), stage.is(Found));
         PatchTableOut { overflow, idle, pages_used: free.used, found, page, scan_entry }
     }

@@ -64,16 +64,16 @@ impl ScanCounter {
 
     fn build(&self, m: Module, i: ScanCounterIn) -> ScanCounterOut {
         let ScanControl { restart, enable } = i.scan;
-        let x = m.reg("x", i.preset.x.width()).reset(0);
-        let y = m.reg("y", i.preset.y.width()).reset(0);
-        let pass = m.reg("pass", one_of::<Pass>()).reset(Pass::After);
-        net!(line_end = enable & x.eq(self.screen.width - 1));
-        net!(last_line = y.eq(self.screen.height - 1));
-        net!(frame_end = line_end & last_line);
+        def!(x = m.reg(i.preset.x.width()).reset(0));
+        def!(y = m.reg(i.preset.y.width()).reset(0));
+        def!(pass = m.reg(one_of::<Pass>()).reset(Pass::After));
+        def!(line_end = enable & x.eq(self.screen.width - 1));
+        def!(last_line = y.eq(self.screen.height - 1));
+        def!(frame_end = line_end & last_line);
 
         x.when(restart, i.preset.x).when(line_end, 0).when(enable, x + 1);
         y.when(restart, i.preset.y).when(frame_end, 0).when(line_end, y + 1);
-        net!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
+        def!(at_start = i.preset.x.eq(0) & i.preset.y.eq(0));
         let following: Signal = pass.choose(|pass| match pass {
             Pass::Before => Pass::Frame,
             Pass::Frame | Pass::After => Pass::After,
@@ -87,7 +87,7 @@ impl ScanCounter {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use tilewright_hdl::{Block, bundle, constants};
+    use tilewright_hdl::{Block, bundle, constants, def};
     use tilewright_sim::Simulation;
 
     use super::*;

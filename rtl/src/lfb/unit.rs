@@ -94,11 +94,11 @@ impl LfbUnit {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
-        let front = pe.toggle("front", i.swap);
-        let merge_front = merge.synchronize("merge_front", front);
-        let known_front = pe.synchronize("known_front", merge_front);
-        net!(settled = known_front.eq(front));
-        net!(back = !merge_front);
+        def!(front = pe.toggle(i.swap));
+        def!(merge_front = merge.synchronize(front));
+        def!(known_front = pe.synchronize(merge_front));
+        def!(settled = known_front.eq(front));
+        def!(back = !merge_front);
 
         // The scan: a clock for the patch table, a clock for the image memory.
         let counter = ScanCounter { screen: self.patches.screen() };
@@ -117,11 +117,11 @@ impl LfbUnit {
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
         let asked = PatchTableIn { look_up, clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
         let table = m.instance("u_patch_table", &table, asked);
-        let wanted_offset = pe.pipe_when(accept, "wanted_offset", wanted.offset);
+        def!(wanted_offset = pe.pipe_when(accept, wanted.offset));
         let word = pe.pipe_when(accept, "wanted_word", i.request.word);
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
-        net!(resident = armed & table.scan_entry.resident & buffer.eq(back));
+        def!(resident = armed & table.scan_entry.resident & buffer.eq(back));
         let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word };
         let send = SendPixel { enable: i.scan.enable, resident, page: table.scan_entry.page, offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };

@@ -69,19 +69,19 @@ impl BitPlane<Width> {
 impl BackingStore {
     fn build(&self, m: Module, i: BackingStoreIn) -> BackingStoreOut {
         let last_plane = fields::WORD.bits - 1;
-        let free = m.reg("free", bit()).reset(1);
-        let region = m.reg("region", REGION_BITS);
+        def!(free = m.reg(bit()).reset(1));
+        def!(region = m.reg(REGION_BITS));
         region.when(i.save.claim, i.save.region);
-        let bits = m.memory("bits", fields::WORD.bits, bit().of(grid(self.side, self.side)), ReadUnderWrite::Old);
+        def!(bits = m.memory(fields::WORD.bits, bit().of(grid(self.side, self.side)), ReadUnderWrite::Old));
         bits.write(i.save.plane, i.number, i.word);
-        net!(complete = i.save.plane & i.number.eq(last_plane));
+        def!(complete = i.save.plane & i.number.eq(last_plane));
 
         // A plane of a line is read in each clock in which the one before can go.
-        let reading = m.reg("reading", bit()).reset(0);
-        let plane = m.reg("plane", below(fields::WORD.bits)).reset(0);
-        let line = m.reg("line", below(self.side)).reset(0);
-        let arrived = m.reg("arrived", bit()).reset(0);
-        let reads = m.wire("reads", bit());
+        def!(reading = m.reg(bit()).reset(0));
+        def!(plane = m.reg(below(fields::WORD.bits)).reset(0));
+        def!(line = m.reg(below(self.side)).reset(0));
+        def!(arrived = m.reg(bit()).reset(0));
+        def!(reads = m.wire(bit()));
         let read = bits.read_when(reads, plane);
         let (read_plane, read_line) =
             (m.pipe_when(reads, "read_plane", *plane), m.pipe_when(reads, "read_line", *line));
@@ -89,8 +89,8 @@ impl BackingStore {
         let payload = BitPlane { region: *region, line: read_line, plane: read_plane, bits: sent_bits };
         let (planes, sent) = m.offer(*arrived, payload);
         reads.drive(reading & (!arrived | sent));
-        net!(line_ends = plane.eq(last_plane));
-        net!(ends = line_ends & line.eq(self.side - 1));
+        def!(line_ends = plane.eq(last_plane));
+        def!(ends = line_ends & line.eq(self.side - 1));
         reading.when(complete, 1).when(reads & ends, 0);
         plane.when(reads & line_ends, 0).when(reads, plane + 1);
         line.when(reads & line_ends, line + 1);

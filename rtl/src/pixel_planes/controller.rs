@@ -102,29 +102,29 @@ impl ImageGenerationController {
     }
 
     fn build(&self, m: Module, i: ImageGenerationControllerIn) -> ImageGenerationControllerOut {
-        let microcode = m.rom("microcode", Microcode::widths(), Operation::ALL.iter().map(|it| it.microcode()));
-        net!(decoded = microcode.read_async(i.instructions.operation.bits()));
+        def!(microcode = m.rom(Microcode::widths(), Operation::ALL.iter().map(|it| it.microcode())));
+        def!(decoded = microcode.read_async(i.instructions.operation.bits()));
         let (tree, memory) = (Slot::new(m, "tree"), Slot::new(m, "memory"));
-        let waits = m.reg("waits", bit()).reset(0);
-        let waiting = m.reg("waiting", Order::widths());
+        def!(waits = m.reg(bit()).reset(0));
+        def!(waiting = m.reg(Order::widths()));
 
         // When the next instruction is taken.
-        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
-        net!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
-        net!(tree_may = tree.ends & (!decoded.on_memory | ends_in_time));
-        net!(memory_may = (!waits | memory.ends) & (tree.ends | !tree.on_memory()) & (!decoded.saves | i.store_free));
-        net!(both_end = tree.ends & memory.ends & !waits);
-        net!(may = mux(decoded.on_tree, tree_may, memory_may) & (i.side_by_side | both_end));
+        def!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
+        def!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
+        def!(tree_may = tree.ends & (!decoded.on_memory | ends_in_time));
+        def!(memory_may = (!waits | memory.ends) & (tree.ends | !tree.on_memory()) & (!decoded.saves | i.store_free));
+        def!(both_end = tree.ends & memory.ends & !waits);
+        def!(may = mux(decoded.on_tree, tree_may, memory_may) & (i.side_by_side | both_end));
         let next = i.instructions.take_when(may);
         let order = Order::of(&next, decoded);
 
         // Where it goes.
-        net!(tree_begins = next.taken & decoded.on_tree);
-        net!(for_memory = next.taken & !decoded.on_tree);
-        net!(must_wait = for_memory & (waits | !memory.ends));
+        def!(tree_begins = next.taken & decoded.on_tree);
+        def!(for_memory = next.taken & !decoded.on_tree);
+        def!(must_wait = for_memory & (waits | !memory.ends));
         waits.when(must_wait, 1).when(memory.ends, 0);
         waiting.when(must_wait, order);
-        net!(memory_begins = memory.ends & (waits | for_memory));
+        def!(memory_begins = memory.ends & (waits | for_memory));
         tree.begin(tree_begins, order);
         memory.begin(memory_begins, mux(waits, waiting, order));
 
@@ -133,7 +133,7 @@ impl ImageGenerationController {
         let [a, b] =
             [("a", a), ("b", b)].map(|(name, coefficient)| slot::bit_by_bit(m, name, tree_begins, coefficient));
         let curve = self.curve(m, &next, decoded.source.is(Source::Expression));
-        let first = m.reg("first", bit()).reset(0);
+        def!(first = m.reg(bit()).reset(0));
         first.next(tree_begins & decoded.source.is(Source::Expression));
 
         // Both slots control the pixels, one of them their memory.
@@ -184,7 +184,7 @@ impl ImageGenerationController {
         (1..=self.lag()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), Sent { control: Control::widths(), plane: bit() }).reset(0);
             register.next(sent);
-            register.value()
+            *register
         })
     }
 

@@ -80,16 +80,16 @@ impl FrameBuffer {
     fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
         let last_plane = fields::WORD.bits - 1;
         let plane = i.planes.take_when(1);
-        let so_far = m.reg("so_far", bits(last_plane).of(row(self.side)));
-        net!(word = cat![plane.bits, so_far]);
+        def!(so_far = m.reg(bits(last_plane).of(row(self.side))));
+        def!(word = cat![plane.bits, so_far]);
         so_far.when(plane.taken, word.slice(1..WORD));
 
-        let lines = m.memory("lines", self.regions() * self.side, bits(WORD).of(row(self.side)), ReadUnderWrite::Any);
-        let address = |region: Signal, line: Signal| cat![region, line].trunc(lines.address_width());
+        def!(lines = m.memory(self.regions() * self.side, bits(WORD).of(row(self.side)), ReadUnderWrite::Any));
+        let address = |region: Signal, line: Signal| cat![region, line].low();
         let region = plane.region.trunc(below(self.regions()));
         lines.write(plane.taken & plane.plane.eq(last_plane), address(region, plane.line), word);
 
-        let next = m.reg("next", below(fields::WORD.bits)).reset(0);
+        def!(next = m.reg(below(fields::WORD.bits)).reset(0));
         next.when(plane.taken, mux(next.eq(last_plane), 0, next + 1));
         m.assume(plane.valid.implies(plane.plane.eq(next)), "the planes of a line come one after another");
         m.assume(plane.valid.implies(plane.region.lt(self.regions())), "the region is one of the screen");

@@ -126,9 +126,9 @@ impl PixelPlanes5 {
         let numbers = 0..renderers;
         let finished: Vec<_> =
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();
-        let room = m.wire("room", bit().of(row(renderers)));
+        def!(room = m.wire(bit().of(row(renderers))));
         let messages =
-            RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| planes.value()).collect() };
+            RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| (**planes).clone()).collect() };
         let sent = m.instance("u_ring", &ring, messages);
 
         let (mut rooms, mut takes, mut idles) = (Vec::new(), Vec::new(), Vec::new());
@@ -141,7 +141,7 @@ impl PixelPlanes5 {
             idles.push(out.idle);
         }
         room.drive(stack(rooms));
-        net!(idle = stack(idles));
+        def!(idle = stack(idles));
 
         let allocation = RegionAllocatorIn { regions: i.regions, free: idle & !i.open };
         let allocation = m.instance("u_allocator", &RegionAllocator { renderers }, allocation);

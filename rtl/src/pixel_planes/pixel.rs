@@ -133,9 +133,9 @@ impl PixelProcessor {
 
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
         let c = i.control;
-        let memory = m.memory("memory", PixelProcessor::BITS, bit(), ReadUnderWrite::Any);
-        net!(word = memory.read_async(c.read));
-        net!(
+        def!(memory = m.memory(PixelProcessor::BITS, bit(), ReadUnderWrite::Any));
+        def!(word = memory.read_async(c.read));
+        def!(
             operand = c.source.choose(|source| match source {
                 Source::Expression => i.expression,
                 Source::Memory => word,
@@ -143,13 +143,13 @@ impl PixelProcessor {
             })
         );
 
-        let carry = m.reg("carry", bit());
-        net!(carried = carry & !c.first);
+        def!(carry = m.reg(bit()));
+        def!(carried = carry & !c.first);
         carry.when(c.adds, (operand & word) | (carried & (operand | word)));
-        net!(result = operand ^ (c.adds & (word ^ carried)));
+        def!(result = operand ^ (c.adds & (word ^ carried)));
 
-        let enable = m.reg("enable", bit());
-        net!(
+        def!(enable = m.reg(bit()));
+        def!(
             enabled = c.enabling.choose(|enabling| match enabling {
                 Enabling::Keep => *enable,
                 Enabling::Set => lit(1, 1),
@@ -160,11 +160,11 @@ impl PixelProcessor {
         );
         enable.next(enabled);
 
-        let flag = m.reg("flag", bit());
-        net!(is_less = mux(operand.eq(word), flag & !c.first, word));
+        def!(flag = m.reg(bit()));
+        def!(is_less = mux(operand.eq(word), flag & !c.first, word));
         flag.when(c.captures, enabled).when(c.compares, is_less & (enable | !c.gates));
 
-        net!(
+        def!(
             writes = c.mask.choose(|mask| match mask {
                 Mask::Nobody => lit(1, 0),
                 Mask::Everybody => lit(1, 1),

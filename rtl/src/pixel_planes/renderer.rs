@@ -124,7 +124,7 @@ impl Renderer {
         let room = i.instructions.ready;
         let instructions = m.fifo("u_queue", queue, i.instructions);
         let takes = instructions.valid & instructions.ready;
-        let store_free = m.wire("store_free", bit());
+        def!(store_free = m.wire(bit()));
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
         let controller = m.instance("u_controller", &self.controller(), control);

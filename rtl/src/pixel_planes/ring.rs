@@ -145,7 +145,7 @@ impl Ring {
 
     fn build(&self, m: Module, i: RingIn) -> RingOut {
         let renderers = self.renderers;
-        let granted = m.wire("granted", 2 * renderers);
+        def!(granted = m.wire(2 * renderers));
         let mut wants = Vec::new();
         let mut instructions = Vec::new();
         for (bin, number) in i.bins.iter().zip(0..) {
@@ -156,8 +156,8 @@ impl Ring {
         }
 
         // A line's planes come one after another from one renderer.
-        let line_of = m.reg("line_of", renderers).reset(0);
-        net!(of_plane = granted.slice(renderers..2 * renderers));
+        def!(line_of = m.reg(renderers).reset(0));
+        def!(of_plane = granted.slice(renderers..2 * renderers));
         let mut lines = Vec::new();
         for (region, number) in i.finished.iter().zip(0..) {
             wants.push(region.valid & (line_of.eq(0) | line_of.bit(number)));
@@ -167,11 +167,11 @@ impl Ring {
         let plane = select(lines.into_iter().skip(1).collect::<Vec<_>>(), first);
         let (planes, _) = m.offer(of_plane.any_one(), plane);
         m.assume(planes.valid.implies(planes.ready), "the frame buffer takes each plane");
-        net!(line_ends = plane.plane.eq(fields::WORD.bits - 1));
+        def!(line_ends = plane.plane.eq(fields::WORD.bits - 1));
         line_of.when(of_plane.any_one(), mux(line_ends, 0, of_plane));
 
         wants.reverse();
-        net!(requests = concat(&wants));
+        def!(requests = concat(&wants));
         granted.drive(self.grant(m, requests));
         RingOut { instructions, planes }
     }
@@ -180,10 +180,10 @@ impl Ring {
     fn grant(&self, m: Module, requests: Signal) -> Signal {
         let stations = 2 * self.renderers;
         let most = self.most_credit();
-        let credit = m.reg("credit", up_to(most)).reset(most);
-        let last = m.reg("last", stations).reset(0);
-        net!(behind_last = requests & !(last | (last - 1)));
-        net!(up_to_last = requests & (last | (last - 1)));
+        def!(credit = m.reg(up_to(most)).reset(most));
+        def!(last = m.reg(stations).reset(0));
+        def!(behind_last = requests & !(last | (last - 1)));
+        def!(up_to_last = requests & (last | (last - 1)));
         let mut goes = vec![lit(1, 0); stations as usize];
         let mut turn = Turn { credit: *credit, waits: lit(1, 0), plane_goes: lit(1, 0), last: *last };
         for (part, first_place) in [(behind_last, 0), (up_to_last, stations)] {

@@ -74,16 +74,16 @@ impl CommandDma {
     }
 
     fn build(&self, m: Module, i: CommandDmaIn) -> CommandDmaOut {
-        let memory = m.memory("memory", self.words, Instruction::widths(), ReadUnderWrite::Old);
+        def!(memory = m.memory(self.words, Instruction::widths(), ReadUnderWrite::Old));
         memory.write(i.store.writes, i.store.address, i.store.instruction);
         let frames = m.fifo("u_frames", CommandDma::FRAMES, i.frames);
-        let left = m.reg("left", up_to(self.words)).reset(0);
-        let next = m.reg("next", below(self.words));
+        def!(left = m.reg(up_to(self.words)).reset(0));
+        def!(next = m.reg(below(self.words)));
         let frame = frames.take_when(left.eq(0));
 
         // The next one is read when the one before goes.
-        let arrived = m.reg("arrived", bit()).reset(0);
-        let reads = m.wire("reads", bit());
+        def!(arrived = m.reg(bit()).reset(0));
+        def!(reads = m.wire(bit()));
         let (instructions, sent) = m.offer(*arrived, memory.read_when(reads, next));
         reads.drive(left.ne(0) & (!arrived | sent));
         left.when(frame.taken, frame.length).when(reads, left - 1);

@@ -80,13 +80,13 @@ block! {
 
 impl Compositor {
     fn build(&self, m: Module, i: CompositorIn) -> CompositorOut {
-        let states = m.memory("states", self.pixels, one_of::<Nearer>(), ReadUnderWrite::Any);
-        net!(state = mux(i.first, Nearer::Equal, states.read_async(i.pixel)));
+        def!(states = m.memory(self.pixels, one_of::<Nearer>(), ReadUnderWrite::Any));
+        def!(state = mux(i.first, Nearer::Equal, states.read_async(i.pixel)));
         let differ = [(i.own.lt(i.upstream), Nearer::Own), (i.upstream.lt(i.own), Nearer::Upstream)];
-        net!(nearer = mux(state.is(Nearer::Equal), select(differ, Nearer::Equal), state));
+        def!(nearer = mux(state.is(Nearer::Equal), select(differ, Nearer::Equal), state));
         states.write(i.advances, i.pixel, nearer);
 
-        net!(
+        def!(
             takes_own = i.mode.choose(|mode| match mode {
                 Mode::Forward | Mode::Unload => lit(1, 0),
                 Mode::Load => lit(1, 1),

@@ -98,20 +98,20 @@ struct Needs {
 
 impl Needs {
     fn of(i: &Instruction) -> Needs {
-        net!(expression = i.source.is(Source::Expression));
+        def!(expression = i.source.is(Source::Expression));
         let any = |condition: Signal, codes: &[Enabling]| {
             codes.iter().map(|code| i.enabling.is(*code)).fold(condition, |any, is| any | is)
         };
         // It looks at the expression's sign, if at anything.
-        net!(looks = any(lit(1, 0), &[Enabling::Replace, Enabling::Restrict, Enabling::Push]));
-        net!(by_sign = looks & expression & i.condition.is(Condition::Positive));
-        net!(writes = !i.mask.is(Mask::Nobody) & (i.accumulates | i.stores));
-        net!(quiet = i.function.is(Function::Operand) & !writes & i.flagging.is(Flagging::Keep) & (!looks | by_sign));
-        net!(
+        def!(looks = any(lit(1, 0), &[Enabling::Replace, Enabling::Restrict, Enabling::Push]));
+        def!(by_sign = looks & expression & i.condition.is(Condition::Positive));
+        def!(writes = !i.mask.is(Mask::Nobody) & (i.accumulates | i.stores));
+        def!(quiet = i.function.is(Function::Operand) & !writes & i.flagging.is(Flagging::Keep) & (!looks | by_sign));
+        def!(
             on_enable =
                 !i.enabling.is(Enabling::Keep) | i.mask.is(Mask::Enabled) | i.flagging.is(Flagging::EnabledCondition)
         );
-        net!(on_evaluator = expression | on_enable);
+        def!(on_evaluator = expression | on_enable);
         Needs { on_evaluator, on_memory: !on_evaluator | !quiet, expression, by_sign }
     }
 }
@@ -123,39 +123,39 @@ impl ArrayController {
 
     fn build(&self, m: Module, i: ArrayControllerIn) -> ArrayControllerOut {
         let (evaluator, memory) = (Slot::new(m, "evaluator"), Slot::new(m, "memory"));
-        let waits = m.reg("waits", bit()).reset(0);
-        let waiting = m.reg("waiting", Order::widths());
+        def!(waits = m.reg(bit()).reset(0));
+        def!(waiting = m.reg(Order::widths()));
         let needs = Needs::of(&i.instructions);
 
         // When the next instruction is taken.
-        net!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
-        net!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
-        net!(evaluator_may = evaluator.ends & (!needs.on_memory | ends_in_time));
-        net!(memory_may = (!waits | memory.ends) & (evaluator.ends | !evaluator.on_memory()));
-        net!(both_end = evaluator.ends & memory.ends & !waits);
+        def!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
+        def!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
+        def!(evaluator_may = evaluator.ends & (!needs.on_memory | ends_in_time));
+        def!(memory_may = (!waits | memory.ends) & (evaluator.ends | !evaluator.on_memory()));
+        def!(both_end = evaluator.ends & memory.ends & !waits);
         let ports = Ports::new(m, &i);
-        net!(in_turn = (i.side_by_side & i.instructions.sync.is(Sync::Nothing)) | both_end);
-        net!(may = mux(needs.on_evaluator, evaluator_may, memory_may) & in_turn & !ports.waits(&i.instructions));
+        def!(in_turn = (i.side_by_side & i.instructions.sync.is(Sync::Nothing)) | both_end);
+        def!(may = mux(needs.on_evaluator, evaluator_may, memory_may) & in_turn & !ports.waits(&i.instructions));
         let next = i.instructions.take_when(may);
         ports.claim(m, &next);
         let order = Order::of(&next, needs.on_memory, needs.by_sign);
 
         // Where it goes.
-        net!(evaluator_begins = next.taken & needs.on_evaluator);
-        net!(for_memory = next.taken & !needs.on_evaluator);
-        net!(must_wait = for_memory & (waits | !memory.ends));
+        def!(evaluator_begins = next.taken & needs.on_evaluator);
+        def!(for_memory = next.taken & !needs.on_evaluator);
+        def!(must_wait = for_memory & (waits | !memory.ends));
         waits.when(must_wait, 1).when(memory.ends, 0);
         waiting.when(must_wait, order);
-        net!(memory_begins = memory.ends & (waits | for_memory));
+        def!(memory_begins = memory.ends & (waits | for_memory));
         evaluator.begin(evaluator_begins, order);
         memory.begin(memory_begins, mux(waits, waiting, order));
 
         // Coefficients go to the evaluator, a byte a clock.
         let [a, b] = [("a", next.a), ("b", next.b)]
             .map(|(name, coefficient)| slot::byte_by_byte(m, name, evaluator_begins, coefficient));
-        let first = m.reg("first", bit()).reset(0);
+        def!(first = m.reg(bit()).reset(0));
         first.next(evaluator_begins & needs.expression);
-        let sends = m.reg("sends", bit()).reset(0);
+        def!(sends = m.reg(bit()).reset(0));
         sends.when(evaluator_begins, needs.expression).when(evaluator.ends, 0);
 
         // Both slots control the pixels, one of them ALU and memory.
@@ -192,7 +192,7 @@ impl ArrayController {
         (1..=self.evaluator().latency()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), widths()).reset(0);
             register.next(sent);
-            register.value()
+            *register
         })
     }
 }
@@ -217,8 +217,8 @@ impl Ports {
 
     /// The instruction waits for a port.
     fn waits(&self, i: &Instruction) -> Signal {
-        net!(bank_is_out = (*self.banks & slot::bank(i.c)).ne(0));
-        net!(waits_for_bank = i.sync.is(Sync::AwaitBank) & bank_is_out);
+        def!(bank_is_out = (*self.banks & slot::bank(i.c)).ne(0));
+        def!(waits_for_bank = i.sync.is(Sync::AwaitBank) & bank_is_out);
         waits_for_bank | (i.sync.is(Sync::AwaitTexture) & self.texture)
     }
 

@@ -210,35 +210,35 @@ impl FrameBuffer {
         let (chips, pixels, turn, count) = (self.chips(), self.pixels(), self.turn(), self.count());
         let word = CHANNEL * COLOUR;
         let [even, odd] = ["even", "odd"].map(|name| m.memory(name, self.words(), word, ReadUnderWrite::Any));
-        let shown = m.reg("shown", bit()).reset(0);
-        let is_whole = m.reg("is_whole", bit()).reset(0);
+        def!(shown = m.reg(bit()).reset(0));
+        def!(is_whole = m.reg(bit()).reset(0));
         let slot = |frame: Signal, region: Signal| {
             let region = region.zext(below(FRAMES * count));
             mux(frame, region + count, region)
         };
 
         // A region is loaded into the frame that is not shown.
-        let busy = m.reg("busy", bit()).reset(0);
-        let clock = m.reg("clock", up_to(turn.max(4)));
+        def!(busy = m.reg(bit()).reset(0));
+        def!(clock = m.reg(up_to(turn.max(4))));
         let number = m.reg("pixel", up_to(pixels));
-        let region = m.reg("region", below(count)).reset(0);
+        def!(region = m.reg(below(count)).reset(0));
         m.assume(i.start.implies(!*busy), "the frame buffer begins when it has done");
-        net!(runs = busy & !(*is_whole & region.eq(0)));
-        net!(turn_ends = runs & clock.eq(turn - 1));
-        net!(ends = turn_ends & number.eq(pixels));
-        net!(is_last = region.eq(count - 1));
+        def!(runs = busy & !(*is_whole & region.eq(0)));
+        def!(turn_ends = runs & clock.eq(turn - 1));
+        def!(ends = turn_ends & number.eq(pixels));
+        def!(is_last = region.eq(count - 1));
         busy.when(i.start, 1).when(ends, 0);
         clock.when(i.start | turn_ends, 0).when(runs, clock + 1);
         number.when(i.start, 0).when(turn_ends, number + 1);
         region.when(ends, mux(is_last, 0, region + 1));
 
-        net!(reads = runs & clock.lt(self.bytes()) & number.lt(pixels));
+        def!(reads = runs & clock.lt(self.bytes()) & number.lt(pixels));
         let gathered = self.gather(m, i.seen, *clock, reads);
-        let stored = m.reg("stored", bits(word).of(row(chips)));
+        def!(stored = m.reg(bits(word).of(row(chips))));
         stored.when(turn_ends, gathered).otherwise(stored.shifted(-2, 0));
-        net!(stores = runs & number.ne(0) & clock.lt(chips / 2));
+        def!(stores = runs & number.ne(0) & clock.lt(chips / 2));
         let before = (number - 1).trunc(below(pixels));
-        net!(stores_at = self.address(slot(!*shown, *region), *clock, before));
+        def!(stores_at = self.address(slot(!*shown, *region), *clock, before));
         even.write(stores, stores_at, stored.lane(0));
         odd.write(stores, stores_at, stored.lane(1));
 
@@ -246,33 +246,33 @@ impl FrameBuffer {
         let [across, _] = self.regions();
         let Screen { width: columns, height: lines } = self.screen;
         let [width, height] = self.region();
-        let x = m.reg("x", below(columns.max(width))).reset(0);
-        let y = m.reg("y", below(lines.max(height))).reset(0);
-        let left = m.reg("left", up_to(count)).reset(0);
-        let has_frame = m.reg("has_frame", bit()).reset(0);
-        net!(is_first = x.eq(0) & y.eq(0));
-        net!(changes = is_first & *is_whole);
+        def!(x = m.reg(below(columns.max(width))).reset(0));
+        def!(y = m.reg(below(lines.max(height))).reset(0));
+        def!(left = m.reg(up_to(count)).reset(0));
+        def!(has_frame = m.reg(bit()).reset(0));
+        def!(is_first = x.eq(0) & y.eq(0));
+        def!(changes = is_first & *is_whole);
         shown.when(changes, !*shown);
         has_frame.when(changes, 1);
         is_whole.when(ends & is_last, 1).when(changes, 0);
 
-        let arrived = m.reg("arrived", bit()).reset(0);
-        let scans = m.wire("scans", bit());
-        net!(line_ends = x.eq(columns - 1));
-        net!(frame_ends = y.eq(lines - 1));
-        net!(region_ends = y.part(0, below(height)).eq(height - 1));
+        def!(arrived = m.reg(bit()).reset(0));
+        def!(scans = m.wire(bit()));
+        def!(line_ends = x.eq(columns - 1));
+        def!(frame_ends = y.eq(lines - 1));
+        def!(region_ends = y.part(0, below(height)).eq(height - 1));
         x.when(scans, mux(line_ends, 0, x + 1));
         y.when(scans & line_ends, mux(frame_ends, 0, y + 1));
         left.when(scans & line_ends & frame_ends, 0).when(scans & line_ends & region_ends, left + across);
 
         let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
-        net!(scanned = slot(*shown, *left + fitting(beside, left.width())));
+        def!(scanned = slot(*shown, *left + fitting(beside, left.width())));
         // Of two lines of processors a chip has two of pixels, or one.
         let (chip, inside) = match self.side() {
             1 => (*y >> 1, concat(&[y.bit(0), inside])),
             _ => (*y, inside),
         };
-        net!(scans_at = self.address(scanned, chip >> 1, inside));
+        def!(scans_at = self.address(scanned, chip >> 1, inside));
         let [even, odd] = [even, odd].map(|memory| memory.read_when(*scans, scans_at));
         let [is_odd, first, last] = [("is_odd", chip.bit(0)), ("first", is_first), ("last", line_ends)]
             .map(|(name, mark)| m.pipe_when(*scans, name, mark));
@@ -296,27 +296,27 @@ impl FrameBuffer {
     fn gather(&self, m: Module, seen: Signal, clock: Signal, reads: Signal) -> Signal {
         let of_all = row(self.chips());
         if self.samples == 1 {
-            let colours = m.reg("colours", bits(CHANNEL * COLOUR).of(of_all));
-            net!(gathered = mux(reads, concat(&[seen, colours.slice(CHANNEL..CHANNEL * COLOUR)]), *colours));
+            def!(colours = m.reg(bits(CHANNEL * COLOUR).of(of_all)));
+            def!(gathered = mux(reads, concat(&[seen, colours.slice(CHANNEL..CHANNEL * COLOUR)]), *colours));
             colours.next(gathered);
             return gathered;
         }
         // The lowest sum is that of the channel whose turn it is.
-        let sums = m.reg("sums", bits(SUM * COLOUR).of(of_all));
+        def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
         let half = lit(SUM, u64::from(EIGHT / 2)).of(of_all);
-        net!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
-        net!(summed = mux(reads, concat(&[sum, sums.slice(SUM..SUM * COLOUR)]), *sums));
+        def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
+        def!(summed = mux(reads, concat(&[sum, sums.slice(SUM..SUM * COLOUR)]), *sums));
         sums.next(summed);
         let mean = |channel: u32| summed.part(channel * SUM + EIGHT.ilog2(), CHANNEL);
-        net!(gathered = concat(&[mean(2), mean(1), mean(0)]));
+        def!(gathered = concat(&[mean(2), mean(1), mean(0)]));
         gathered
     }
 
     /// The processor whose byte is read of a pixel of eight samples, and the register; from the clock behind `begins` on.
     fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
-        let register = m.reg("register", below(COLOUR * RENDERINGS));
-        let sample = m.reg("sample", below(SIDE * SIDE));
-        net!(sample_ends = register.eq(COLOUR * RENDERINGS - 1));
+        def!(register = m.reg(below(COLOUR * RENDERINGS)));
+        def!(sample = m.reg(below(SIDE * SIDE)));
+        def!(sample_ends = register.eq(COLOUR * RENDERINGS - 1));
         register.when(begins | (runs & sample_ends), 0).when(runs, register + 1);
         sample.when(begins, 0).when(runs & sample_ends, sample + 1);
         (concat(&[sample.bit(1), number, sample.bit(0)]), register.zext(6))

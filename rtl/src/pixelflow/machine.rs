@@ -150,7 +150,7 @@ impl PixelFlow {
             without_job: (0..DIRECTIONS as usize)
                 .map(|direction| of_all(&|node| node.network[direction].idle))
                 .collect(),
-            go: go.iter().map(|go| go.value()).collect(),
+            go: go.iter().map(|go| **go).collect(),
             off: vec![*forth[self.nodes as usize - 1], *back[0]],
             texture_seen: nodes.into_iter().map(|node| node.texture_seen).collect(),
         }

@@ -78,10 +78,10 @@ impl NetworkPort {
 
     fn build(&self, m: Module, i: NetworkPortIn) -> NetworkPortOut {
         let NetworkPort { chips, pixels, width } = *self;
-        net!(loads = i.mode.is(Mode::Load));
-        net!(advances = mux(loads, i.sends, i.upstream.valid));
-        net!(is_first = mux(loads, i.first, i.upstream.first));
-        let pixel = m.reg("pixel", below(pixels)).reset(0);
+        def!(loads = i.mode.is(Mode::Load));
+        def!(advances = mux(loads, i.sends, i.upstream.valid));
+        def!(is_first = mux(loads, i.first, i.upstream.first));
+        def!(pixel = m.reg(below(pixels)).reset(0));
         pixel.when(advances & pixel.eq(pixels - 1), 0).when(advances, pixel + 1);
         m.assume(!(loads & i.upstream.valid), "nothing comes while a node loads");
 

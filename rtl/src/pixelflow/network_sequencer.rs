@@ -106,25 +106,25 @@ impl NetworkSequencer {
     pub const BYTES: u32 = 32;
 
     fn build(&self, m: Module, i: NetworkSequencerIn) -> NetworkSequencerOut {
-        let phase = m.reg("phase", one_of::<Phase>()).reset(Phase::Idle);
+        def!(phase = m.reg(one_of::<Phase>()).reset(Phase::Idle));
         let next = i.jobs.take_when(phase.is(Phase::Idle));
         let mode = m.reg("job_mode", one_of::<Mode>()).reset(Mode::Forward);
-        let bank = m.reg("bank", bits(BANKS)).reset(0);
-        let address = m.reg("address", below(NetworkSequencer::BYTES));
-        let first = m.reg("first", bit());
-        let empty = m.reg("empty", bit());
+        def!(bank = m.reg(bits(BANKS)).reset(0));
+        def!(address = m.reg(below(NetworkSequencer::BYTES)));
+        def!(first = m.reg(bit()));
+        def!(empty = m.reg(bit()));
 
-        net!(has_bank = (*bank & !i.given).eq(0));
-        let waited = m.reg("waited", up_to(self.setup.max(1)));
-        net!(is_set = waited.eq(self.setup));
-        net!(loads = mode.is(Mode::Load));
-        net!(byte_ends = i.advances & i.pixel.eq(self.pixels - 1));
-        net!(ends = (byte_ends & address.eq(0)) | (phase.is(Phase::Ready) & *empty & i.go));
+        def!(has_bank = (*bank & !i.given).eq(0));
+        def!(waited = m.reg(up_to(self.setup.max(1))));
+        def!(is_set = waited.eq(self.setup));
+        def!(loads = mode.is(Mode::Load));
+        def!(byte_ends = i.advances & i.pixel.eq(self.pixels - 1));
+        def!(ends = (byte_ends & address.eq(0)) | (phase.is(Phase::Ready) & *empty & i.go));
 
-        net!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
+        def!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
         mode.when(next.taken, next.mode).when(ends, Mode::Forward);
         bank.when(next.taken, needs).when(ends, 0);
-        address.when(next.taken, (next.bytes - 1).trunc(below(NetworkSequencer::BYTES))).when(byte_ends, address - 1);
+        address.when(next.taken, (next.bytes - 1).low()).when(byte_ends, address - 1);
         first.when(next.taken, 1).when(byte_ends, 0);
         empty.when(next.taken, next.bytes.eq(0));
         waited.when(phase.is(Phase::Bank), 0).otherwise(waited + 1);
@@ -135,8 +135,8 @@ impl NetworkSequencer {
             .when(phase.is(Phase::Ready) & loads & i.go, Phase::Sends)
             .when(ends, Phase::Idle);
 
-        net!(ready = phase.is(Phase::Ready));
-        net!(sends = phase.is(Phase::Sends));
+        def!(ready = phase.is(Phase::Ready));
+        def!(sends = phase.is(Phase::Sends));
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
         state(next.bytes.le(NetworkSequencer::BYTES), "a word has at most 32 bytes");
         state(next.bytes.ne(0) | next.mode.is(Mode::Forward), "a job of no bytes forwards");

@@ -158,10 +158,10 @@ impl Node {
         let (array, network) = (m.on(ARRAY), m.on(NETWORK));
         let NodeIn { store, frames, side_by_side, texture, texture_done, network: directions } = i;
         let dma = array.instance("u_dma", &self.dma(), CommandDmaIn { store, frames });
-        let given = array.wire("given", bits(BANKS));
-        let done = network.wire("done", bits(BANKS));
+        def!(given = array.wire(bits(BANKS)));
+        def!(done = network.wire(bits(BANKS)));
         let bank_done = turned(array, network, "done", *done);
-        let held = network.reg("held", bits(BANKS)).reset(0);
+        def!(held = network.reg(bits(BANKS)).reset(0));
         held.next((*held & !*done) | turned(network, array, "given", *given));
 
         // Each direction has what its bank shows, and says which byte of it.

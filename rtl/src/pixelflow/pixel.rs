@@ -245,11 +245,12 @@ impl PixelProcessor {
 
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
         let c = i.control;
-        let memory = m.memory("memory", PixelProcessor::REGISTERS, bits(8), ReadUnderWrite::Any);
-        net!(word = mux(is_register(c.read), i.register_byte, memory.read_async(in_memory(c.read))));
-        let (accumulator, carry) = (m.reg("accumulator", bits(8)), m.reg("carry", bit()));
-        let flag = m.reg("flag", bit());
-        net!(
+        def!(memory = m.memory(PixelProcessor::REGISTERS, bits(8), ReadUnderWrite::Any));
+        def!(word = mux(is_register(c.read), i.register_byte, memory.read_async(in_memory(c.read))));
+        def!(accumulator = m.reg(bits(8)));
+        def!(carry = m.reg(bit()));
+        def!(flag = m.reg(bit()));
+        def!(
             operand = c.source.choose(|source| match source {
                 Source::Constant => c.constant,
                 Source::Expression => i.expression,
@@ -257,7 +258,7 @@ impl PixelProcessor {
                 Source::Multiplicand => mux(*flag, *accumulator, 0),
             })
         );
-        net!(
+        def!(
             carried = c.begin.choose(|begin| match begin {
                 Begin::Kept => *carry,
                 Begin::Zero => lit(1, 0),
@@ -266,13 +267,13 @@ impl PixelProcessor {
         );
 
         // Sum and difference, whose carry is that of the top bits.
-        net!(subtracts = c.function.is(Function::Subtract) | c.function.is(Function::Compare));
-        net!(addend = mux(subtracts, !operand, operand));
-        net!(sum = word + addend + carried.zext(8));
-        net!(carry_out = ((word & addend) | ((word | addend) & !sum)).msb());
+        def!(subtracts = c.function.is(Function::Subtract) | c.function.is(Function::Compare));
+        def!(addend = mux(subtracts, !operand, operand));
+        def!(sum = word + addend + carried.zext(8));
+        def!(carry_out = ((word & addend) | ((word | addend) & !sum)).msb());
         let left = concat(&[word.slice(0..7), carried]);
         let right = concat(&[carried, word.slice(1..8)]);
-        net!(
+        def!(
             result = c.function.choose(|function| match function {
                 Function::Operand | Function::Compare => operand,
                 Function::Word => word,
@@ -285,7 +286,7 @@ impl PixelProcessor {
                 Function::AddHalved => concat(&[carry_out, sum.slice(1..8)]),
             })
         );
-        net!(
+        def!(
             carry_next = c.function.choose(|function| match function {
                 Function::Add | Function::Subtract | Function::Compare => carry_out,
                 Function::ShiftLeft => word.msb(),
@@ -296,17 +297,17 @@ impl PixelProcessor {
         );
         carry.next(carry_next);
 
-        net!(
+        def!(
             holds = c.condition.choose(|condition| match condition {
                 Condition::Positive => !operand.msb(),
                 Condition::Carry => carry_next,
                 Condition::NoCarry => !carry_next,
             })
         );
-        net!(enters = mux(c.by_sign, !i.expression.msb(), holds));
+        def!(enters = mux(c.by_sign, !i.expression.msb(), holds));
         let stack = m.reg("enable", bits(self.depth));
         let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..self.depth));
-        net!(
+        def!(
             enables = c.enabling.choose(|enabling| match enabling {
                 Enabling::Keep => *stack,
                 Enabling::Set => concat(&[rest, lit(1, 1)]),
@@ -324,7 +325,7 @@ impl PixelProcessor {
             Flagging::EnabledCondition => holds & top,
         }));
 
-        net!(
+        def!(
             writes = c.mask.choose(|mask| match mask {
                 Mask::Nobody => lit(1, 0),
                 Mask::Everybody => lit(1, 1),
@@ -333,7 +334,7 @@ impl PixelProcessor {
             })
         );
         accumulator.when(writes & c.accumulates, result);
-        net!(stores = writes & c.stores);
+        def!(stores = writes & c.stores);
         memory.write(stores & !is_register(c.write), in_memory(c.write), result);
         PixelProcessorOut { result, writes_register: stores & is_register(c.write) }
     }

@@ -80,13 +80,13 @@ impl CommunicationRegisters {
 
     fn build(&self, m: Module, i: CommunicationRegistersIn) -> CommunicationRegistersOut {
         let (chips, pixels) = (self.height / 2, 2 * self.width);
-        let bytes = m.memory("bytes", self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any);
+        def!(bytes = m.memory(self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any));
         let bytes = bytes.true_dual_port();
         let (array, port) = (bytes.on(ARRAY), bytes.on(self.port));
         array.write(i.writes, i.write, i.result);
 
         let PortAccess { pixel, address, writes, bytes } = i.port;
-        net!(here = constants(below(pixels).of(row(pixels)), u64::from).eq(pixel) & writes);
+        def!(here = constants(below(pixels).of(row(pixels)), u64::from).eq(pixel) & writes);
         port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
         // Each side reads what the other has written before it gave it.
         let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");

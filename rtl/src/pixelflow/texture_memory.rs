@@ -145,13 +145,13 @@ impl TextureMemory {
                 table.read(i.request.texture.trunc(widths.texture))
             });
         let [u, v] = [("u", i.request.u), ("v", i.request.v)].map(|(name, part)| m.pipe(name, part));
-        let level = m.pipe("level", i.request.level).zext(9);
+        def!(level = m.pipe(i.request.level).zext(9));
 
         // Second clock: the levels, and columns and rows on both.
-        let base = m.pipe("base", base);
+        def!(base = m.pipe(base));
         let sides = [0u64, 1].map(|side| {
             let sought = level + side;
-            let clamped = mux(sought.lt(finest.zext(9)), sought.trunc(finest.width()), finest);
+            let clamped = mux(sought.lt(finest.zext(9)), sought.low(), finest);
             let sides = [("u", u), ("v", v)].map(|(name, part)| neighbours(m, &format!("{name}{side}"), part, clamped));
             Side { level: m.pipe(&format!("level{side}"), clamped), columns: sides[0], rows: sides[1] }
         });

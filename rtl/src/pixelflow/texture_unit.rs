@@ -87,23 +87,23 @@ impl TextureUnit {
 
     fn build(&self, m: Module, i: TextureUnitIn) -> TextureUnitOut {
         let (chips, pixels, turn) = (self.chips, self.pixels, self.turn());
-        let busy = m.reg("busy", bit()).reset(0);
-        let clock = m.reg("clock", up_to(turn));
+        def!(busy = m.reg(bit()).reset(0));
+        def!(clock = m.reg(up_to(turn)));
         let number = m.reg("turn", up_to(pixels + 1));
-        net!(turn_ends = busy & clock.eq(turn - 1));
-        net!(ends = turn_ends & number.eq(pixels + 1));
+        def!(turn_ends = busy & clock.eq(turn - 1));
+        def!(ends = turn_ends & number.eq(pixels + 1));
         m.assume(i.start.implies(!*busy), "the texture unit begins when it has done");
         busy.when(i.start, 1).when(ends, 0);
         clock.when(i.start | turn_ends, 0).otherwise(clock + 1);
         number.when(i.start, 0).when(turn_ends, number + 1);
 
         // What pixels ask comes in from the top, and goes a chip a clock.
-        net!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
-        let asked = m.reg("asked", bits(8 * ASKED).of(row(chips)));
+        def!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
+        def!(asked = m.reg(bits(8 * ASKED).of(row(chips))));
         asked.when(reads, concat(&[i.seen, asked.slice(8..8 * ASKED)]));
-        let sought = m.reg("sought", bits(8 * ASKED).of(row(chips)));
+        def!(sought = m.reg(bits(8 * ASKED).of(row(chips))));
         sought.when(turn_ends, *asked).otherwise(sought.following(0));
-        net!(seeks = busy & number.ne(0) & number.le(pixels) & clock.lt(chips));
+        def!(seeks = busy & number.ne(0) & number.le(pixels) & clock.lt(chips));
         let first = sought.lane(0);
         let byte = |at: u32| first.part(8 * at, 8);
         let request = TexturePlace {
@@ -117,10 +117,10 @@ impl TextureUnit {
         let found = m.instance("u_memory", &self.memory, TextureMemoryIn { write, describe, request });
 
         // Texels are collected a chip a clock, and written a byte a clock.
-        let collected = m.reg("collected", bits(8 * TEXELS).of(row(chips)));
+        def!(collected = m.reg(bits(8 * TEXELS).of(row(chips))));
         collected.when(found.valid, collected.following(found.texels.pack()));
-        net!(writes = busy & number.ge(2) & clock.ge(ASKED) & clock.lt(ASKED + TEXELS));
-        let given = m.reg("given", bits(8 * TEXELS).of(row(chips)));
+        def!(writes = busy & number.ge(2) & clock.ge(ASKED) & clock.lt(ASKED + TEXELS));
+        def!(given = m.reg(bits(8 * TEXELS).of(row(chips))));
         given.when(clock.eq(COLLECTED), *collected).when(writes, *given >> 8);
 
         let pixel = mux(reads, *number, number - 2).trunc(below(pixels));

@@ -57,21 +57,21 @@ impl VideoController {
     fn build(&self, m: Module, i: VideoControllerIn) -> VideoControllerOut {
         let (matrix, screen) = (self.format.matrix(), self.format.screen());
         let (p, q, each) = (matrix.columns(), matrix.rows(), row(matrix.processors()));
-        let reading = m.reg("reading", bit()).reset(0);
-        let column = m.reg("column", below(self.format.columns())).reset(0);
-        let line = m.reg("line", below(screen.height.max(q))).reset(0);
-        let arrived = m.reg("arrived", bit()).reset(0);
+        def!(reading = m.reg(bit()).reset(0));
+        def!(column = m.reg(below(self.format.columns())).reset(0));
+        def!(line = m.reg(below(screen.height.max(q))).reset(0));
+        def!(arrived = m.reg(bit()).reset(0));
 
         // A group is asked for in each clock in which the one before can go.
         let words = i.words.pack().unpack(grid(q, p));
         let matrix_row = if q == 1 { lit(1, 0) } else { line.trunc(below(q)) };
-        let arrived_row = m.wire("arrived_row", matrix_row.width());
+        def!(arrived_row = m.wire(matrix_row.width()));
         let blank = cat![lit(24, 0xff_ffff), i.show.background];
         let group = words.rows().pick(*arrived_row);
         let (pixels, sent) = m.offer(*arrived, mux(group.all_ones(), blank, group));
-        net!(asks = reading & (!arrived | sent));
-        net!(line_ends = column.eq(self.format.columns() - 1));
-        net!(ends = line_ends & line.eq(screen.height - 1));
+        def!(asks = reading & (!arrived | sent));
+        def!(line_ends = column.eq(self.format.columns() - 1));
+        def!(ends = line_ends & line.eq(screen.height - 1));
         arrived_row.drive(m.pipe_when(asks, "asked_row", matrix_row));
         reading.when(i.show.start, 1).when(asks & ends, 0);
         column.when(i.show.start | (asks & line_ends), 0).when(asks, column + 1);

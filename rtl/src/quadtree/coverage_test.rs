@@ -68,11 +68,11 @@ block! {
 
 impl CoverageTest {
     fn build(&self, m: Module, i: DividerIn) -> DividerOut {
-        let busy = m.reg("busy", bit()).reset(0);
-        let held = m.reg("held", self.format.work());
-        let number = m.reg("number", 2).reset(0);
-        let moves = m.reg("moves", bit()).reset(0);
-        let step = m.reg("step", below(Format::MAX_EDGES)).reset(0);
+        def!(busy = m.reg(bit()).reset(0));
+        def!(held = m.reg(self.format.work()));
+        def!(number = m.reg(2).reset(0));
+        def!(moves = m.reg(bit()).reset(0));
+        def!(step = m.reg(below(Format::MAX_EDGES)).reset(0));
         let Work { polygon, window } = *held;
         let size = match self.sizes {
             1 => lit(up_to(self.format.levels()), (self.from - 1).into()),
@@ -80,26 +80,26 @@ impl CoverageTest {
         };
 
         // The test of a quarter.
-        net!(tests = busy & !moves);
+        def!(tests = busy & !moves);
         let Tested { edges, is_outside, is_last } = self.edges(m, tests, *step, *number, size, &held);
         let bounds = window.bounds.quarter(*number, size, self.format.matrix());
-        net!(misses = is_outside | bounds.is_beyond());
-        net!(passes = tests & is_last & !misses);
-        net!(fails = tests & is_last & misses);
+        def!(misses = is_outside | bounds.is_beyond());
+        def!(passes = tests & is_last & !misses);
+        def!(fails = tests & is_last & misses);
 
         // The planes of one that passes; it goes with the last of them.
         let moved = |plane: Signal, is_beside: Signal, add: Signal| plane + mux(is_beside, add << size, 0);
         let right = moved(window.planes.pick(*step), number.bit(0), polygon.plane_x.pick(*step));
-        net!(plane = moved(right, number.bit(1), polygon.plane_y.pick(*step)));
+        def!(plane = moved(right, number.bit(1), polygon.plane_y.pick(*step)));
         let planes = lane_by_lane(m, "planes", PLANES, *moves, *step, plane).row;
-        net!(ready = moves & step.eq(PLANES - 1));
+        def!(ready = moves & step.eq(PLANES - 1));
         let place = |at: Signal, is_beside: Signal| at | (is_beside.zext(self.format.levels()) << size);
         let (x, y) = (place(window.x, number.bit(0)), place(window.y, number.bit(1)));
         let quarter = Work { polygon, window: Window { size, x, y, edges, bounds, planes } };
         let (parts, sent) = m.offer(ready, quarter);
 
-        net!(ends_quarter = fails | sent);
-        net!(ends = ends_quarter & number.all_ones());
+        def!(ends_quarter = fails | sent);
+        def!(ends = ends_quarter & number.all_ones());
         let next = i.works.take_when(!busy | ends);
         busy.when(next.taken, 1).when(ends, 0);
         held.when(next.taken, *next);
@@ -107,7 +107,7 @@ impl CoverageTest {
         moves.when(passes, 1).when(sent, 0);
         step.when(passes | ends_quarter, 0).when(busy & !ready, step + 1);
 
-        net!(waits = ready & !sent);
+        def!(waits = ready & !sent);
         let tally = (0..self.sizes).map(|level| {
             let here = if self.sizes == 1 { lit(1, 1) } else { window.size.eq(self.from - level) };
             let is = Tally { busy: busy & !waits & here, stalled: waits & here, results: sent & here };
@@ -126,11 +126,11 @@ impl CoverageTest {
                 Tested { edges, is_outside: edges.is_negative().or_all(), is_last: lit(1, 1) }
             }
             Test::Serial => {
-                net!(value = greatest(all.map(|row| row.pick(step)), number, size));
+                def!(value = greatest(all.map(|row| row.pick(step)), number, size));
                 let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, value.bits()).kept.signed();
-                net!(is_last = step.eq(polygon.last_edge));
-                let outside = m.reg("outside", bit()).reset(0);
-                net!(is_outside = outside | value.is_negative());
+                def!(is_last = step.eq(polygon.last_edge));
+                def!(outside = m.reg(bit()).reset(0));
+                def!(is_outside = outside | value.is_negative());
                 outside.when(tests, is_outside & !is_last);
                 Tested { edges, is_outside, is_last }
             }

@@ -102,24 +102,24 @@ impl QuadtreeGenerator {
         let format = self.format();
         let matrix = format.matrix();
         let each = row(matrix.processors());
-        let back = m.toggle("back", i.swap);
+        def!(back = m.toggle(i.swap));
 
         // The broadcast: those that have the packet already wait for the others.
         let packets = m.fifo("u_queue", self.video_processor.queues.broadcast, i.packets);
-        let has = m.reg("has", bit().of(each)).reset(0);
+        def!(has = m.reg(bit().of(each)).reset(0));
         let packet = packets.payload.map(|field| match field.shape() {
             Shape::Plain => field.of(each),
             _ => field.to_rows(matrix.processors()),
         });
         let (copies, sent) = m.offer(packets.valid & !has, packet);
-        net!(all_have = (has | sent).and_all());
+        def!(all_have = (has | sent).and_all());
         let gone = packets.take_when(all_have);
         has.when(gone.taken, 0).when(sent, 1);
-        net!(waits = packets.valid & !all_have);
+        def!(waits = packets.valid & !all_have);
         let broadcast = Tally { busy: gone.taken, stalled: waits, results: gone.taken };
         let broadcast = Tally::count(m, "broadcast", broadcast);
 
-        let scan = m.wire("scan", VideoController { format }.scan());
+        def!(scan = m.wire(VideoController { format }.scan()));
         let places = format.place().map(|width| width.of(each));
         let p = matrix.columns();
         let processors = m.array("u_processor", matrix.processors(), &self.video_processor, |_| VideoProcessorIn {
@@ -133,7 +133,7 @@ impl QuadtreeGenerator {
         let control = m.instance("u_controller", &VideoController { format }, control);
         scan.drive(control.scan);
 
-        net!(idle = !packets.valid & processors.idle.and_all());
+        def!(idle = !packets.valid & processors.idle.and_all());
         m.assume(i.swap.implies(idle & !control.busy), "the banks are swapped when nothing is drawn or read");
         let counted = |unit: &Tally| unit.map(|count| count.pick(i.probe.processor));
         let tallies: Vec<Tally> = processors.tally.iter().map(counted).collect();

@@ -49,8 +49,8 @@ impl PixelProcessor {
         let window = leaf.window;
         let part = |plane: u32, low: u32, width: u32| window.planes.lane(plane).part(low, width);
         let colour = |plane: u32| part(plane, 16, 8);
-        net!(word = cat![part(0, 16, 24), colour(1), colour(2), colour(3)]);
-        net!(covered = self.covers(&leaf));
+        def!(word = cat![part(0, 16, 24), colour(1), colour(2), colour(3)]);
+        def!(covered = self.covers(&leaf));
         let valid = m.reg("fragment_valid", bit()).reset(0);
         valid.next(leaf.taken & covered);
         let fragment = Fragment {
@@ -59,7 +59,7 @@ impl PixelProcessor {
             y: m.pipe_when(leaf.taken, "fragment_y", window.y.trunc(below(self.format.rows()))),
             word: m.pipe_when(leaf.taken, "fragment_word", word),
         };
-        let fragments = m.reg("fragments", 32).reset(0);
+        def!(fragments = m.reg(32).reset(0));
         fragments.when(valid, fragments + 1);
         m.assert(i.leaves.valid.implies(window.size.eq(0)), "the windows are divided down to one sample");
         PixelProcessorOut { fragment, fragments: *fragments }
@@ -79,9 +79,9 @@ impl PixelProcessor {
             (over_aperture >> spacing.trailing_zeros()).signed()
         };
         let margin = fall(polygon.fall_x, matrix.columns()) + fall(polygon.fall_y, matrix.rows());
-        net!(is_edge = numbers(polygon.last_edge.width(), self.format.edges()).le(polygon.last_edge));
-        net!(outside = (is_edge & (window.edges - margin).is_negative()).or_all());
-        net!(beyond = window.bounds.map(|reach| *reach - half).is_beyond());
+        def!(is_edge = numbers(polygon.last_edge.width(), self.format.edges()).le(polygon.last_edge));
+        def!(outside = (is_edge & (window.edges - margin).is_negative()).or_all());
+        def!(beyond = window.bounds.map(|reach| *reach - half).is_beyond());
         !outside & !beyond
     }
 }

@@ -86,7 +86,7 @@ impl VideoProcessor {
         let buffer = m.instance("u_buffer", &VideoBuffer { format }, buffer);
 
         // A fragment is in the pixel processor for a clock, and in the buffer for another.
-        let drawn = m.reg("drawn", bit()).reset(0);
+        def!(drawn = m.reg(bit()).reset(0));
         drawn.next(pixel.fragment.valid);
         let idle = set_up.idle & raster.idle & !pixel.fragment.valid & !drawn;
         let tally = [set_up.tally].into_iter().chain(raster.tally).collect();

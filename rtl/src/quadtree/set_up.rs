@@ -45,22 +45,22 @@ block! {
 impl SetUp {
     fn build(&self, m: Module, i: SetUpIn) -> SetUpOut {
         let (matrix, place) = (self.format.matrix(), i.place);
-        let step = m.reg("step", below(Format::MAX_EDGES)).reset(0);
+        def!(step = m.reg(below(Format::MAX_EDGES)).reset(0));
         let Packet { last_edge, edges, planes, bounds } = i.packets.payload;
         let works = i.packets.valid;
-        net!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
+        def!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
 
         // An edge: its value in the corner where it is greatest, and its falls. Those beyond the last are 0, inside everywhere.
-        net!(a = edges.a.pick(*step));
-        net!(b = edges.b.pick(*step));
-        net!(right = !a.is_negative());
-        net!(lower = !b.is_negative());
+        def!(a = edges.a.pick(*step));
+        def!(b = edges.b.pick(*step));
+        def!(right = !a.is_negative());
+        def!(lower = !b.is_negative());
         let bits = self.format.edge_bits();
         let along = |slope: Signal, end: Signal| slope.times(end).sext(bits);
         let at_x = along(a, mux(right, place.right, place.left));
         let at_y = along(b, mux(lower, place.bottom, place.top));
-        net!(value = edges.c.pick(*step).sext(bits) + at_x + at_y);
-        net!(is_edge = numbers(last_edge.width(), self.format.edges()).le(last_edge));
+        def!(value = edges.c.pick(*step).sext(bits) + at_x + at_y);
+        def!(is_edge = numbers(last_edge.width(), self.format.edges()).le(last_edge));
         let edge = |name: &str, value: Signal| {
             let row = lane_by_lane(m, name, self.format.edges(), works, *step, value).row;
             mux(is_edge, row, 0)
@@ -73,10 +73,10 @@ impl SetUp {
         // A plane: its value at the first sample, and what a sample adds.
         let offset = |end: Signal| (end + self.format.aperture() / 2).bits().trunc(below(Matrix::MAX_SIDE));
         let (column, line) = (offset(place.left), offset(place.top));
-        net!(plane_x = planes.x.pick(*step));
-        net!(plane_y = planes.y.pick(*step));
+        def!(plane_x = planes.x.pick(*step));
+        def!(plane_y = planes.y.pick(*step));
         let times = |plane: Signal, offset: Signal| plane.times(offset).trunc(PLANE);
-        net!(plane = planes.origin.pick(*step) + times(plane_x, column) + times(plane_y, line));
+        def!(plane = planes.origin.pick(*step) + times(plane_x, column) + times(plane_y, line));
         let plane_row = |name: &str, value: Signal| lane_by_lane(m, name, PLANES, works, *step, value).row;
 
         let reaches = |end: Signal, bound: Signal| end - bound.zext(end.width()).signed();
@@ -108,7 +108,7 @@ impl SetUp {
         i.packets.take_when(is_last & roots.ready);
         step.when(sent, 0).when(works & !is_last, step + 1);
 
-        net!(waits = works & is_last & !sent);
+        def!(waits = works & is_last & !sent);
         let tally = Tally::count(m, "set_up", Tally { busy: works & !waits, stalled: waits, results: sent });
         SetUpOut { roots, idle: !works, tally }
     }

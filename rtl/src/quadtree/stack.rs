@@ -45,33 +45,33 @@ block! {
 impl Stack {
     fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let Stack { format, test, from, levels } = *self;
-        let next = m.stream_wire("next", format.work());
+        def!(next = m.stream_wire(format.work()));
         let unit = CoverageTest { format, test, from, sizes: levels };
-        let tested = m.instance("u_test", &unit, DividerIn { works: next.value() });
+        let tested = m.instance("u_test", &unit, DividerIn { works: *next });
 
         // A quarter is divided to the end, or once more.
         let part = &tested.parts;
-        net!(is_done = part.window.size.eq(from - levels));
+        def!(is_done = part.window.size.eq(from - levels));
         let (parts, _) = m.offer(part.valid & is_done, part.payload);
         part.take_when(!is_done | parts.ready);
-        net!(comes_back = part.valid & !is_done);
+        def!(comes_back = part.valid & !is_done);
 
         // What is divided next: the newest window. Of what it offers the unit takes what is there when it is free.
         let depth = (3 * (levels - 1)).max(1);
         let word = part.with(part.window).packed();
-        let windows = m.memory("windows", depth, word.width(), ReadUnderWrite::Any);
-        let used = m.reg("used", up_to(depth)).reset(0);
-        let newest = part.with(windows.read_async((used - 1).trunc(windows.address_width()))).unpacked(&part.window);
-        net!(is_empty = used.eq(0));
+        def!(windows = m.memory(depth, word.width(), ReadUnderWrite::Any));
+        def!(used = m.reg(up_to(depth)).reset(0));
+        let newest = part.with(windows.read_async((used - 1).low())).unpacked(&part.window);
+        def!(is_empty = used.eq(0));
         let again = Work { polygon: part.polygon, window: mux(comes_back, part.window, newest.payload) };
-        net!(is_new = is_empty & !comes_back);
+        def!(is_new = is_empty & !comes_back);
         let (offered, taken) = m.offer(!is_new | i.works.valid, mux(is_new, i.works.payload, again));
         i.works.take_when(is_new & offered.ready);
         next.drive(offered);
 
-        net!(pushes = comes_back & !taken);
-        net!(pops = taken & !comes_back & !is_empty);
-        windows.write(pushes, used.trunc(windows.address_width()), *word);
+        def!(pushes = comes_back & !taken);
+        def!(pops = taken & !comes_back & !is_empty);
+        windows.write(pushes, used.low(), *word);
         used.when(pushes, used + 1).when(pops, used - 1);
         m.assert(pushes.implies(used.ne(depth)), "of each size three windows are held at most");
         m.cover("the stack is full", m.rose(used.eq(depth)));

@@ -62,10 +62,10 @@ impl VideoBuffer {
     fn build(&self, m: Module, i: VideoBufferIn) -> VideoBufferOut {
         let depth = self.format.rows() << below(self.format.columns()).bits();
         let address = |x: Signal, y: Signal| cat![y, x].trunc(below(depth));
-        net!(drawn = address(i.draw.x, i.draw.y));
-        net!(shown = address(i.scan.x, i.scan.y));
+        def!(drawn = address(i.draw.x, i.draw.y));
+        def!(shown = address(i.scan.x, i.scan.y));
         let word = m.pipe_when(i.draw.valid, "drawn_word", i.draw.word);
-        let sent_of = m.pipe_when(i.scan.enable, "sent_of", !i.back);
+        def!(sent_of = m.pipe_when(i.scan.enable, !i.back));
 
         let words = [0, 1].map(|number| {
             let bank = m.memory(&format!("bank{number}"), depth, WORD, ReadUnderWrite::Any).fill(empty());

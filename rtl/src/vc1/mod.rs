@@ -112,7 +112,7 @@ impl Vc1 {
         let merge = m.on(MERGE);
         let screen = self.lfb.patches.screen();
 
-        let merged = merge.wire("merged", WORD);
+        def!(merged = merge.wire(WORD));
         let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
 
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {

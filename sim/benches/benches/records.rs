@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use tilewright_blocks::StreamBlocks;
-use tilewright_hdl::{Module, Signal, bits, block, bundle, constants, elaborate, row};
+use tilewright_hdl::{Module, Signal, bits, block, bundle, constants, def, elaborate, row};
 use tilewright_sim::{Passes, Simulation};
 
 /// Cycles of a measurement.
@@ -22,7 +22,7 @@ block! {
 
 impl Unit {
     fn build(&self, m: Module, i: UnitIn) -> UnitOut {
-        let count = m.reg("count", 32).reset(0);
+        def!(count = m.reg(32).reset(0));
         let number = *count + i.seed;
         let a = constants(bits(32).of(row(3)), |lane| 3 + u64::from(lane)) + number;
         let b = constants(bits(40).of(row(4)), |lane| 5 << lane) ^ number.zext(40);
@@ -30,11 +30,11 @@ impl Unit {
         let (jobs, sent) = m.offer(number.part(0, 3).ne(5), job);
         count.next(*count + 0x0019_660d);
         let job = m.fifo("u_queue", 2, jobs).take_when(number.part(4, 2).ne(3));
-        let sum = m.reg("sum", 32).reset(0);
+        def!(sum = m.reg(32).reset(0));
         let fields = job.a.xor_all() + job.b.xor_all().trunc(32);
         let place = tilewright_hdl::cat!(job.x, job.y, job.flag, sent).zext(32);
         sum.when(job.taken, *sum + (fields ^ place));
-        UnitOut { sum: sum.value() }
+        UnitOut { sum: *sum }
     }
 }
 
@@ -50,9 +50,9 @@ impl Units {
     fn build(&self, m: Module, (): ()) -> TopOut {
         let seed: Signal = constants(bits(32).of(row(self.count)), |lane| u64::from(lane) * 77_777);
         let units = m.array("u_unit", self.count, &Unit, |_| UnitIn { seed });
-        let csum = m.reg("csum", 32).reset(0);
+        def!(csum = m.reg(32).reset(0));
         csum.next(csum.rotate_left(3) + units.sum.xor_all());
-        TopOut { csum: csum.value() }
+        TopOut { csum: *csum }
     }
 }
 

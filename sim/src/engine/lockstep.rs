@@ -211,7 +211,7 @@ impl Engine for Lockstep {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
+    use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
 
     use super::*;
     use crate::engine::program::compile;
@@ -236,10 +236,10 @@ mod tests {
         }
 
         fn build(&self, m: Module, i: In) -> Out {
-            let y = m.reg("y", 8).reset(0);
+            def!(y = m.reg(8).reset(0));
             y.next(i.x);
             m.assert(i.x.ne(99), "nobody says 99");
-            Out { y: y.value() }
+            Out { y: *y }
         }
     }
 

@@ -200,7 +200,7 @@ impl Running {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, Width, bits, bundle};
+    use tilewright_hdl::{Block, Module, Width, bits, bundle, def};
 
     use super::*;
 
@@ -222,9 +222,9 @@ mod tests {
         }
 
         fn build(&self, m: Module, i: In) -> Out {
-            let y = m.reg("y", 8).reset(0);
+            def!(y = m.reg(8).reset(0));
             y.next(i.x);
-            Out { y: y.value() }
+            Out { y: *y }
         }
     }
 

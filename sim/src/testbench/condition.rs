@@ -102,7 +102,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// if the condition holds before. With one clock and nobody watching, this is as fast as [`Simulation::run`].
     ///
     /// ```
-    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle};
+    /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
     /// # bundle! {
     /// #     /// What is counted.
     /// #     pub struct CounterIn<T> { pub enable: T }
@@ -116,9 +116,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// #     type Out = CounterOut;
     /// #     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
     /// #     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-    /// #         let count = m.reg("count", 8).reset(0);
+    /// #         def!(count = m.reg(8).reset(0));
     /// #         count.enable(i.enable).next(count + 1);
-    /// #         CounterOut { count: count.value(), full: count.all_ones() }
+    /// #         CounterOut { count: *count, full: count.all_ones() }
     /// #     }
     /// # }
     /// # let mut sim = tilewright_sim::Simulation::of(&Counter)?;

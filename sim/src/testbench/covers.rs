@@ -15,7 +15,7 @@ use super::simulation::Simulation;
 /// use tilewright_hdl::*;
 ///
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
-/// let count = m.reg("count", 2).reset(0);
+/// def!(count = m.reg(2).reset(0));
 /// count.when(i.enable, count + 1);
 /// m.cover("it stands at 0", count.eq(0));
 /// #     ShownOut { count: *count }
@@ -106,8 +106,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// impl Digit {
     ///     fn build(&self, m: Module, i: DigitIn) -> DigitOut {
-    ///         let digit = m.reg("digit", below(10)).reset(0);
-    ///         net!(wraps = i.count & digit.eq(9));
+    ///         def!(digit = m.reg(below(10)).reset(0));
+    ///         def!(wraps = i.count & digit.eq(9));
     ///         digit.when(wraps, 0).when(i.count, digit + 1);
     ///         m.cover("all digits are counted", wraps);
     ///         m.cover("it holds", m.stable(digit));
@@ -162,7 +162,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// use tilewright_hdl::*;
     ///
     /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
-    /// let count = m.reg("count", 2).reset(0);
+    /// def!(count = m.reg(2).reset(0));
     /// count.when(i.enable, count + 1);
     /// m.cover("it stands at 0", count.eq(0));
     /// #     ShownOut { count: *count }

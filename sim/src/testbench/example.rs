@@ -124,13 +124,13 @@ fn simulation(design: &Design) -> Simulation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tilewright_hdl::lit;
+    use tilewright_hdl::{def, lit};
 
     #[test]
     #[should_panic(expected = "the example asserts nothing")]
     fn an_example_states_something() {
         example(|m| {
-            let count = m.reg("count", 2).reset(0);
+            def!(count = m.reg(2).reset(0));
             count.next(count + 1);
         });
     }
@@ -139,7 +139,7 @@ mod tests {
     #[should_panic(expected = "the count stays below 3")]
     fn what_does_not_hold_is_found() {
         example(|m| {
-            let count = m.reg("count", 2).reset(0);
+            def!(count = m.reg(2).reset(0));
             count.next(count + 1);
             m.assert(count.lt(3), "the count stays below 3");
         });
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn values_are_those_before_each_edge() {
         let example = traced(|m| {
-            let count = m.reg("count", 2).reset(1);
+            def!(count = m.reg(2).reset(1));
             count.next(count + 1);
         });
         assert_eq!(example.values("count"), [1, 2, 3, 0, 1]);

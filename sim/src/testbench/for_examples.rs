@@ -1,6 +1,6 @@
 //! Blocks that the examples of this crate run.
 
-use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, net};
+use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, def};
 
 block! {
     /// Counts, and squares how far it is.
@@ -19,13 +19,13 @@ block! {
 
 impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-        let count = m.reg("count", 8).reset(0);
+        def!(count = m.reg(8).reset(0));
         count.when(i.enable, count + 1);
         m.assert(count.lt(200), "it counts to less than 200");
         let _ = m.pipe("late", *count);
-        let squares = m.memory("squares", 16, 8, ReadUnderWrite::Any);
+        def!(squares = m.memory(16, 8, ReadUnderWrite::Any));
         let squares = squares.words((0..16).map(|x| x * x));
-        net!(square = squares.read_async(count.trunc(4)));
+        def!(square = squares.read_async(count.trunc(4)));
         CounterOut { count: *count, square }
     }
 }
@@ -71,8 +71,8 @@ block! {
 
 impl Increment {
     fn build(&self, m: Module, i: IncrementIn) -> IncrementOut {
-        let full = m.reg("full", bit()).reset(0);
-        let sum = m.reg("sum", 8);
+        def!(full = m.reg(bit()).reset(0));
+        def!(sum = m.reg(8));
         let (sums, sent) = m.offer(full, *sum);
         let words = i.words.take_when(!full | sent);
         sum.when(words.taken, *words + 1);

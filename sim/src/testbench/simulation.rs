@@ -204,7 +204,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// impl Node {
     ///     fn build(&self, m: Module, i: NodeIn) -> NodeOut {
-    ///         let count = m.reg("count", 8).reset(0);
+    ///         def!(count = m.reg(8).reset(0));
     ///         count.when(i.is_busy, count + 1);
     ///         NodeOut { count: *count }
     ///     }
@@ -218,7 +218,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// impl Nodes {
     ///     fn build(&self, m: Module, (): ()) -> NodesOut {
-    ///         let number = m.reg("number", 2).reset(3);
+    ///         def!(number = m.reg(2).reset(3));
     ///         number.next(*number);
     ///         let numbers = constants(bits(2).of(4), u64::from);
     ///         let nodes = m.array("u_node", 4, &Node, |_| NodeIn { is_busy: numbers.eq(*number) });
@@ -241,7 +241,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// what all lanes do, as an instruction does (`sim/docs/engine.md`). 0 on an engine that makes no code.
     ///
     /// ```
-    /// use tilewright_hdl::{Module, bits, block, case, elaborate, row};
+    /// use tilewright_hdl::{Module, bits, block, case, def, elaborate, row};
     ///
     /// block! {
     ///     /// Sums that add one of two numbers, or nothing.
@@ -252,7 +252,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// impl Sums {
     ///     fn build(&self, m: Module, i: SumsIn) -> SumsOut {
-    ///         let sum = m.reg("sum", bits(8).of(row(4096))).reset(0);
+    ///         def!(sum = m.reg(bits(8).of(row(4096))).reset(0));
     ///         let number = case(i.other, [(0, i.x)], i.y).of(row(4096)) ^ sum.previous(i.x);
     ///         sum.next(case(i.op, [(1, *sum + number), (2, *sum ^ number)], *sum));
     ///         SumsOut { last: sum.lane(4095) }

@@ -33,7 +33,7 @@ impl Block for Cell {
         store.write(i.left.bit(0), value.slice(0..3), i.left + i.own);
         let read = store.read(i.left.slice(0..3));
         value.next(mux(i.own.bit(1), value + i.left, read ^ i.own));
-        CellOut { value: value.value() }
+        CellOut { value: *value }
     }
 }
 
@@ -73,9 +73,9 @@ impl Block for Mixed {
             Turn::Right => when(i.x.bit(2), Turn::Left),
         });
         let scrambled = m.reg("scrambled", 33);
-        scrambled.next(mux(turn.is(Turn::Left), scrambled + wide.slice(3..36), scrambled.value()));
+        scrambled.next(mux(turn.is(Turn::Left), scrambled + wide.slice(3..36), *scrambled));
         let word = words.read_async(i.at) ^ words.read(i.x.slice(4..7));
-        MixedOut { sum: cells.value.sum(), wide: wide.value(), word, scrambled: scrambled.value() }
+        MixedOut { sum: cells.value.sum(), wide: *wide, word, scrambled: *scrambled }
     }
 }
 
@@ -103,7 +103,7 @@ impl Block for Limit {
             let total = m.reg("total", 8).reset(0);
             total.next(total + i.add.zext(8));
             m.assert(total.lt(100), "the sum is too large");
-            return LimitOut { total: total.value() };
+            return LimitOut { total: *total };
         }
         let limits = m.array("u_limit", 2, &Limit { inside: true }, |_| LimitIn { add: stack([i.add, i.add >> 1]) });
         LimitOut { total: limits.total.sum() }

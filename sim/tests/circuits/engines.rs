@@ -5,7 +5,7 @@ use std::fs;
 
 use proptest::prelude::*;
 use tilewright_hdl::{
-    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, constants, goto, mux, net,
+    Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, constants, def, goto, mux,
     when,
 };
 use tilewright_sim::program::hierarchy;
@@ -46,17 +46,17 @@ impl Block for Cell {
             Phase::Busy => goto(Phase::Done),
             Phase::Done => when(i.left.bit(0), Phase::Idle),
         });
-        net!(sum = i.left + i.own + value.value());
+        def!(sum = i.left + i.own + *value);
         value.enable(i.enable).next(sum);
-        total.next(total.value() + mux(phase.is(Phase::Busy), i.wide, sum.zext(70)));
+        total.next(*total + mux(phase.is(Phase::Busy), i.wide, sum.zext(70)));
         let store = m.memory("store", 5, 8, ReadUnderWrite::Any);
-        store.on(FAST).write(i.enable, value.value().slice(0..3), sum);
+        store.on(FAST).write(i.enable, value.slice(0..3), sum);
         fast.assert(!(i.enable & i.left.eq(77)), "the left one says 77");
         CellOut {
-            value: value.value(),
-            total: total.value(),
+            value: *value,
+            total: *total,
             word: store.on(SLOW).read(i.pick) ^ store.on(SLOW).read_async(i.pick).quasi_static("the test samples it"),
-            seen: slow.pipe("seen", value.value().quasi_static("the test samples it")),
+            seen: slow.pipe("seen", value.quasi_static("the test samples it")),
         }
     }
 }

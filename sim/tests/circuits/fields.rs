@@ -55,19 +55,16 @@ impl Block for Cell {
         let other = m.reg("other", WIDTH).reset(start.clone());
         let words = m.memory("words", 5, WIDTH, self.policy).fill(start.clone());
         let more = m.memory("more", 8, WIDTH, self.policy);
-        other.next(mux(i.x.bit(2), kept.value(), mux(i.x.bit(1), words.read_async(i.at), start)));
-        words.write(i.x.bit(0), i.at, mux(i.x.bit(4), word, other.value()));
-        more.write(i.go, i.at, other.value());
+        other.next(mux(i.x.bit(2), *kept, mux(i.x.bit(1), words.read_async(i.at), start)));
+        words.write(i.x.bit(0), i.at, mux(i.x.bit(4), word, *other));
+        more.write(i.go, i.at, *other);
         let read = more.read_when(i.x.bit(5), i.x.part(7, 3));
         let found = words.read(i.at);
-        let y = [kept.value(), other.value(), read, found]
-            .map(fold)
-            .into_iter()
-            .reduce(|all, one| all.rotate_left(9) ^ one);
+        let y = [*kept, *other, read, found].map(fold).into_iter().reduce(|all, one| all.rotate_left(9) ^ one);
         // A word that is shown whole, and one that is used whole.
         let sum = m.reg("sum", 100).reset(0);
         sum.next(concat(&[sum.part(0, 50), sum.part(50, 50)]) + lit(100, 3));
-        CellOut { y: y.expect("there are four") ^ sum.part(30, 64), word: mux(i.go, read, kept.value()) }
+        CellOut { y: y.expect("there are four") ^ sum.part(30, 64), word: mux(i.go, read, *kept) }
     }
 }
 

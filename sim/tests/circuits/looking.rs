@@ -1,6 +1,6 @@
 //! A testbench that looks every clock sees what it would see on the reference engine, also once there is code for that.
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, mux, net};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
 bundle! {
@@ -23,15 +23,15 @@ impl Block for Mixed {
     fn build(&self, m: Module, i: In) -> Out {
         let sum = m.reg("sum", 8).reset(3);
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
-        net!(found = words.read_async(sum.slice(0..4)));
-        net!(coming = sum + i.add + found);
-        net!(wider = i.wide + coming.zext(70));
+        def!(found = words.read_async(sum.slice(0..4)));
+        def!(coming = sum + i.add + found);
+        def!(wider = i.wide + coming.zext(70));
         let total = m.reg("total", 70).reset(0);
         total.next(total + wider);
         words.write(i.store, sum.slice(4..8), coming);
         sum.next(coming);
         m.assert(coming.ne(99), "nobody gets to 99");
-        Out { sum: sum.value(), next: coming, word: mux(i.store, found, 0), widened: wider }
+        Out { sum: *sum, next: coming, word: mux(i.store, found, 0), widened: wider }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate, lit, mux, net};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, lit, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation, Vcd};
 
 use crate::store::Store;
@@ -31,11 +31,11 @@ impl Block for Machine {
         let sum = m.reg("sum", 8).reset(3);
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8)).true_dual_port();
         let later = m.memory("later", 8, 8, ReadUnderWrite::Any).fill(Bits::new(8, 5));
-        net!(found = words.read_async(sum.slice(0..4)));
-        net!(coming = sum + i.add + found);
+        def!(found = words.read_async(sum.slice(0..4)));
+        def!(coming = sum + i.add + found);
         // Nothing but zero while the input is held low.
-        net!(gated = coming & i.gate.repeat(8));
-        net!(widened = i.wide ^ coming.zext(70));
+        def!(gated = coming & i.gate.repeat(8));
+        def!(widened = i.wide ^ coming.zext(70));
         let total = m.reg("total", 70).reset(0);
         total.enable(i.go | sum.bit(0)).next(total + widened);
         let fetched = later.read_when(i.go, sum.slice(1..4));
@@ -48,7 +48,7 @@ impl Block for Machine {
             let beside = m.reg(&format!("beside{number}"), 9).reset(0);
             beside.next(mux(i.gate, beside + coming.zext(9), beside + lit(9, 1)));
         }
-        Out { sum: sum.value(), next: coming, gated, word: found, fetched, total: total.value(), widened }
+        Out { sum: *sum, next: coming, gated, word: found, fetched, total: *total, widened }
     }
 }
 

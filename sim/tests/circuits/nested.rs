@@ -60,7 +60,7 @@ impl Block for AdderRow {
     fn build(&self, m: Module, i: SeedIn) -> SumOut {
         let held = m.reg("held", 32).reset(1);
         let sum = m.wire("sum", 32);
-        let adders = m.array("u_adder", 16, &Adder, |_| AdderIn { row: held.value(), sum: *sum });
+        let adders = m.array("u_adder", 16, &Adder, |_| AdderIn { row: *held, sum: *sum });
         sum.drive(adders.x.sum());
         held.next(*held + *sum + i.seed);
         SumOut { sum: *sum }
@@ -161,7 +161,7 @@ impl Block for Groups {
     fn build(&self, m: Module, (): ()) -> SumOut {
         let count = m.reg("count", 8).reset(0);
         count.next(*count + 3);
-        let groups = m.array("u_group", 4, &Group, |_| GroupIn { even: count.value(), odd: !*count });
+        let groups = m.array("u_group", 4, &Group, |_| GroupIn { even: *count, odd: !*count });
         SumOut { sum: groups.sum.sum() }
     }
 }

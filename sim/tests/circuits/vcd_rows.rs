@@ -49,7 +49,7 @@ impl Block for Mix {
             let part = m.reg(&format!("part{number}"), 1 + number % 9).reset(0);
             part.enable(count.bit(number % 5)).next(part + lit(1 + number % 9, 1));
         }
-        MixOut { wide: wide.value(), read }
+        MixOut { wide: *wide, read }
     }
 }
 

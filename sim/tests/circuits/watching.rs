@@ -25,7 +25,7 @@ impl Block for Sum {
         let sum = m.reg("sum", 8).reset(0);
         sum.next(sum + i.add[0] + i.add[1]);
         let store = m.memory("store", 8, 8, ReadUnderWrite::Old);
-        SumOut { sum: sum.value(), word: store.read(i.at) }
+        SumOut { sum: *sum, word: store.read(i.at) }
     }
 }
 

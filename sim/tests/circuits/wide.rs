@@ -27,9 +27,9 @@ impl Block for Cell {
         let w = self.width;
         let value = m.reg("value", w).reset(5);
         let words = m.memory("words", 4, w, ReadUnderWrite::Any);
-        let address = value.value().slice(0..2);
+        let address = value.slice(0..2);
         let word = words.read(address);
-        let mut parts = vec![i.x, i.left, value.value(), word];
+        let mut parts = vec![i.x, i.left, *value, word];
         for n in 0..self.operations {
             let (a, b) = (parts[parts.len() - 1 - n as usize % 3], parts[parts.len() - 2]);
             parts.push(match n % 6 {
@@ -44,7 +44,7 @@ impl Block for Cell {
         let sum = parts.into_iter().reduce(|all, part| all ^ part).expect("there are parts");
         words.write(i.pick, address, sum);
         value.next(sum);
-        CellOut { value: value.value(), sum }
+        CellOut { value: *value, sum }
     }
 }
 

@@ -26,7 +26,7 @@ impl Block for Cell {
         let sum = m.reg("sum", 8).reset(0);
         let mask = (i.op ^ 0x55) & (i.op + 1) & (i.op + 2);
         sum.next(sum + (i.x & mask));
-        CellOut { sum: sum.value() }
+        CellOut { sum: *sum }
     }
 }
 

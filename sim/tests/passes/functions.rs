@@ -30,7 +30,7 @@ impl Block for Counter {
         code.next(case(count.slice(0..3), keys, Bits::zero(8)));
         let turned = m.reg("turned", 16).reset(1);
         turned.next(cat![turned.slice(0..15), turned.bit(15)] ^ i.from);
-        CounterOut { count: count.value(), code: code.value(), turned: turned.value() }
+        CounterOut { count: *count, code: *code, turned: *turned }
     }
 }
 
@@ -146,7 +146,7 @@ impl Block for Cell {
         let [sum, both] = [q + i.left, q & i.left];
         let next = case(i.op, [(1, sum), (2, (sum - 1) ^ both), (3, (both + 3) & !sum)], q);
         q.next(next);
-        CellOut { q: q.value() }
+        CellOut { q: *q }
     }
 }
 

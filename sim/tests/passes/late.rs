@@ -25,7 +25,7 @@ impl Block for Mix {
     fn build(&self, m: Module, i: MixIn) -> MixOut {
         let q = m.reg("q", 8).reset(0);
         q.next(((q << 3) ^ q) + i.all);
-        MixOut { q: q.value() }
+        MixOut { q: *q }
     }
 }
 

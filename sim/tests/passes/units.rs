@@ -1,6 +1,6 @@
 //! Instances that run one by one.
 
-use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, net, row};
+use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, row};
 use tilewright_sim::{Pass, Passes};
 
 use crate::{after, after_with};
@@ -47,7 +47,7 @@ impl Block for Nodes {
     }
 
     fn build(&self, m: Module, i: NodesIn) -> NodesOut {
-        net!(is_busy = i.go.unpack(row(2)));
+        def!(is_busy = i.go.unpack(row(2)));
         let nodes = m.array("u_node", 2, &Node, |nodes| NodeIn { go: is_busy, x: nodes.sum.previous(1) });
         NodesOut { all: nodes.sum.pack() }
     }

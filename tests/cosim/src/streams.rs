@@ -140,7 +140,7 @@ impl Step {
             }
             Step::Again(depth) => {
                 let again = m.stream_wire(&part("again"), words.width());
-                let all = m.arbiter(name, Turns::Priority, [again.value(), words]);
+                let all = m.arbiter(name, Turns::Priority, [*again, words]);
                 let [even, odd] = m.split_by(m.fifo(&part("fifo"), depth, all), |word| word.bit(0));
                 again.drive(m.lifo(&part("lifo"), depth, odd.with(*odd + 1)));
                 even

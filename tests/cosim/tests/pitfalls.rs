@@ -252,7 +252,7 @@ impl Block for Wrapping {
     }
 
     fn build(&self, m: Module, i: In) -> Out {
-        let words = m.memory("words", 8, 8, ReadUnderWrite::Old).words((0..8).map(|word| Bits::new(8, 17 * word)));
+        def!(words = m.memory(8, 8, ReadUnderWrite::Old).words((0..8).map(|word| Bits::new(8, 17 * word))));
         words.write(i.a.eq(i.b), i.a + i.b, i.c);
         Out { y: words.read(i.a + i.b) ^ words.read_async(i.a - i.b) }
     }

@@ -1,7 +1,7 @@
 //! What mutants a small block has, and what becomes of its circuit.
 
 use tilewright_hdl::ir::{Contents, Init, Module as Circuit, Op};
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, elaborate, lit, mux, net};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, def, elaborate, lit, mux};
 use tilewright_mutants::{Mutant, mutants, mutated};
 
 block! {
@@ -15,16 +15,16 @@ block! {
 
 impl Least {
     fn build(&self, m: Module, i: LeastIn) -> LeastOut {
-        let count = m.reg("count", 2).reset(1);
+        def!(count = m.reg(2).reset(1));
         count.when(i.restart, 0).when(i.take, count + 1);
         let memory = m.memory("words", 4, 8, ReadUnderWrite::Old).fill(Bits::ones(8));
-        net!(old = memory.read_when(i.take, count.value()));
+        def!(old = memory.read_when(i.take, *count));
         let word = m.pipe("word_before", i.word);
-        net!(less = word.lt(old));
-        memory.write(less, count.value(), word);
+        def!(less = word.lt(old));
+        memory.write(less, *count, word);
         m.assume(i.restart.implies(!i.take), "it is restarted while nothing is taken");
         m.assert(m.past(i.restart).implies(count.eq(0)), "no edit: it holds whatever the inputs are");
-        LeastOut { least: mux(less, word, lit(8, 7)), count: count.value() }
+        LeastOut { least: mux(less, word, lit(8, 7)), count: *count }
     }
 }
 
@@ -159,13 +159,13 @@ block! {
 
 impl States {
     fn build(&self, m: Module, i: StatesIn) -> StatesOut {
-        let state = m.reg("state", 2).reset(0);
+        def!(state = m.reg(2).reset(0));
         state.next(state + 1);
-        net!(first = state.eq(0) & i.go);
-        net!(last = state.eq(2) | state.eq(3));
-        let held = m.reg("held", 4).reset(0);
+        def!(first = state.eq(0) & i.go);
+        def!(last = state.eq(2) | state.eq(3));
+        def!(held = m.reg(4).reset(0));
         held.when(first, 1).when(last, 2).when(i.go, 3);
-        StatesOut { either: first | last, any: last | i.go, same: i.go & !lit(1, 0), held: held.value() }
+        StatesOut { either: first | last, any: last | i.go, same: i.go & !lit(1, 0), held: *held }
     }
 }
 

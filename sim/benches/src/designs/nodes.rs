@@ -10,7 +10,7 @@
 //!
 //! What it asks of a simulator: not to compute what stays as it is.
 
-use tilewright_hdl::{Module, below, bit, bits, block, constants, lit, mux};
+use tilewright_hdl::{Module, below, bit, bits, block, constants, def, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
 
 use super::{BenchOut, Regions};
@@ -40,8 +40,8 @@ impl Nodes {
     }
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
-        let clock = m.reg("clock", below(TURN)).reset(0);
-        let turn = m.reg("turn", bits(16)).reset(0);
+        def!(clock = m.reg(below(TURN)).reset(0));
+        def!(turn = m.reg(bits(16)).reset(0));
         let ends = clock.eq(TURN - 1);
         clock.next(mux(ends, 0, clock + 1));
         turn.when(ends, mux(turn.eq(self.count - 1), 0, turn + 1));

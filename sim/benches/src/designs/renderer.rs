@@ -9,7 +9,7 @@
 //!
 //! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
 
-use tilewright_hdl::{Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, lit, mux};
+use tilewright_hdl::{Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, def, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least};
@@ -54,7 +54,7 @@ impl Regions {
         let again = first.len() as u32;
         let program = [first, self.region(TRIANGLES)].concat();
         let count = program.len() as u32;
-        let at = m.reg("at", below(count)).reset(0);
+        def!(at = m.reg(below(count)).reset(0));
         let words = m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program);
         let (instructions, sent) = m.offer(is_busy, words.read_async(*at));
         at.when(sent, mux(at.eq(count - 1), u64::from(again), at + 1));
@@ -62,7 +62,7 @@ impl Regions {
         let renderer = RendererIn { instructions, side_by_side: lit(1, 1) };
         let renderer = m.instance("u_renderer", &self.renderer, renderer);
         let plane = renderer.planes.take_when(1);
-        let csum = m.reg("csum", bits(32)).reset(0);
+        def!(csum = m.reg(bits(32)).reset(0));
         let number = cat![plane.plane, plane.line].zext(32);
         let pixels = mux(plane.taken, folded(plane.bits.pack()) ^ number, 0);
         let instruction = mux(sent, (*at + 1).zext(32), 0);

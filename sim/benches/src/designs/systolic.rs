@@ -2,7 +2,7 @@
 //!
 //! What it asks of a simulator: as many multipliers as the grid has cells, all alike, each fed by its neighbours on two sides.
 
-use tilewright_hdl::{Module, Signal, bit, bits, block, constants, grid, mux, row};
+use tilewright_hdl::{Module, Signal, bit, bits, block, constants, def, grid, mux, row};
 
 use super::{BenchIn, BenchOut};
 
@@ -26,14 +26,14 @@ impl Systolic {
             state.next(mux(i.rst, start, (*state << 5) + *state + 12_345));
             state.part(8, 8)
         };
-        let x = m.reg("x", bits(8).of(cells));
-        let y = m.reg("y", bits(8).of(cells));
-        let sum = m.reg("sum", bits(16).of(cells));
+        def!(x = m.reg(bits(8).of(cells)));
+        def!(y = m.reg(bits(8).of(cells)));
+        def!(sum = m.reg(bits(16).of(cells)));
         x.next(mux(i.rst, 0, x.columns().previous(side("left", 1))));
         y.next(mux(i.rst, 0, y.rows().previous(side("above", 7))));
         sum.next(mux(i.rst, 0, *sum + x * *y));
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + sum.xor_all().zext(32)));
-        BenchOut { csum: csum.value() }
+        BenchOut { csum: *csum }
     }
 }

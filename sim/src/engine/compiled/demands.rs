@@ -156,7 +156,7 @@ impl Shapes<'_> {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, elaborate};
+    use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate};
 
     use super::*;
     use crate::engine::Passes;
@@ -180,7 +180,7 @@ mod tests {
         }
 
         fn build(&self, m: Module, i: CellIn) -> CellOut {
-            let words = m.memory("words", 9, 64, ReadUnderWrite::Old);
+            def!(words = m.memory(9, 64, ReadUnderWrite::Old));
             words.write(i.x.bit(0), i.x, i.word);
             CellOut { y: words.read(i.x) ^ words.read_async(i.x) }
         }

@@ -223,7 +223,7 @@ fn fill(out: &mut [u64], register: &Register) -> bool {
 mod tests {
     use std::sync::Arc;
 
-    use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
+    use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate};
 
     use super::*;
     use crate::engine::program::compile;
@@ -246,9 +246,9 @@ mod tests {
         }
 
         fn build(&self, m: Module, i: In) -> Out {
-            let y = m.reg("y", 8).reset(0);
+            def!(y = m.reg(8).reset(0));
             y.next(y ^ i.x);
-            Out { y: y.value() }
+            Out { y: *y }
         }
     }
 

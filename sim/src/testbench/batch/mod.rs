@@ -22,7 +22,7 @@ use crate::testbench::simulation::{Simulation, Typed, typed};
 /// how many lanes a vector holds; more runs take as much longer as there are more.
 ///
 /// ```
-/// # use tilewright_hdl::{Block, Module, Width, bit, bundle};
+/// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
 /// # bundle! {
 /// #     /// What is counted.
 /// #     pub struct CounterIn<T> { pub enable: T }
@@ -36,9 +36,9 @@ use crate::testbench::simulation::{Simulation, Typed, typed};
 /// #     type Out = CounterOut;
 /// #     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
 /// #     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
-/// #         let count = m.reg("count", self.width).reset(0);
+/// #         def!(count = m.reg(self.width).reset(0));
 /// #         count.enable(i.enable).next(count + 1);
-/// #         CounterOut { count: count.value() }
+/// #         CounterOut { count: *count }
 /// #     }
 /// # }
 /// use tilewright_sim::Batch;

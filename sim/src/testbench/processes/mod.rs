@@ -36,9 +36,9 @@ use wait::Waiting;
 /// # }
 /// # impl Increment {
 /// #     fn build(&self, m: Module, i: IncrementIn) -> IncrementOut {
-/// #         let full = m.reg("full", bit()).reset(0);
-/// #         let sum = m.reg("sum", 8);
-/// #         let (sums, sent) = m.offer(full, sum.value());
+/// #         def!(full = m.reg(bit()).reset(0));
+/// #         def!(sum = m.reg(8));
+/// #         let (sums, sent) = m.offer(full, *sum);
 /// #         let words = i.words.take_when(!full | sent);
 /// #         sum.when(words.taken, *words + 1);
 /// #         full.when(words.taken, 1).when(sent, 0);

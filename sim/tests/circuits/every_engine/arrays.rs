@@ -34,7 +34,7 @@ impl Block for Cell {
         let read = store.read(i.left.slice(0..2));
         value.next(mux(i.common.bit(0), value + i.left, read ^ (i.common + 3)));
         let seen = if self.chained { i.left } else { i.common };
-        CellOut { value: value.value(), at_once: seen ^ value.value() }
+        CellOut { value: *value, at_once: seen ^ *value }
     }
 }
 

@@ -23,7 +23,7 @@ impl Block for Pair {
         let count = |name: &str, clock| {
             let count = m.on(clock).reg(name, 8).reset(0);
             count.next(count + 1);
-            count.value()
+            *count
         };
         let seen = |name: &str, clock, of: Signal| m.on(clock).pipe(name, of.quasi_static("the test samples it"));
         let (fast, slow) = (count("fast_count", FAST), count("slow_count", SLOW));
@@ -66,7 +66,7 @@ impl Block for ByWidth {
         let (slow, fast) = (m.reg("slow_count", bits(8).on(SLOW)).reset(0), m.reg("fast_count", bits(8)).reset(0));
         slow.next(slow + 1);
         fast.next(fast + 1);
-        CountsOut { slow: slow.value(), fast: fast.value() }
+        CountsOut { slow: *slow, fast: *fast }
     }
 }
 

@@ -45,7 +45,7 @@ impl Block for Unit {
                 Operation::Smaller => mux(i.left.lt(i.right), i.left, i.right),
             }),
             done: i.operation,
-            sum: sum.value(),
+            sum: *sum,
             product: i.left * i.right,
             shifted: (i.left >> 2).sext(12) + (i.right << 1).sext(12),
             negative: -i.left,
@@ -112,7 +112,7 @@ impl Steps {
         let kept = m.memory("kept", 2, layout, ReadUnderWrite::Old).fill(0);
         let steps = i.steps.take_when(!full);
         kept.write(steps.taken, lit(1, 0), *steps);
-        net!(entry = kept.read_async(lit(1, 0)));
+        def!(entry = kept.read_async(lit(1, 0)));
         let (sent, taken) = m.offer(full, entry);
         full.when(steps.taken, 1).when(taken, 0);
         StepsOut { sent }

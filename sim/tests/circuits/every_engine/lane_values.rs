@@ -65,7 +65,7 @@ impl Block for LaneValues {
             column_sums: product.rows().sum(),
             row_sums: product.columns().sum(),
             grid_total: product.sum(),
-            kept: kept.value(),
+            kept: *kept,
             words: words.read_async(i.at.trunc(2)),
             own_words: own.read_async(x.trunc(2)),
         }

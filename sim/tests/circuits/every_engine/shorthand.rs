@@ -6,7 +6,7 @@ use tilewright_hdl::{Block, Module, Width, below, bits, bundle, lit};
 
 bundle! {
     struct In<T> { a: T, b: T }
-    struct Out<T> { from: T, scaled: T, signed_scaled: T, left: T, right: T, whole: T, middle: T, follows: T, folded: T }
+    struct Out<T> { from: T, scaled: T, signed_scaled: T, left: T, right: T, whole: T, middle: T, follows: T, folded: T, low: T, product: T }
 }
 
 /// One of each.
@@ -38,6 +38,8 @@ impl Block for Shorthand {
             middle: i.a.part(2, below(8)),
             follows: i.a.bit(0).implies(i.b.bit(0)),
             folded,
+            low: lit(5, 9) ^ i.a.low(),
+            product: i.b.trunc(4) * i.a.low(),
         }
     }
 }
@@ -61,6 +63,8 @@ proptest! {
             middle: wide(a >> 2 & 7),
             follows: u64::from(a & 1 == 0 || b & 1 == 1),
             folded: wide(folded),
+            low: wide((9 ^ a) & 31),
+            product: wide(b & 15) * wide(a & 15),
         };
         prop_assert_eq!(sim.read_u64(), expected);
     }

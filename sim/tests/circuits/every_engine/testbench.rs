@@ -1,7 +1,7 @@
 //! The testbench interface: setting, reading, stepping, looking inside, and every error.
 
 use crate::engine::of;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, mux, net, when};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, def, mux, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 
 bundle! {
@@ -25,9 +25,9 @@ impl Block for Counter {
 
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         let count = m.reg("count", self.width).reset(0);
-        net!(at_end = count.eq(self.limit - 1));
+        def!(at_end = count.eq(self.limit - 1));
         count.enable(i.enable).next(mux(at_end, 0, count + 1));
-        CounterOut { count: count.value(), wrapped: at_end & i.enable }
+        CounterOut { count: *count, wrapped: at_end & i.enable }
     }
 }
 

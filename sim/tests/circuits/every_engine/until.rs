@@ -25,11 +25,11 @@ impl Block for Counter {
         let count = m.reg("count", 32).reset(0);
         count.next(count + i.step.zext(32));
         let wide = m.reg("wide", 70).reset(1);
-        wide.next(wide + wide.value());
+        wide.next(wide + *wide);
         let flag = m.reg("flag", 1).reset(0);
         flag.next(!flag);
         m.assert(count.ne(700_000), "nobody counts to 700000");
-        Out { count: count.value(), wide: wide.value(), reached: count.ge(i.limit), flag: flag.value() }
+        Out { count: *count, wide: *wide, reached: count.ge(i.limit), flag: *flag }
     }
 }
 
@@ -180,7 +180,7 @@ impl Block for Ticks {
         let (fast, slow) = (m.on(FAST).reg("ticks", 8).reset(0), m.on(SLOW).reg("tocks", 8).reset(0));
         fast.enable(i.enable).next(fast + 1);
         slow.next(slow + 1);
-        TicksOut { fast: fast.value(), slow: slow.value() }
+        TicksOut { fast: *fast, slow: *slow }
     }
 }
 

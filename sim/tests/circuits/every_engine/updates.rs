@@ -26,7 +26,7 @@ impl Block for Registers {
         holds.when(i.first, 0).when(i.second, i.value).when(i.third, holds + 1);
         ends.when(i.first, i.value).when(i.second, ends - 1).otherwise(9);
         enabled.enable(i.enable).when(i.first, i.value).when(i.third, enabled + 1);
-        Out { holds: holds.value(), ends: ends.value(), enabled: enabled.value() }
+        Out { holds: *holds, ends: *ends, enabled: *enabled }
     }
 }
 

@@ -56,7 +56,7 @@ impl Block for Lamps {
         count.next(count + 1);
         m.assert(count.lt(3), "the count goes on");
         let lamps = m.array("u_lamp", 2, &OneLamp, |_| LampIn { toggle: stack([i.toggle.bit(0), i.toggle.bit(1)]) });
-        LampsOut { all: lamps.lit.and_all(), count: count.value() }
+        LampsOut { all: lamps.lit.and_all(), count: *count }
     }
 }
 

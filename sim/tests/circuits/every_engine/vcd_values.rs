@@ -50,7 +50,7 @@ impl Block for Cell {
         let open = door.is(Door::Open);
         let total = m.reg("total", 70).reset(0);
         total.enable(open).next(total + i.seed);
-        CellOut { total: total.value(), open }
+        CellOut { total: *total, open }
     }
 }
 
@@ -80,7 +80,7 @@ impl Block for House {
             widest: cells.total.xor_all(),
             open: cells.open.or_all(),
             word: words.read_async(i.shelf),
-            slow_count: count.value(),
+            slow_count: *count,
         }
     }
 }

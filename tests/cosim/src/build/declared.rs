@@ -43,12 +43,12 @@ impl Mixer {
     }
 
     fn build(&self, m: Module, i: MixerIn) -> MixerOut {
-        let held = m.reg("held", self.pair()).reset(0);
+        def!(held = m.reg(self.pair()).reset(0));
         let mixed: Vec<Pair> =
             i.list.iter().map(|pair| Pair { low: pair.low ^ held.low, high: pair.high & !held.high }).collect();
         held.when(i.control.takes, Pair { low: i.pair.low + i.control.adds, ..i.pair });
         let any = mixed.iter().fold(held.low.any_one(), |any, pair| any & pair.low.ne(0) | pair.high.all_ones());
-        MixerOut { held: held.value(), mixed, any }
+        MixerOut { held: *held, mixed, any }
     }
 }
 

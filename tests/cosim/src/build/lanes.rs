@@ -103,7 +103,7 @@ impl Builder<'_> {
                     }));
                 }
                 held.when(x.bit(0), x).when(self.pick_fit(d, *count, 1), *held + *held);
-                held.value()
+                *held
             }
             Work::Remember { address, own } => {
                 let name = self.namer.draw_with(&format!("h{}_{}", at.0, at.1), Kind::Inner, &["_read".to_owned()]);

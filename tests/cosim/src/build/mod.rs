@@ -187,9 +187,9 @@ impl<'a> Builder<'a> {
         };
         if block.second().is_some() {
             // With state on the own clock, inputs that name no clock belong to it.
-            let beat = module.reg("beat", 1).reset(0);
+            def!(beat = module.reg(1).reset(0));
             beat.next(!beat);
-            builder.push(0, beat.value());
+            builder.push(0, *beat);
         }
         builder
     }
@@ -249,7 +249,7 @@ impl<'a> Builder<'a> {
 
     /// What a register takes by priority.
     fn updates(&mut self, d: usize, register: Reg, updates: &[(Pick, Pick)], otherwise: Option<Pick>) {
-        let Some((first, rest)) = updates.split_first() else { return register.next(register.value()) };
+        let Some((first, rest)) = updates.split_first() else { return register.next(*register) };
         let width = register.width();
         let arm = |&(condition, value)| (self.pick_late(d, condition, 1), self.pick_late(d, value, width));
         let (condition, value) = arm(first);
@@ -274,7 +274,7 @@ impl<'a> Builder<'a> {
                 if let Some(enable) = enable {
                     register = register.enable(self.pick_fit(d, *enable, 1));
                 }
-                self.push(d, register.value());
+                self.push(d, *register);
                 let late = match (&updates[..], *next) {
                     ([], Some(next)) => Late::Next(register, next),
                     (_, otherwise) => Late::Updates { register, updates: updates.clone(), otherwise },

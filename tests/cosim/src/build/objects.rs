@@ -34,7 +34,7 @@ impl Builder<'_> {
         });
         self.push(d, chosen);
         self.push(d, state.is(Phase::Run));
-        self.push(d, state.value().bits());
+        self.push(d, state.bits());
     }
 
     /// So many registers of some width, each taking over the one before; the first one `from`, or the last one.
@@ -58,14 +58,14 @@ impl Builder<'_> {
             enable.map_or(register, |enable| register.enable(enable))
         };
         let registers: Vec<Reg> = (0..).zip(&names).map(register).collect();
-        registers.windows(2).for_each(|pair| pair[1].next(pair[0].value()));
+        registers.windows(2).for_each(|pair| pair[1].next(*pair[0]));
         let last = registers[registers.len() - 1];
         match from {
             Some(from) => self.late.push((d, Late::Next(registers[0], from))),
-            None => registers[0].next(last.value()),
+            None => registers[0].next(*last),
         }
-        self.push(d, last.value());
-        self.push(d, registers[0].value());
+        self.push(d, *last);
+        self.push(d, *registers[0]);
     }
 
     pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {

@@ -6,7 +6,7 @@
 mod processor;
 mod program;
 
-use tilewright_hdl::{Module, bit, bits, block, constants, mux};
+use tilewright_hdl::{Module, bit, bits, block, constants, def, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
@@ -29,8 +29,8 @@ impl Core {
             word: constants(bits(32).of(self.processors), seed),
         });
         let folded = processors.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
-        BenchOut { csum: csum.value() }
+        BenchOut { csum: *csum }
     }
 }

@@ -1,6 +1,6 @@
 //! A processor of RV32I without fences, system calls and control registers: an instruction every clock.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, Signal, bit, bits, block, case, cat, lit, mux, net, select};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Signal, bit, bits, block, case, cat, def, lit, mux, select};
 
 use super::program::program;
 
@@ -37,21 +37,21 @@ block! {
 impl Processor {
     fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
         let words = program();
-        let pc = m.reg("pc", 32);
-        let code = m.memory("code", words.len().next_power_of_two() as u32, 32, ReadUnderWrite::Old);
+        def!(pc = m.reg(32));
+        def!(code = m.memory(words.len().next_power_of_two() as u32, 32, ReadUnderWrite::Old));
         let code = code.words(words);
-        net!(instruction = code.read_async(pc.slice(2..2 + code.address_width())));
+        def!(instruction = code.read_async(pc.slice(2..2 + code.address_width())));
         let Decoded { opcode, function, alternative, immediate, to, from } = decode(instruction);
         let is = |code: u64| opcode.eq(code);
 
-        let registers = m.memory("registers", 32, 32, ReadUnderWrite::Old).fill(Bits::zero(32));
+        def!(registers = m.memory(32, 32, ReadUnderWrite::Old).fill(Bits::zero(32)));
         let [left, right] = from.map(|from| registers.read_async(from));
         let (left, right) = (left.named("left"), right.named("right"));
 
         // Arithmetic: of two registers, or of one and a constant.
-        net!(operand = mux(is(0b01100), right, immediate));
-        net!(places = operand.trunc(5));
-        net!(subtracts = is(0b01100) & alternative);
+        def!(operand = mux(is(0b01100), right, immediate));
+        def!(places = operand.trunc(5));
+        def!(subtracts = is(0b01100) & alternative);
         let results: [(u64, Signal); 8] = [
             (0, mux(subtracts, left - operand, left + operand)),
             (1, left << places),
@@ -62,44 +62,44 @@ impl Processor {
             (6, left | operand),
             (7, left & operand),
         ];
-        net!(computed = case(function, results, lit(32, 0)));
+        def!(computed = case(function, results, lit(32, 0)));
 
         // Memory: bytes side by side.
-        net!(address = left + immediate);
-        net!(place = address.slice(2..12));
+        def!(address = left + immediate);
+        def!(place = address.slice(2..12));
         let size = function.trunc(2);
         let lowest = address.trunc(2);
-        net!(bytes = case(size, [(0, lit(4, 1) << lowest), (1, lit(4, 3) << lowest)], lit(4, 15)));
-        net!(stores = mux(is(0b01000) & !i.rst, bytes, 0));
-        net!(data = right << cat![lowest, lit(3, 0)]);
+        def!(bytes = case(size, [(0, lit(4, 1) << lowest), (1, lit(4, 3) << lowest)], lit(4, 15)));
+        def!(stores = mux(is(0b01000) & !i.rst, bytes, 0));
+        def!(data = right << cat![lowest, lit(3, 0)]);
         let lanes = [0, 1, 2, 3].map(|byte: u32| {
             let lane = m.memory(&format!("byte{byte}"), WORDS, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
             lane.write(stores.bit(byte), place, data.slice(8 * byte..8 * byte + 8));
             lane.read_async(place)
         });
-        net!(fetched = mux(address.msb(), i.word, cat![lanes[3], lanes[2], lanes[1], lanes[0]]));
-        net!(moved = fetched >> cat![lowest, lit(3, 0)]);
+        def!(fetched = mux(address.msb(), i.word, cat![lanes[3], lanes[2], lanes[1], lanes[0]]));
+        def!(moved = fetched >> cat![lowest, lit(3, 0)]);
         let narrow = |width: u32| mux(function.bit(2), moved.trunc(width).zext(32), moved.trunc(width).sext(32));
-        net!(loaded = case(size, [(0, narrow(8)), (1, narrow(16))], fetched));
+        def!(loaded = case(size, [(0, narrow(8)), (1, narrow(16))], fetched));
 
         // Where it goes on.
-        net!(following = *pc + 4);
+        def!(following = *pc + 4);
         let (less, less_unsigned) = (left.signed().lt(right.signed()), left.lt(right));
         let holds = case(function.slice(1..3), [(0, left.eq(right)), (2, less)], less_unsigned);
-        net!(branches = is(0b11000) & (holds ^ function.bit(0)));
-        net!(target = *pc + immediate);
+        def!(branches = is(0b11000) & (holds ^ function.bit(0)));
+        def!(target = *pc + immediate);
         let next = select([(is(0b11001), address), (is(0b11011) | branches, target)], following);
         pc.next(mux(i.rst, 0, next));
 
         let results =
             [(0b00000, loaded), (0b00101, target), (0b01101, immediate), (0b11001, following), (0b11011, following)];
-        net!(result = case(opcode, results, computed));
-        net!(writes = !is(0b11000) & !is(0b01000) & to.ne(0) & !i.rst);
+        def!(result = case(opcode, results, computed));
+        def!(writes = !is(0b11000) & !is(0b01000) & to.ne(0) & !i.rst);
         registers.write(writes, to, result);
 
-        let sum = m.reg("sum", 32);
+        def!(sum = m.reg(32));
         sum.next(mux(i.rst, 0, sum.rotate_left(1) + (result ^ address)));
-        ProcessorOut { pc: pc.value(), instruction, result, address, stores, data, sum: sum.value() }
+        ProcessorOut { pc: *pc, instruction, result, address, stores, data, sum: *sum }
     }
 }
 

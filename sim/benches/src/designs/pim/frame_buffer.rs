@@ -1,7 +1,7 @@
 //! A virtual local frame buffer that draws patches at random, and is scanned at the same time.
 
 use tilewright_hdl::{
-    Bits, Mem, Module, ReadUnderWrite, Signal, bit, bits, block, cat, index_width, lit, mux, net, up_to,
+    Bits, Mem, Module, ReadUnderWrite, Signal, bit, bits, block, cat, def, index_width, lit, mux, up_to,
 };
 
 use super::Pixel;
@@ -35,7 +35,7 @@ block! {
 impl FrameBuffer {
     fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
         let table = m.memory("patch_table", self.patches(), PAGE, ReadUnderWrite::Old).fill(Bits::zero(PAGE));
-        let image = m.memory("image", self.pages() * EDGE * EDGE, 48, ReadUnderWrite::Old).fill(Bits::zero(48));
+        def!(image = m.memory(self.pages() * EDGE * EDGE, 48, ReadUnderWrite::Old).fill(Bits::zero(48)));
         self.draw(m, &i, table, image);
         FrameBufferOut { pixel: self.scan(m, &i, table, image) }
     }
@@ -69,14 +69,14 @@ impl FrameBuffer {
     fn scan(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) -> Pixel {
         let height = EDGE * self.rows;
         let (x, y) = (m.reg("x", self.x_width()), m.reg("y", index_width(height.into())));
-        net!(row_ends = x.eq(self.width() - 1));
+        def!(row_ends = x.eq(self.width() - 1));
         x.next(mux(i.rst, i.start_x, mux(row_ends, 0, x + 1)));
         y.enable(i.rst | row_ends).next(mux(i.rst | y.eq(height - 1), 0, y + 1));
 
-        net!(page = table.read(self.patch(x.slice(2..x.width()), y.slice(2..y.width()))));
-        let offset = m.pipe("offset", cat![y.slice(0..2), x.slice(0..2)]);
-        net!(word = image.read(self.address(page, offset)));
-        let valid = m.pipe("valid", page.ne(0));
+        def!(page = table.read(self.patch(x.slice(2..x.width()), y.slice(2..y.width()))));
+        def!(offset = m.pipe(cat![y.slice(0..2), x.slice(0..2)]));
+        def!(word = image.read(self.address(page, offset)));
+        def!(valid = m.pipe(page.ne(0)));
         Pixel { valid, rgb: word.slice(24..48), z: word.slice(0..24) }
     }
 
@@ -87,7 +87,7 @@ impl FrameBuffer {
 
     /// Draws all pixels of a random patch, then of another. One that has no page gets the next one while there are any.
     fn draw(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) {
-        let random = m.reg("random", 32);
+        def!(random = m.reg(32));
         random.next(mux(i.rst, i.seed, xorshift(*random)));
         let bits = |low: u32, count: u32| random.slice(low..low + index_width(count.into()));
         let (column, row) = (bits(0, self.columns), bits(8, self.rows));
@@ -95,26 +95,26 @@ impl FrameBuffer {
         let row = below(row, self.rows, 1 << (row.width() - 1));
 
         // Which pixel of which patch; the table is looked up.
-        let pixel = m.reg("pixel", 4);
+        def!(pixel = m.reg(4));
         pixel.next(mux(i.rst, 0, pixel + 1));
-        let target = m.reg("target", index_width(self.patches().into()));
+        def!(target = m.reg(index_width(self.patches().into())));
         target.enable(i.rst | pixel.all_ones()).next(mux(i.rst, 0, self.patch(column, row)));
 
         // The page is known, or taken with the patch's first pixel.
-        let looked_up = m.pipe("looked_up", *target);
-        net!(entry = table.read(target));
-        let drawn = m.reg("drawn", 4);
+        def!(looked_up = m.pipe(*target));
+        def!(entry = table.read(target));
+        def!(drawn = m.reg(4));
         drawn.next(mux(i.rst, 1, pixel));
         let depth = random.slice(8..32) ^ cat![random.slice(0..8), lit(16, 0)];
         let word = m.pipe("drawn_word", cat![random.slice(0..24), depth]);
-        let next_page = m.reg("next_page", PAGE);
+        def!(next_page = m.reg(PAGE));
         let (page_before, draws_before) = (m.reg("page_before", PAGE), m.reg("draws_before", 1));
-        net!(first = drawn.eq(0));
-        net!(resident = entry.ne(0));
-        net!(free = next_page.ne(self.pages()));
-        net!(takes = first & !resident & free);
-        net!(page_now = mux(first, mux(resident, entry, next_page), page_before));
-        net!(draws = mux(first, resident | free, draws_before));
+        def!(first = drawn.eq(0));
+        def!(resident = entry.ne(0));
+        def!(free = next_page.ne(self.pages()));
+        def!(takes = first & !resident & free);
+        def!(page_now = mux(first, mux(resident, entry, next_page), page_before));
+        def!(draws = mux(first, resident | free, draws_before));
         next_page.enable(i.rst | takes).next(mux(i.rst, 1, next_page + 1));
         page_before.next(mux(i.rst, 0, page_now));
         draws_before.next(!i.rst & draws);

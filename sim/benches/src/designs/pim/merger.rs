@@ -1,6 +1,6 @@
 //! Of two pixels the nearer, in four stages.
 
-use tilewright_hdl::{Module, block, mux};
+use tilewright_hdl::{Module, block, def, mux};
 
 use super::{Pixel, pixel};
 
@@ -21,13 +21,13 @@ impl Merger {
         let (left, right) = (m.pipe("left1", i.left), m.pipe("right1", i.right));
         let [left_high, right_high] = [left, right].map(|pixel| pixel.z.slice(12..24));
         let [left_low, right_low] = [left, right].map(|pixel| pixel.z.slice(0..12));
-        let high_nearer = m.pipe("high_nearer", left_high.lt(right_high));
-        let high_equal = m.pipe("high_equal", left_high.eq(right_high));
-        let low_nearer = m.pipe("low_nearer", left_low.lt(right_low));
+        def!(high_nearer = m.pipe(left_high.lt(right_high)));
+        def!(high_equal = m.pipe(left_high.eq(right_high)));
+        def!(low_nearer = m.pipe(left_low.lt(right_low)));
 
         let (left, right) = (m.pipe("left2", left), m.pipe("right2", right));
         let nearer = high_nearer | (high_equal & low_nearer);
-        let take_left = m.pipe("take_left", left.valid & (!right.valid | nearer));
+        def!(take_left = m.pipe(left.valid & (!right.valid | nearer)));
 
         let (left, right) = (m.pipe("left3", left), m.pipe("right3", right));
         let chosen = mux(take_left, left, right);

@@ -12,7 +12,7 @@
 mod frame_buffer;
 mod merger;
 
-use tilewright_hdl::{Fields, Module, Width, bit, bits, block, bundle, cat, constants, lit, mux};
+use tilewright_hdl::{Fields, Module, Width, bit, bits, block, bundle, cat, constants, def, lit, mux};
 
 use crate::word::seed;
 use frame_buffer::{FrameBuffer, FrameBufferIn};
@@ -70,10 +70,10 @@ impl Pim {
             left: stages.merged.map(|field| field.previous(0)),
         });
         let last = chain.merged.map(|field| field.last());
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         let sum = (csum.rotate_left(1) + cat![last.valid, lit(7, 0), last.rgb]) ^ last.z.zext(32);
         csum.next(mux(i.rst, 0, sum));
-        BenchOut { csum: csum.value() }
+        BenchOut { csum: *csum }
     }
 }
 

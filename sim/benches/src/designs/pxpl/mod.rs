@@ -12,7 +12,7 @@
 mod axis;
 mod pixel;
 
-use tilewright_hdl::{Module, Signal, bit, bits, block, cat, grid, lit, mux, net, one_of, select};
+use tilewright_hdl::{Module, Signal, bit, bits, block, cat, def, grid, lit, mux, one_of, select};
 
 use super::{BenchIn, BenchOut};
 use crate::word::xorshift;
@@ -44,10 +44,10 @@ const PROGRAM: [Operation; 8] = [
 impl Pxpl {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let (edge, rst) = (self.edge, i.rst);
-        let random = m.reg("random", 32);
+        def!(random = m.reg(32));
         random.when(rst, 0x0123_4567).otherwise(xorshift(*random));
         let [clock, step, base] = [("clock", 5), ("step", 3), ("base", 8)].map(|(name, width)| m.reg(name, width));
-        net!(is_last = clock.eq(31));
+        def!(is_last = clock.eq(31));
         clock.when(rst, 0).otherwise(clock + 1);
         step.when(rst, 0).when(is_last, step + 1);
         base.when(rst, 0).when(is_last, random.slice(8..16));
@@ -58,7 +58,7 @@ impl Pxpl {
             other => mux(lit(1, 1), other, Operation::Nothing),
         };
         let steps = (1..).zip(&PROGRAM[1..]).map(|(number, &it)| (step.eq(number), operation(it)));
-        net!(next = select(steps, operation(PROGRAM[0])));
+        def!(next = select(steps, operation(PROGRAM[0])));
         let within = |address: Signal| mux(address.ge(BITS), address - BITS, address);
         let read = base + clock.zext(8);
         let held = |name: &str, value: Signal| {
@@ -94,7 +94,7 @@ impl Pxpl {
         let high = side_by_side((edge - ends..edge).rev().map(row).collect());
         let high = high.slice(high.width() - 32..high.width());
         let odd = pixels.enable.columns().xor_all().xor_all();
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         csum.when(rst, 0).otherwise(csum.rotate_left(1) + (low ^ high) + cat![lit(31, 0), odd]);
         BenchOut { csum: *csum }
     }

@@ -1,6 +1,6 @@
 //! A processor of one bit, with 208 bits of memory.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, codes, mux, net, one_of};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, codes, def, mux, one_of};
 
 /// Bits of memory.
 pub const BITS: u32 = 208;
@@ -51,15 +51,15 @@ block! {
 
 impl Pixel {
     fn build(&self, m: Module, i: PixelIn) -> PixelOut {
-        let memory = m.memory("memory", BITS, bit(), ReadUnderWrite::Old).fill(Bits::zero(1));
+        def!(memory = m.memory(BITS, bit(), ReadUnderWrite::Old).fill(Bits::zero(1)));
         let [sum_carry, carry, less, enable] = ["sum_carry", "carry", "less", "enable"].map(|name| m.reg(name, bit()));
         let majority = |a, b, c| (a & b) | (a & c) | (b & c);
-        net!(sum_carried = sum_carry & !i.first);
-        net!(sum = i.x ^ i.y ^ sum_carried);
-        net!(word = memory.read_async(i.read));
-        net!(carried = carry & !i.first);
+        def!(sum_carried = sum_carry & !i.first);
+        def!(sum = i.x ^ i.y ^ sum_carried);
+        def!(word = memory.read_async(i.read));
+        def!(carried = carry & !i.first);
         let is = |operation| i.operation.is(operation);
-        net!(
+        def!(
             value = i.operation.choose(|operation| match operation {
                 Operation::Add => sum ^ word ^ carried,
                 Operation::Copy => word,
@@ -78,7 +78,7 @@ impl Pixel {
             .when(is(Operation::KeepLess), enable & less);
         let writes = is(Operation::Store) | is(Operation::Add) | is(Operation::Copy);
         memory.write(writes & enable & !i.rst, i.write, value);
-        let result = m.reg("result", bit());
+        def!(result = m.reg(bit()));
         result.when(i.rst, 0).otherwise(value & enable);
         PixelOut { result: *result, enable: *enable }
     }

@@ -4,7 +4,7 @@
 
 mod unit;
 
-use tilewright_hdl::{Module, Signal, bit, bits, block, constants, lit, mux};
+use tilewright_hdl::{Module, Signal, bit, bits, block, constants, def, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use crate::word::seed;
@@ -54,8 +54,8 @@ impl Qt {
             }
         };
         let folded = hashes.into_iter().reduce(|folded, hash| folded.rotate_left(1) ^ hash);
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         csum.next(mux(i.rst, 0, csum.rotate_left(3) + folded.expect("an array has a lane")));
-        BenchOut { csum: csum.value() }
+        BenchOut { csum: *csum }
     }
 }

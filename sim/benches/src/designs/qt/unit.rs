@@ -3,7 +3,7 @@
 //! A window is a square of `2^level` pixels. Every clock its four quarters are tested against the three edges: each is outside,
 //! covered, or to be divided again. The unit goes down into the first of the latter; the others wait on a stack.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, concat, lit, mux, net, select};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, concat, def, lit, mux, select};
 
 use crate::word::xorshift;
 
@@ -62,52 +62,52 @@ impl Edge {
 impl Unit {
     pub(super) fn build(&self, m: Module, i: UnitIn) -> UnitOut {
         let rst = i.rst;
-        let random = m.reg("random", 32);
+        def!(random = m.reg(32));
         random.next(mux(rst, i.seed, xorshift(*random)));
 
         // The window, and the triangle.
-        let busy = m.reg("busy", 1);
+        def!(busy = m.reg(1));
         let (level, x, y) = (m.reg("level", 4), m.reg("x", 10), m.reg("y", 10));
         let edges = [0, 1, 2].map(|number| Edge::new(m, number));
-        net!(half = level - 1);
-        net!(single = half.eq(0));
+        def!(half = level - 1);
+        def!(single = half.eq(0));
         let tests = edges.map(|edge| edge.test(half, single));
         let any = |quarter: usize, corner: usize| {
             tests.iter().map(|test| test[quarter][corner]).reduce(|a, b| a | b).expect("a triangle has edges")
         };
         let quarters = |of: &dyn Fn(usize) -> Signal| concat(&[of(3), of(2), of(1), of(0)]);
-        net!(inside = quarters(&|quarter| !any(quarter, 1)));
-        net!(whole = quarters(&|quarter| single | !any(quarter, 0)));
-        net!(found = inside & whole);
-        net!(divided = inside & !whole);
+        def!(inside = quarters(&|quarter| !any(quarter, 1)));
+        def!(whole = quarters(&|quarter| single | !any(quarter, 0)));
+        def!(found = inside & whole);
+        def!(divided = inside & !whole);
 
         // The stack: what is left to do of each window above, and its edges' values.
-        let depth = m.reg("depth", 4);
+        def!(depth = m.reg(4));
         let windows = m.memory("stack", 16, 28, ReadUnderWrite::Old).fill(Bits::zero(28));
         let values = m.memory("stack_values", 16, 3 * VALUE, ReadUnderWrite::Old).fill(Bits::zero(3 * VALUE));
-        net!(top = depth - 1);
-        net!(waiting = windows.read_async(top));
-        net!(waiting_values = values.read_async(top));
+        def!(top = depth - 1);
+        def!(waiting = windows.read_async(top));
+        def!(waiting_values = values.read_async(top));
 
         // The next window is a quarter of this one, or of one that waits.
-        net!(down = divided.ne(0));
-        net!(back = !down & depth.ne(0));
-        net!(todo = mux(down, divided, waiting.slice(24..28)));
-        net!(parent_level = mux(down, *level, waiting.slice(20..24)));
-        net!(parent_y = mux(down, *y, waiting.slice(10..20)));
-        net!(parent_x = mux(down, *x, waiting.slice(0..10)));
-        net!(child_level = parent_level - 1);
-        net!(quarter = select([(todo.bit(0), 0_u64), (todo.bit(1), 1), (todo.bit(2), 2)], lit(2, 3)));
-        net!(rest = todo & (todo - 1));
-        net!(edge_length = lit(10, 1) << child_level);
+        def!(down = divided.ne(0));
+        def!(back = !down & depth.ne(0));
+        def!(todo = mux(down, divided, waiting.slice(24..28)));
+        def!(parent_level = mux(down, *level, waiting.slice(20..24)));
+        def!(parent_y = mux(down, *y, waiting.slice(10..20)));
+        def!(parent_x = mux(down, *x, waiting.slice(0..10)));
+        def!(child_level = parent_level - 1);
+        def!(quarter = select([(todo.bit(0), 0_u64), (todo.bit(1), 1), (todo.bit(2), 2)], lit(2, 3)));
+        def!(rest = todo & (todo - 1));
+        def!(edge_length = lit(10, 1) << child_level);
         let moved = |position: Signal, by: Signal, axis: u32| position + mux(quarter.bit(axis), by, 0);
         let parent_values = [0, 1, 2].map(|number| {
             let own = *edges[number as usize].value;
             mux(down, own, waiting_values.slice(number * VALUE..(number + 1) * VALUE))
         });
 
-        net!(push = busy & down & rest.ne(0));
-        net!(update = busy & back);
+        def!(push = busy & down & rest.ne(0));
+        def!(update = busy & back);
         let entry = cat![rest, parent_level, parent_y, parent_x];
         windows.write(push | update, mux(push, *depth, top), entry);
         let [value0, value1, value2] = parent_values;
@@ -116,13 +116,13 @@ impl Unit {
         depth.enable(rst | push | pops).next(select([(rst, lit(4, 0)), (push, depth + 1)], top));
 
         // A new triangle is loaded edge by edge, each through a random point near the middle of the screen.
-        let loaded = m.reg("loaded", 2);
-        net!(last_edge = loaded.eq(EDGES - 1));
+        def!(loaded = m.reg(2));
+        def!(last_edge = loaded.eq(EDGES - 1));
         loaded.enable(rst | !busy).next(mux(rst | last_edge, 0, loaded + 1));
         busy.next(!rst & mux(busy, down | back, last_edge));
         let (a, b) = (random.slice(0..8), random.slice(8..16));
         let middle = |slope: Signal| slope.sext(VALUE) << 9;
-        net!(value = random.slice(16..28).zext(VALUE) - middle(a) - middle(b));
+        def!(value = random.slice(16..28).zext(VALUE) - middle(a) - middle(b));
         for ((number, edge), parent) in (0_u64..).zip(edges).zip(parent_values) {
             let [right, down] = edge.steps(child_level);
             let loads = !busy & loaded.eq(number);
@@ -130,14 +130,14 @@ impl Unit {
             edge.b.enable(!rst & loads).next(b);
             edge.value.enable(!rst & (busy | loads)).next(mux(busy, moved(moved(parent, right, 0), down, 1), value));
         }
-        net!(starts = rst | !busy);
+        def!(starts = rst | !busy);
         level.next(mux(starts, TOP_LEVEL, child_level));
         x.next(mux(starts, 0, moved(parent_x, edge_length, 0)));
         y.next(mux(starts, 0, moved(parent_y, edge_length, 1)));
 
-        let hash = m.reg("hash", 32);
+        def!(hash = m.reg(32));
         let seen = cat![found, divided, *level, *y, *x];
         hash.enable(rst | busy).next(mux(rst, 0, hash.rotate_left(1) + seen));
-        UnitOut { hash: hash.value() }
+        UnitOut { hash: *hash }
     }
 }

@@ -18,7 +18,7 @@ mod processor;
 mod row;
 mod sequencer;
 
-use tilewright_hdl::{Module, bit, bits, block, constants, lit, mux};
+use tilewright_hdl::{Module, bit, bits, block, constants, def, lit, mux};
 
 use super::{BenchIn, BenchOut};
 use row::{Row, RowIn};
@@ -47,9 +47,9 @@ impl Simd {
             y: constants(bits(8).of(self.edge), u64::from),
         });
         let folded = rows.sum.to_vec().into_iter().reduce(|folded, sum| folded.rotate_left(1) ^ sum);
-        let csum = m.reg("csum", 32);
+        def!(csum = m.reg(32));
         let sum = csum.rotate_left(1) + folded.expect("an array has a lane").zext(32);
         csum.next(mux(i.rst, 0, sum));
-        BenchOut { csum: csum.value() }
+        BenchOut { csum: *csum }
     }
 }

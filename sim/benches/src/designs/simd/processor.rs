@@ -1,6 +1,6 @@
 //! A processor of the array: an accumulator, 256 bytes, and a flag that says whether it takes part.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, case, lit, mux, net};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, case, def, lit, mux};
 
 use super::instruction::{Instruction, Opcode};
 
@@ -24,10 +24,10 @@ block! {
 impl Processor {
     fn build(&self, m: Module, i: ProcessorIn) -> ProcessorOut {
         let Instruction { read_address, opcode, write_address, constant } = i.instruction;
-        let memory = m.memory("memory", 256, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
-        net!(operand = memory.read(read_address));
+        def!(memory = m.memory(256, 8, ReadUnderWrite::Old).fill(Bits::zero(8)));
+        def!(operand = memory.read(read_address));
         let (a, active) = (m.reg("accumulator", 8), m.reg("active", 1));
-        net!(plane = i.column + i.row);
+        def!(plane = i.column + i.row);
 
         let results = [
             (Opcode::Load, operand),
@@ -41,7 +41,7 @@ impl Processor {
             (Opcode::AddPlane, a + plane),
             (Opcode::XorConstant, a ^ constant),
         ];
-        net!(result = case(opcode, results.map(|(opcode, result)| (opcode as u64, result)), a));
+        def!(result = case(opcode, results.map(|(opcode, result)| (opcode as u64, result)), a));
         a.enable(i.rst | active).next(mux(i.rst, 0, result));
 
         let conditions = [
@@ -50,7 +50,7 @@ impl Processor {
             (Opcode::IfAtLeast, active & a.ge(constant)),
             (Opcode::Else, !active),
         ];
-        net!(remains = case(opcode, conditions.map(|(opcode, condition)| (opcode as u64, condition)), active));
+        def!(remains = case(opcode, conditions.map(|(opcode, condition)| (opcode as u64, condition)), active));
         active.next(i.rst | remains);
 
         memory.write(active & opcode.eq(Opcode::Store as u64), write_address, a);

@@ -1,6 +1,6 @@
 //! Stands for the host: has frame after frame merged, and reads them for a checksum.
 
-use tilewright_hdl::{Module, below, bit, bits, block, codes, goto, lit, mux, net, when};
+use tilewright_hdl::{Module, below, bit, bits, block, codes, def, goto, lit, mux, when};
 use tilewright_rtl::gfb::Host as GfbHost;
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::SWAP_CLOCKS;
@@ -53,18 +53,18 @@ block! {
 
 impl Host {
     fn build(&self, m: Module, i: HostIn) -> HostOut {
-        let phase = m.fsm("phase", Phase::Wait);
-        let settling = m.reg("settling", below(SWAP_CLOCKS)).reset(0);
-        net!(settled = settling.eq(SWAP_CLOCKS - 1));
+        def!(phase = m.fsm(Phase::Wait));
+        def!(settling = m.reg(below(SWAP_CLOCKS)).reset(0));
+        def!(settled = settling.eq(SWAP_CLOCKS - 1));
         settling.enable(phase.is(Phase::Settle)).next(mux(settled, 0, settling + 1));
 
         // There is nothing to read before the first frame is shown.
-        let shown = m.reg("shown", 1).reset(0);
+        def!(shown = m.reg(1).reset(0));
         shown.enable(phase.is(Phase::Show)).next(true);
-        let address = m.reg("address", below(self.screen.pixels())).reset(0);
-        let all_read = m.reg("all_read", 1).reset(0);
-        net!(reads = phase.is(Phase::Merge) & !all_read);
-        net!(last = address.eq(self.screen.pixels() - 1));
+        def!(address = m.reg(below(self.screen.pixels())).reset(0));
+        def!(all_read = m.reg(1).reset(0));
+        def!(reads = phase.is(Phase::Merge) & !all_read);
+        def!(last = address.eq(self.screen.pixels() - 1));
         address.enable(reads).next(mux(last, 0, address + 1));
         all_read.next(phase.is(Phase::Merge) & (all_read | last));
 
@@ -77,23 +77,23 @@ impl Host {
             Phase::Show => goto(Phase::Wait),
         });
 
-        let reading = m.reg("reading", 1).reset(0);
+        def!(reading = m.reg(1).reset(0));
         reading.next(reads & shown);
-        let csum = m.reg("csum", 32).reset(0);
+        def!(csum = m.reg(32).reset(0));
         let pixel = i.read_word.slice(0..32) ^ i.read_word.slice(16..48);
         let more = mux(reading, pixel, i.hash);
         csum.enable(reading | (phase.is(Phase::Swap) & i.swapped)).next(csum.rotate_left(1) + more);
-        let request = m.reg("request", 1).reset(0);
+        def!(request = m.reg(1).reset(0));
         request.next(phase.is(Phase::Swap) & !i.swapped);
         HostOut {
-            request: request.value(),
+            request: *request,
             gfb: GfbHost {
                 start: phase.is(Phase::Start),
                 swap: phase.is(Phase::Show),
-                read_address: address.value(),
+                read_address: *address,
                 background: lit(WORD, 0xffff_ff10_2030),
             },
-            csum: csum.value(),
+            csum: *csum,
         }
     }
 }

@@ -18,7 +18,7 @@
 mod host;
 mod painter;
 
-use tilewright_hdl::{Fields, Module, Signal, bits, block, constants, stack};
+use tilewright_hdl::{Fields, Module, Signal, bits, block, constants, def, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -73,8 +73,8 @@ impl Vc1Frames {
         let wire = |name: &str, number: u32| m.wire(&format!("{name}{number}"), 1);
         let wires = |name: &str| (0..self.processors).map(|number| wire(name, number)).collect::<Vec<_>>();
         let (ready, clear_ready, idle) = (wires("ready"), wires("clear_ready"), wires("idle"));
-        let request = merge.wire("request", 1);
-        let swap = pe.synchronize("swap", *request);
+        def!(request = merge.wire(1));
+        def!(swap = pe.synchronize(*request));
 
         let painter = Painter { patches: self.patches, painted: self.painted };
         let painters = pe.array("u_painter", self.processors, &painter, |_| PainterIn {
@@ -87,8 +87,8 @@ impl Vc1Frames {
 
         let host = Host { screen: self.patches.screen() };
         let [read_word, busy] = [("read_word", 48), ("busy", 1)].map(|(name, width)| merge.wire(name, width));
-        let drawn = merge.synchronize("drawn", pe.pipe("all_drawn", painters.drawn.and_all()));
-        let swapped = merge.synchronize("swapped", pe.pipe("all_swapped", painters.swapped.and_all()));
+        def!(drawn = merge.synchronize(pe.pipe("all_drawn", painters.drawn.and_all())));
+        def!(swapped = merge.synchronize(pe.pipe("all_swapped", painters.swapped.and_all())));
         let hash = painters.hash.xor_all().quasi_static("the painters wait when the host looks at it");
         let host = merge.instance("u_host", &host, HostIn { drawn, swapped, hash, read_word: *read_word, busy: *busy });
         request.drive(host.request);

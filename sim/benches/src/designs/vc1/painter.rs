@@ -1,6 +1,6 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
-use tilewright_hdl::{Module, Reg, bit, bits, block, cat, codes, index_width, lit, mux, net, when};
+use tilewright_hdl::{Module, Reg, bit, bits, block, cat, codes, def, index_width, lit, mux, when};
 use tilewright_rtl::lfb::{Clear, Patches, Request};
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
@@ -54,28 +54,28 @@ block! {
 
 impl Painter {
     fn build(&self, m: Module, i: PainterIn) -> PainterOut {
-        let phase = m.fsm("phase", Phase::Clear);
-        let seeded = m.reg("seeded", 1).reset(0);
+        def!(phase = m.fsm(Phase::Clear));
+        def!(seeded = m.reg(1).reset(0));
         seeded.next(true);
-        let random = m.reg("random", 32);
+        def!(random = m.reg(32));
         random.next(mux(seeded, xorshift(*random), i.seed));
 
-        let entry = m.reg("entry", self.patches.patch_width()).reset(0);
-        net!(cleared = phase.is(Phase::Clear) & i.clear_ready);
-        net!(last_entry = entry.eq(self.patches.count() - 1));
+        def!(entry = m.reg(self.patches.patch_width()).reset(0));
+        def!(cleared = phase.is(Phase::Clear) & i.clear_ready);
+        def!(last_entry = entry.eq(self.patches.count() - 1));
         entry.enable(cleared).next(mux(last_entry, 0, entry + 1));
 
         // A pixel is computed in 16 clocks on average, and then asks until it is taken.
-        let asks = m.reg("asks", 1).reset(0);
-        net!(computed = phase.is(Phase::Draw) & !asks & random.slice(28..32).eq(0));
-        net!(taken = asks & i.ready);
+        def!(asks = m.reg(1).reset(0));
+        def!(computed = phase.is(Phase::Draw) & !asks & random.slice(28..32).eq(0));
+        def!(taken = asks & i.ready);
         asks.next(computed | (asks & !i.ready));
-        let word = m.reg("word", WORD);
+        def!(word = m.reg(WORD));
         word.enable(computed).next(cat![random.slice(0..24), random.slice(8..32)]);
-        let pixel = m.reg("pixel", 4).reset(0);
+        def!(pixel = m.reg(4).reset(0));
         pixel.enable(taken).next(pixel + 1);
 
-        net!(patch_ends = taken & pixel.all_ones());
+        def!(patch_ends = taken & pixel.all_ones());
         let patch = |name: &str, count: u32, low: u32| {
             let width = index_width(count.into());
             let position = m.reg(name, width).reset(0);
@@ -84,11 +84,11 @@ impl Painter {
         };
         let column = patch("column", self.patches.columns(), 0);
         let row = patch("row", self.patches.count() / self.patches.columns(), 12);
-        let painted = m.reg("painted", index_width(self.painted.into())).reset(0);
-        net!(last_patch = painted.eq(self.painted - 1));
+        def!(painted = m.reg(index_width(self.painted.into())).reset(0));
+        def!(last_patch = painted.eq(self.painted - 1));
         painted.enable(patch_ends).next(mux(last_patch, 0, painted + 1));
 
-        net!(swaps = phase.is(Phase::Wait) & i.idle & i.swap);
+        def!(swaps = phase.is(Phase::Wait) & i.idle & i.swap);
         phase.next(|state| match state {
             Phase::Clear => when(cleared & last_entry, Phase::Draw),
             Phase::Draw => when(patch_ends & last_patch, Phase::Wait),
@@ -96,16 +96,16 @@ impl Painter {
             Phase::Swapped => when(!i.swap, Phase::Clear),
         });
 
-        let hash = m.reg("hash", 32).reset(0);
+        def!(hash = m.reg(32).reset(0));
         hash.enable(taken).next(hash.rotate_left(1) ^ *random);
         let edge = |position: Reg, low: u32| cat![position, pixel.slice(low..low + 2)];
-        let request = Request { valid: asks.value(), x: edge(column, 0), y: edge(row, 2), word: word.value() };
-        let clear = Clear { valid: phase.is(Phase::Clear), patch: entry.value() };
+        let request = Request { valid: *asks, x: edge(column, 0), y: edge(row, 2), word: *word };
+        let clear = Clear { valid: phase.is(Phase::Clear), patch: *entry };
         PainterOut {
             vc1: ProcessorIn { request, clear, swap: swaps, resume: lit(1, 0) },
             drawn: phase.is(Phase::Wait) & i.idle,
             swapped: phase.is(Phase::Swapped),
-            hash: hash.value(),
+            hash: *hash,
         }
     }
 }

@@ -47,7 +47,7 @@ pub(super) fn rotation(circuit: &Circuit, parts: &[ValueId]) -> Option<Kind> {
 
 #[cfg(test)]
 mod tests {
-    use tilewright_hdl::{Module, bits, block, cat, elaborate};
+    use tilewright_hdl::{Module, bits, block, cat, def, elaborate};
 
     use crate::{EngineKind, Simulation};
 
@@ -60,7 +60,7 @@ mod tests {
 
     impl Beside {
         fn build(&self, m: Module, i: BesideIn) -> BesideOut {
-            let both = m.reg("both", 8).reset(0);
+            def!(both = m.reg(8).reset(0));
             both.next(cat![i.narrow.trunc(3), i.wide.part(20, 5)]);
             BesideOut { both: *both }
         }

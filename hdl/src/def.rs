@@ -1,0 +1,60 @@
+//! A name that is said once: of a variable, and of what it holds.
+
+/// `let NAME = ..` that names what is described, too: `def!(count = m.reg(8).reset(0));` is `let count = m.reg("count", 8).reset(0);`.
+///
+/// So it is of whatever a module declares by a name: [`reg`](crate::Module::reg), [`fsm`](crate::Module::fsm),
+/// [`toggle`](crate::Module::toggle), [`wire`](crate::Module::wire), [`stream_wire`](crate::Module::stream_wire),
+/// [`memory`](crate::Module::memory), [`rom`](crate::Module::rom), [`pipe`](crate::Module::pipe),
+/// [`pipe_when`](crate::Module::pipe_when), [`synchronize`](crate::Module::synchronize) and
+/// [`synchronize_from`](crate::Module::synchronize_from), of `m`, of another variable, or of `m.on(CLOCK)`. Of any other expression it
+/// names the net, of a record that of each field: `entry_page`. Where a name is made, as in a loop, these methods take it.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// def!(count = m.reg(below(3)).reset(0));
+/// def!(at_end = count.eq(2));
+/// count.next(mux(at_end, 0, count + 1));
+/// # });
+/// assert_eq!(example.values("count"), [0, 1, 2, 0, 1, 2]);
+/// assert_eq!(example.values("at_end"), [0, 0, 1, 0, 0, 1]);
+/// ```
+#[macro_export]
+macro_rules! def {
+    ($name:ident = $m:ident $(.on($clock:expr))? .reg($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.reg(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .fsm($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.fsm(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .toggle($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.toggle(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .wire($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.wire(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .stream_wire($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.stream_wire(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .memory($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.memory(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .rom($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.rom(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .pipe($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.pipe(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .pipe_when($enable:expr, $($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.pipe_when($enable, stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .synchronize($($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.synchronize(stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .synchronize_from($reset:expr, $($given:tt)*) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.synchronize_from($reset, stringify!($name), $($given)*) $($then)*;
+    };
+    ($name:ident = $value:expr) => {
+        let $name = $value.named(stringify!($name));
+    };
+}
