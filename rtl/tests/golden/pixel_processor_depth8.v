@@ -68,16 +68,16 @@ module pixel_processor_depth8 (
     // not mentioned: localparam [1:0] FLAGGING_ENABLED_CONDITION = 2'd2;
 
     reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:250
-    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:250
-    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:251
-    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:307
+    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:251
+    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:252
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:308
 
     (* no_rw_check *)
     reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:248
 
     wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:249
     wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:249
-    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:252
+    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:253
     always @* begin
         case (control_source)
             SOURCE_CONSTANT: operand = control_constant;
@@ -89,7 +89,7 @@ module pixel_processor_depth8 (
             end
         endcase
     end
-    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:260
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:261
     always @* begin
         case (control_begin)
             BEGIN_KEPT: carried = carry;
@@ -97,11 +97,11 @@ module pixel_processor_depth8 (
             default: carried = 1'b1; // BEGIN_ONE
         endcase
     end
-    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:269
-    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:270
-    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:271
-    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:272
-    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:272
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:270
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:271
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:272
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:273
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:273
     always @* begin
         case (control_function)
             FUNCTION_WORD: result = word;
@@ -116,7 +116,7 @@ module pixel_processor_depth8 (
             default: result = operand;
         endcase
     end
-    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:288
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:289
     always @* begin
         case (control_function)
             FUNCTION_ADD: carry_next = carry_out;
@@ -128,7 +128,7 @@ module pixel_processor_depth8 (
             default: carry_next = carry;
         endcase
     end
-    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:299
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:300
     always @* begin
         case (control_condition)
             CONDITION_POSITIVE: holds = !operand[7];
@@ -136,8 +136,8 @@ module pixel_processor_depth8 (
             default: holds = !carry_next; // CONDITION_NO_CARRY
         endcase
     end
-    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:306
-    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:309
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:307
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:310
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enables = enable;
@@ -149,7 +149,7 @@ module pixel_processor_depth8 (
             default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
         endcase
     end
-    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:327
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:328
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;
@@ -158,8 +158,8 @@ module pixel_processor_depth8 (
             default: writes = flag; // MASK_FLAGGED
         endcase
     end
-    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:336
-    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:338
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:337
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:339
 
     always @(posedge clk) begin
         if (stores & !control_write[8]) memory[control_write[7:0]] <= result;
