@@ -154,6 +154,31 @@ fn shared_expressions_are_printed_once() {
     assert_eq!(text.matches(" + ").count(), 64, "{text}");
 }
 
+/// A net with a name is read by it wherever it goes, also where it alone is what a register takes.
+#[test]
+fn a_named_choice_is_written_once_however_many_registers_take_it() {
+    let text = clean("named_choice", |m, i| {
+        def!(fetched = select([(i.a.bit(0), i.b), (i.a.bit(1), i.a ^ i.b), (i.a.bit(2), i.b >> 1)], i.a + i.b));
+        def!(held = m.reg(8));
+        held.when(i.b.bit(7), fetched + 1).when(i.b.bit(6), fetched);
+        def!(last = m.pipe(fetched));
+        def!(earlier = m.reg(8).reset(0));
+        earlier.when(i.a.eq(0), fetched ^ held).otherwise(fetched);
+        held ^ last ^ earlier
+    });
+    assert_eq!(text.matches("a ^ b").count(), 1, "{text}");
+    assert_eq!(text.matches("always @*").count(), 1, "{text}");
+    for taken in [
+        "held <= fetched + 8'd1;",
+        "held <= fetched;",
+        "last <= fetched;",
+        "earlier <= fetched ^ held;",
+        "earlier <= fetched;",
+    ] {
+        assert!(text.contains(taken), "{taken}\n{text}");
+    }
+}
+
 #[test]
 fn chains_of_any_length_do_not_overflow_the_stack() {
     let files = print("long", |_, i| (0..100_000).fold(i.a, |x, step| if step % 2 == 0 { x + i.b } else { x ^ 5 }));
