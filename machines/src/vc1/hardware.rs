@@ -69,10 +69,10 @@ impl Hardware {
 
     /// Whether the local frame buffer takes the access at its port at the coming edge.
     pub fn takes(&mut self, processor: usize) -> bool {
-        let port = self.sim.o.processors[processor];
+        let port = self.sim.i.processors[processor];
         match self.at_port[processor] {
-            Some(Access::Draw(_)) => self.flag(port.ready),
-            Some(Access::Clear(_)) => self.flag(port.clear_ready),
+            Some(Access::Draw(_)) => self.flag(port.request.ready),
+            Some(Access::Clear(_)) => self.flag(port.clear.ready),
             None => false,
         }
     }

@@ -6,8 +6,8 @@ use super::shared::{EMPTY, HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
-    Clear, Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, PageIdGenerator, PageIdGeneratorIn, PatchTable,
-    PatchTableIn, Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel, Wanted,
+    Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, PageIdGenerator, PageIdGeneratorIn, PatchTable, PatchTableIn,
+    Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel, Wanted,
 };
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
@@ -146,8 +146,8 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
     let screen = unit.patches.screen();
     let edge = u64::from(unit.patches.edge());
     let idle = LfbUnitIn {
-        request: Request { valid: 0, x: 0, y: 0, word: EMPTY },
-        clear: Clear { valid: 0, patch: 0 },
+        request: Stream::of(0, Request { x: 0, y: 0, word: EMPTY }),
+        clear: Stream::of(0, Wanted { patch: 0 }),
         swap: 0,
         resume: 0,
         scan: ScanControl { restart: 0, enable: 0 },
@@ -155,18 +155,18 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
     };
     // Two patches, each of which is a miss at first. A request is held until it is accepted.
     for (x, word, clocks) in [(0, 70, 1), (1, 50, 4), (edge, 60, 3), (edge, 40, 4)] {
-        script.hold(&LfbUnitIn { request: Request { valid: 1, x, y: 0, word }, ..idle }, clocks);
+        script.hold(&LfbUnitIn { request: Stream::of(1, Request { x, y: 0, word }), ..idle }, clocks);
     }
     script.hold(&idle, 8);
     script.clock(&LfbUnitIn { swap: 1, ..idle });
     for patch in [0, 1] {
-        script.clock(&LfbUnitIn { clear: Clear { valid: 1, patch }, ..idle });
+        script.clock(&LfbUnitIn { clear: Stream::of(1, Wanted { patch }), ..idle });
         script.hold(&idle, 2);
     }
     // The scan's control is of the merge clock, a bit more than three clocks of the processor long.
     script.hold(&LfbUnitIn { scan: ScanControl { restart: 1, enable: 0 }, ..idle }, 4);
     let sending = LfbUnitIn { scan: ScanControl { restart: 0, enable: 1 }, ..idle };
-    script.hold(&LfbUnitIn { request: Request { valid: 1, x: 2, y: 1, word: 30 }, ..sending }, 1);
+    script.hold(&LfbUnitIn { request: Stream::of(1, Request { x: 2, y: 1, word: 30 }), ..sending }, 1);
     script.hold(&sending, 4 * edge + 30);
     script.finish(
         "four pixels of two patches are drawn; the buffers are swapped, and the scan sends and clears the pixels",

@@ -1,12 +1,12 @@
 //! The entry of the VC-1's frame buffer subsystem.
 
-use tilewright_hdl::{Scenario, Script, elaborate};
+use tilewright_hdl::{Scenario, Script, Stream, elaborate};
 
 use super::shared::{HEIGHT, PAGES, PATCH, WIDTH};
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
-use crate::lfb::{Clear, LfbUnit, Patches, Request};
+use crate::lfb::{LfbUnit, Patches, Request, Wanted};
 use crate::parameter::Screen;
 use crate::vc1::{ProcessorIn, SWAP_CLOCKS, Vc1, Vc1In};
 
@@ -38,8 +38,8 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
 
     let processor = ProcessorIn {
-        request: Request { valid: 0, x: 0, y: 0, word: 0 },
-        clear: Clear { valid: 0, patch: 0 },
+        request: Stream::of(0, Request { x: 0, y: 0, word: 0 }),
+        clear: Stream::of(0, Wanted { patch: 0 }),
         swap: 0,
         resume: 0,
     };
@@ -49,7 +49,7 @@ fn a_frame(vc1: &Vc1) -> Scenario {
         gfb: host,
     };
     let idle = all(&|_| processor);
-    let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Request { valid: 1, x, y, word }, ..processor };
+    let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Stream::of(1, Request { x, y, word }), ..processor };
 
     let mut script = Script::new(vc1, PE.period);
     script.clock(&all(&|number| draw(0, 0, 20 + number)));

@@ -10,8 +10,9 @@
 //! send --------------------'     ^ EMPTY   '-------|-----------> word
 //! ```
 //!
-//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one is accepted in the last
-//! of them. The scan gets a word one clock after its address, a word a clock.
+//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one may come in the last of
+//! them. The first stage takes no less for a page, so nobody has to ask whether one may. The scan gets a word one clock
+//! after its address, a word a clock.
 //!
 //! The word kept is the smaller one, which is the nearer. What the scan has read is cleared at once, so that after a whole
 //! scan the buffer is empty and ready for the processor.
@@ -37,7 +38,7 @@ block! {
     latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
     source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
     in(self) ImageMemoryIn {
-        /// A pixel to draw, from the first stage.
+        /// A pixel to draw, from the first stage: the third clock after the one before, or later.
         draw: pub struct Draw {
             /// There is one.
             valid: bit(),
@@ -65,8 +66,6 @@ block! {
         }.on(MERGE),
     }
     out ImageMemoryOut {
-        /// A pixel is accepted at this edge.
-        ready: bit(),
         /// No pixel is under way.
         idle: bit(),
         /// The word sent.
@@ -76,33 +75,33 @@ block! {
 
 impl ImageMemory {
     fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
-        let words = 2 * self.pages * self.page_pixels;
-        let memory = m.memory("words", words, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty());
+        use Stage2::*;
+        let (pe, merge) = (m.on(PE), m.on(MERGE));
+        let count = 2 * self.pages * self.page_pixels;
+        def!(words = m.memory(count, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty()));
 
-        let front = m.on(PE);
-        let stage = front.fsm("stage2", Stage2::Idle);
-        def!(can_accept = stage.is(Stage2::Idle) | stage.is(Stage2::Write));
-        def!(accept = i.draw.valid & can_accept);
-        front.assume(i.draw.valid.implies(can_accept), "the second stage ends before the first has a page again");
-        stage.next(|state| match state {
-            Stage2::Idle => when(accept, Stage2::Read),
-            Stage2::Read => goto(Stage2::Compare),
-            Stage2::Compare => goto(Stage2::Write),
-            Stage2::Write => when(accept, Stage2::Read).or_else(Stage2::Idle),
+        def!(stage2 = pe.fsm(Idle));
+        let moves = stage2.next(|state| match state {
+            Idle => when(i.draw.valid, Read),
+            Read => goto(Compare),
+            Compare => goto(Write),
+            Write => when(i.draw.valid, Read).or_else(Idle),
         });
+        def!(begins = moves.enters(Read));
+        pe.assume(i.draw.valid.implies(begins), "the second stage ends before the first has a page again");
 
-        let address = front.pipe_when(accept, "drawn_address", cat!(i.draw.page, i.draw.offset, i.front));
-        let word = front.pipe_when(accept, "drawn_word", i.draw.word);
-        def!(old_word = memory.on(PE).read_when(stage.is(Stage2::Read), address));
-        def!(nearer = front.pipe_when(stage.is(Stage2::Compare), word.lt(old_word)));
-        memory.on(PE).write(stage.is(Stage2::Write) & nearer, address, word);
+        def!(drawn_address = pe.pipe_when(begins, cat!(i.draw.page, i.draw.offset, i.front)));
+        def!(drawn_word = pe.pipe_when(begins, i.draw.word));
+        def!(old_word = words.on(PE).read_when(stage2.is(Read), drawn_address));
+        def!(nearer = pe.pipe_when(stage2.is(Compare), drawn_word.lt(old_word)));
+        words.on(PE).write(stage2.is(Write) & nearer, drawn_address, drawn_word);
 
         def!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
         def!(take = i.send.enable & i.send.resident);
-        def!(taken_word = memory.on(MERGE).read_when(take, send_address));
-        memory.on(MERGE).write(take, send_address, empty());
-        def!(resident = m.on(MERGE).reg(1).reset(0).when(i.send.enable, i.send.resident));
-        ImageMemoryOut { ready: can_accept, idle: stage.is(Stage2::Idle), sent: mux(resident, taken_word, empty()) }
+        def!(taken_word = words.on(MERGE).read_when(take, send_address));
+        words.on(MERGE).write(take, send_address, empty());
+        def!(resident = merge.reg(1).reset(0).when(i.send.enable, i.send.resident));
+        ImageMemoryOut { idle: stage2.is(Idle), sent: mux(resident, taken_word, empty()) }
     }
 }
 

@@ -12,4 +12,4 @@ pub use page_id_generator::{PageIdGenerator, PageIdGeneratorIn, PageIdGeneratorO
 pub use patch_table::{PatchTable, PatchTableIn, PatchTableOut, ScanLookUp, Wanted};
 pub use patches::{Patches, Place};
 pub use scan_counter::{ScanCounter, ScanCounterIn, ScanCounterOut};
-pub use unit::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Request};
+pub use unit::{LfbUnit, LfbUnitIn, LfbUnitOut, Request};

@@ -87,7 +87,7 @@ impl ScanCounter {
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
-    use tilewright_hdl::{Block, bundle, constants, def};
+    use tilewright_hdl::{Block, bundle, constants};
     use tilewright_sim::Simulation;
 
     use super::*;

@@ -47,23 +47,16 @@ block! {
     source = "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)";
     in(self) LfbUnitIn {
         /// A pixel that the processor draws.
-        request: pub struct Request {
-            /// There is one.
-            valid: bit(),
+        request: stream(pub struct Request {
             /// Counted from the left.
             x: below(self.patches.screen().width),
             /// Counted from the top.
             y: below(self.patches.screen().height),
             /// Depth above colour.
             word: bits(WORD),
-        }.on(PE),
-        /// A patch table entry that the processor clears.
-        clear: pub struct Clear {
-            /// There is one.
-            valid: bit(),
-            /// Its number.
-            patch: self.patches.patch_width(),
-        }.on(PE),
+        }).on(PE),
+        /// A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
+        clear: stream(Wanted { patch: self.patches.patch_width() }).on(PE),
         /// For one clock, when idle or in overflow: exchange the buffers.
         swap: bit().on(PE),
         /// For one clock: try the held request again.
@@ -74,10 +67,6 @@ block! {
         preset: Position = ScanCounter::position(self.patches.screen()).on(MERGE),
     }
     out(self) LfbUnitOut {
-        /// A request is accepted at this edge.
-        ready: bit(),
-        /// A clear is accepted at this edge. If a request is too, the clear comes first.
-        clear_ready: bit(),
         /// A request is held, because its patch has no page and all pages are taken.
         overflow: bit(),
         /// How many pages of the front buffer are taken.
@@ -111,11 +100,12 @@ impl LfbUnit {
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
-        let (look_up, accept) = pe.offer(i.request.valid, Wanted { patch: wanted.patch });
-        let (clear, _) = pe.offer(i.clear.valid, Wanted { patch: i.clear.patch });
+        let look_up = i.request.with(Wanted { patch: wanted.patch });
+        def!(accept = i.request.valid & i.request.ready);
         let seek = ScanLookUp { enable: i.scan.enable, patch: sought.patch, buffer: back };
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
-        let asked = PatchTableIn { look_up, clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
+        let asked =
+            PatchTableIn { look_up, clear: i.clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
         let table = m.instance("u_patch_table", &table, asked);
         def!(wanted_offset = pe.pipe_when(accept, wanted.offset));
         let word = pe.pipe_when(accept, "wanted_word", i.request.word);
@@ -130,7 +120,7 @@ impl LfbUnit {
         pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         let PatchTableOut { overflow, pages_used, .. } = table;
-        LfbUnitOut { ready: look_up.ready, clear_ready: clear.ready, overflow, pages_used, idle, word: image.sent }
+        LfbUnitOut { overflow, pages_used, idle, word: image.sent }
     }
 }
 

@@ -30,7 +30,7 @@
 //! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
 
 use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
-use crate::lfb::{Clear, LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter};
+use crate::lfb::{LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter, Wanted};
 use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
 use crate::prelude::*;
 
@@ -44,9 +44,9 @@ bundle! {
     /// What a processor says to its local frame buffer.
     pub struct ProcessorIn<T> {
         /// A pixel to draw.
-        pub request: Request<T>,
+        pub request: Stream<Request<T>, T>,
         /// A patch table entry to clear.
-        pub clear: Clear<T>,
+        pub clear: Stream<Wanted<T>, T>,
         /// For one clock, when idle or in overflow: exchange the buffers.
         pub swap: T,
         /// For one clock, in overflow: try the held request again.
@@ -55,10 +55,6 @@ bundle! {
 
     /// What a processor sees of its local frame buffer.
     pub struct ProcessorOut<T> {
-        /// The request is accepted at this edge.
-        pub ready: T,
-        /// The clear is accepted at this edge.
-        pub clear_ready: T,
         /// The request is held: all pages are taken.
         pub overflow: T,
         /// How many pages are taken.
@@ -127,8 +123,8 @@ impl Vc1 {
         merged.drive(merge.instance("u_merger", &chain, inputs).merged);
 
         let processor = |position| {
-            let LfbUnitOut { ready, clear_ready, overflow, pages_used, idle, .. } = lfb.map(|unit| unit.lane(position));
-            ProcessorOut { ready, clear_ready, overflow, pages_used, idle }
+            let LfbUnitOut { overflow, pages_used, idle, .. } = lfb.map(|unit| unit.lane(position));
+            ProcessorOut { overflow, pages_used, idle }
         };
         Vc1Out { processors: (0..self.processors).map(processor).collect(), gfb: gfb.view }
     }

@@ -4,7 +4,6 @@ use proptest::prelude::*;
 use tilewright_sim::{Port, Simulation, Testbench, monitor};
 
 use super::*;
-use crate::clocks::PE;
 use crate::lfb::Patches;
 use crate::parameter::Screen;
 
@@ -41,8 +40,8 @@ impl Machine {
             self.sim.set(request.x, x);
             self.sim.set(request.y, y);
             self.sim.set(request.word, word);
-            self.wait_until(self.sim.o.processors[processor].ready);
-            self.sim.step_clock("pe", 1);
+            self.wait_until(request.ready);
+            self.sim.step_clock(PE, 1);
             self.sim.set(request.valid, 0);
             self.go_on_after_an_overflow(processor);
         }
@@ -54,7 +53,7 @@ impl Machine {
             if self.sim.get_u64(port) == 1 {
                 return;
             }
-            self.sim.step_clock("pe", 1);
+            self.sim.step_clock(PE, 1);
         }
         panic!("the processor waits for ever");
     }
@@ -62,7 +61,7 @@ impl Machine {
     /// If there is no page for the pixel just accepted, which shows after two clocks: swaps the buffers, has them merged,
     /// clears the patch table, and resumes.
     fn go_on_after_an_overflow(&mut self, processor: usize) {
-        self.sim.step_clock("pe", 2);
+        self.sim.step_clock(PE, 2);
         if self.sim.get_u64(self.sim.o.processors[processor].overflow) == 0 {
             return;
         }
@@ -73,30 +72,30 @@ impl Machine {
         self.sim.set(clear.valid, 1);
         for patch in 0..self.patches {
             self.sim.set(clear.patch, u64::from(patch));
-            self.wait_until(self.sim.o.processors[processor].clear_ready);
-            self.sim.step_clock("pe", 1);
+            self.wait_until(clear.ready);
+            self.sim.step_clock(PE, 1);
         }
         self.sim.set(clear.valid, 0);
-        self.pulse(self.sim.i.processors[processor].resume, "pe");
+        self.pulse(self.sim.i.processors[processor].resume, PE);
     }
 
-    fn pulse(&mut self, port: Port, clock: &str) {
+    fn pulse(&mut self, port: Port, clock: Clock) {
         self.sim.set(port, 1);
         self.sim.step_clock(clock, 1);
         self.sim.set(port, 0);
         // The other clock's synchronizers.
-        self.sim.step_clock("merge", 8);
+        self.sim.step_clock(MERGE, 8);
     }
 
     /// Swaps a processor's buffers.
     fn swap(&mut self, processor: usize) {
-        self.pulse(self.sim.i.processors[processor].swap, "pe");
+        self.pulse(self.sim.i.processors[processor].swap, PE);
     }
 
     /// A round of merging; gives the clocks that the hardware counted.
     fn merge(&mut self) -> u64 {
         self.sim.set(self.sim.i.gfb.start, 1);
-        self.sim.step_clock("merge", 1);
+        self.sim.step_clock(MERGE, 1);
         self.sim.set(self.sim.i.gfb.start, 0);
         self.finish_round();
         self.sim.get_u64(self.sim.o.gfb.clocks)
@@ -108,21 +107,21 @@ impl Machine {
             if self.sim.get_u64(self.sim.o.gfb.busy) == 0 {
                 return;
             }
-            self.sim.step_clock("merge", 1);
+            self.sim.step_clock(MERGE, 1);
         }
         panic!("the round has no end");
     }
 
     /// Exchanges the banks.
     fn show(&mut self) {
-        self.pulse(self.sim.i.gfb.swap, "merge");
+        self.pulse(self.sim.i.gfb.swap, MERGE);
     }
 
     /// The picture on display.
     fn picture(&mut self) -> Vec<u64> {
         let read = |pixel: u32| {
             self.sim.set(self.sim.i.gfb.read_address, u64::from(pixel));
-            self.sim.step_clock("merge", 1);
+            self.sim.step_clock(MERGE, 1);
             self.sim.get_u64(self.sim.o.gfb.read_word)
         };
         (0..self.screen.pixels()).map(read).collect()
@@ -176,11 +175,12 @@ fn each_processor_sees_its_own_buffer() {
         for wanted in [1, 0] {
             machine.sim.set(request.valid, wanted);
             machine.sim.set(clear.valid, wanted);
-            machine.sim.step_clock("pe", wanted);
+            machine.sim.step_clock(PE, wanted);
         }
-        for (processor, seen) in machine.sim.read_u64().processors.into_iter().enumerate() {
-            let is_free = u64::from(processor != busy);
-            assert_eq!((seen.ready, seen.clear_ready, seen.idle), (is_free, is_free, is_free), "{processor} of {busy}");
+        for processor in 0..3 {
+            let (i, o) = (&machine.sim.i.processors[processor], &machine.sim.o.processors[processor]);
+            let seen = [i.request.ready, i.clear.ready, o.idle].map(|port| machine.sim.get_u64(port));
+            assert_eq!(seen, [u64::from(processor != busy); 3], "{processor} of {busy}");
         }
         machine.wait_until(machine.sim.o.processors[busy].idle);
     }
@@ -234,9 +234,9 @@ fn a_swap_during_a_round_loses_nothing() {
         let mut machine = Machine::new(screen, 4, 8, 4);
         machine.draw(0, drawn.iter().copied());
         machine.sim.set(machine.sim.i.gfb.start, 1);
-        machine.sim.step_clock("merge", 1);
+        machine.sim.step_clock(MERGE, 1);
         machine.sim.set(machine.sim.i.gfb.start, 0);
-        machine.sim.step_clock("merge", delay);
+        machine.sim.step_clock(MERGE, delay);
         machine.swap(0);
         machine.finish_round();
         machine.merge();
@@ -269,21 +269,14 @@ async fn processor(
     let (t, (i, o)) = (t.on(PE), ports);
     let mut overflows = 0;
     for &(x, y, word) in pixels {
-        for (port, value) in [(i.request.valid, 1), (i.request.x, x), (i.request.y, y), (i.request.word, word)] {
-            t.set(port, value);
-        }
-        t.until(o.ready).await;
-        t.set(i.request.valid, 0);
+        t.send(i.request, Request { x, y, word }).await;
         t.wait(3).await;
         if t.get_u64(o.overflow) == 1 {
             overflows += 1;
             swap_and_wait(&t, i.swap, merged).await;
-            for patch in 0..patches {
-                t.set(i.clear.valid, 1);
-                t.set(i.clear.patch, patch);
-                t.until(o.clear_ready).await;
+            for patch in 0..u64::from(patches) {
+                t.send(i.clear, Wanted { patch }).await;
             }
-            t.set(i.clear.valid, 0);
             pulse(&t, i.resume).await;
         }
         // Processors are not in step.

@@ -6,7 +6,7 @@
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send
 // Source      VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)
-// Described   rtl/src/lfb/image_memory.rs:80
+// Described   rtl/src/lfb/image_memory.rs:81
 `default_nettype none
 
 module image_memory_pages4_page_pixels16 (
@@ -14,7 +14,7 @@ module image_memory_pages4_page_pixels16 (
     input  wire        pe_rst,
     input  wire        merge_clk,
     input  wire        merge_rst,
-    // A pixel to draw, from the first stage.
+    // A pixel to draw, from the first stage: the third clock after the one before, or later.
     input  wire        draw_valid,    // There is one.
     input  wire [1:0]  draw_page,     // Its page.
     input  wire [3:0]  draw_offset,   // The pixel's place in the page.
@@ -26,7 +26,6 @@ module image_memory_pages4_page_pixels16 (
     input  wire [1:0]  send_page,     // Its page.
     input  wire [3:0]  send_offset,   // The pixel's place in the page.
     input  wire        send_buffer,   // The buffer to read and clear.
-    output wire        ready,         // A pixel is accepted at this edge.
     output wire        idle,          // No pixel is under way.
     output wire [47:0] sent           // The word sent.
 );
@@ -37,28 +36,27 @@ module image_memory_pages4_page_pixels16 (
     localparam [1:0] STAGE2_WRITE   = 2'd3;
 
     reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:83
-    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:94
-    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:95
-    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:97
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:104
+    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:93
+    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:94
+    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:96
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:103
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:80
+    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:81
     /* verilator lint_on MULTIDRIVEN */
-    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:96
-    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:102
+    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:95
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:101
 
     initial begin : words_contents
         integer i;
         for (i = 0; i < 128; i = i + 1) words[i] = 48'hffffffffffff;
     end
 
-    wire can_accept = (stage2 == STAGE2_IDLE) | (stage2 == STAGE2_WRITE); // rtl/src/lfb/image_memory.rs:84
-    wire accept = draw_valid & can_accept;                       // rtl/src/lfb/image_memory.rs:85
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:100
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:101
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:105
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:105
+    wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:90
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:99
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:100
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:104
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:104
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;
@@ -71,7 +69,7 @@ module image_memory_pages4_page_pixels16 (
     end
 
     always @(posedge pe_clk) begin
-        if (accept) begin
+        if (begins) begin
             drawn_address <= {draw_page, draw_offset, front};
             drawn_word <= draw_word;
         end
@@ -86,11 +84,11 @@ module image_memory_pages4_page_pixels16 (
             stage2 <= STAGE2_IDLE;
         end else begin
             case (stage2)
-                STAGE2_IDLE: if (accept) stage2 <= STAGE2_READ;
+                STAGE2_IDLE: if (draw_valid) stage2 <= STAGE2_READ;
                 STAGE2_READ: stage2 <= STAGE2_COMPARE;
                 STAGE2_COMPARE: stage2 <= STAGE2_WRITE;
                 default: begin // STAGE2_WRITE
-                    if (accept) stage2 <= STAGE2_READ;
+                    if (draw_valid) stage2 <= STAGE2_READ;
                     else stage2 <= STAGE2_IDLE;
                 end
             endcase
@@ -102,16 +100,14 @@ module image_memory_pages4_page_pixels16 (
         else if (send_enable) resident <= send_resident;
     end
 
-    assign ready = can_accept;
-
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!draw_valid | can_accept);              // rtl/src/lfb/image_memory.rs:86
+        if (!pe_rst) assume (!draw_valid | begins);                  // rtl/src/lfb/image_memory.rs:91
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!draw_valid | can_accept)) begin            // rtl/src/lfb/image_memory.rs:86
+        if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:91
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the second stage ends before the first has a page again", $time);
             $stop;
         end

@@ -5,7 +5,7 @@
 // Parameters  LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }
 // Latency     an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word
 // Source      VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)
-// Described   rtl/src/lfb/unit.rs:97
+// Described   rtl/src/lfb/unit.rs:86
 `default_nettype none
 
 module lfb_unit_width16_height8_edge4_pages4 (
@@ -14,12 +14,12 @@ module lfb_unit_width16_height8_edge4_pages4 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     // A pixel that the processor draws.
-    input  wire        request_valid, // There is one.
+    input  wire        request_valid,
     input  wire [3:0]  request_x,     // Counted from the left.
     input  wire [2:0]  request_y,     // Counted from the top.
     input  wire [47:0] request_word,  // Depth above colour.
-    // A patch table entry that the processor clears.
-    input  wire        clear_valid,   // There is one.
+    // A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
+    input  wire        clear_valid,
     input  wire [2:0]  clear_patch,   // Its number.
     input  wire        swap,          // For one clock, when idle or in overflow: exchange the buffers.
     input  wire        resume,        // For one clock: try the held request again.
@@ -30,45 +30,44 @@ module lfb_unit_width16_height8_edge4_pages4 (
     // Where a restart puts the scan counter; a constant, `ScanCounter::preset`.
     input  wire [3:0]  preset_x,      // Counted from the left.
     input  wire [2:0]  preset_y,      // Counted from the top.
-    output wire        ready,         // A request is accepted at this edge.
-    output wire        clear_ready,   // A clear is accepted at this edge. If a request is too, the clear comes first.
     output wire        overflow,      // A request is held, because its patch has no page and all pages are taken.
     output wire [2:0]  pages_used,    // How many pages of the front buffer are taken.
     output wire        idle,          // No request is under way.
-    output wire [47:0] word           // The pixel sent to the merging unit.
+    output wire [47:0] word,          // The pixel sent to the merging unit.
+    output wire        request_ready,
+    output wire        clear_ready
 );
 
-    reg front;                                                   // rtl/src/lfb/unit.rs:97
-    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:98
-    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:98
-    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:99
-    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:99
-    reg sought_armed;                                            // rtl/src/lfb/unit.rs:108
-    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:109
-    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:110
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:120
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:121
+    reg front;                                                   // rtl/src/lfb/unit.rs:86
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:87
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:87
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:88
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:88
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:97
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:98
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:99
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:110
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:111
 
-    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:105
-    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:105
-    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:105
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:119
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:119
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:119
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:119
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:119
-    wire u_image_memory_ready;                                   // rtl/src/lfb/unit.rs:128
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:128
+    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:94
+    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:94
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:94
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:109
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:109
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:109
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:109
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:109
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:118
 
-    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:100
-    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:101
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:89
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:90
     wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
-    wire wanted_offset_enable = request_valid & ready;           // rtl/src/lfb/unit.rs:114
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:124
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:129
+    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:104
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:114
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:119
 
-    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:105
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:94
         .clk          (merge_clk),
         .rst          (merge_rst),
         .scan_restart (scan_restart),
@@ -80,7 +79,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:119
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:109
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -102,11 +101,11 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .page                (u_patch_table_page),
         .scan_entry_resident (u_patch_table_scan_entry_resident),
         .scan_entry_page     (u_patch_table_scan_entry_page),
-        .look_up_ready       (ready),
+        .look_up_ready       (request_ready),
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:128
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:118
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -121,7 +120,6 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .send_page     (u_patch_table_scan_entry_page),
         .send_offset   (sought_offset),
         .send_buffer   (back),
-        .ready         (u_image_memory_ready),
         .idle          (u_image_memory_idle),
         .sent          (word)
     );
@@ -134,7 +132,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
     end
 
     always @(posedge pe_clk) begin
-        if (wanted_offset_enable) begin
+        if (accept) begin
             wanted_offset <= {request_y[1:0], request_x[1:0]};
             wanted_word <= request_word;
         end
@@ -168,16 +166,16 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:130
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:131
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:120
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:121
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:130
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:120
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             $stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:131
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:121
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             $stop;
         end
@@ -186,6 +184,6 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `endif
 
     wire _unused_ok = &{1'b0, u_patch_table_scan_patch_product[3],
-            u_patch_table_look_up_patch_product[3], u_image_memory_ready};
+            u_patch_table_look_up_patch_product[3]};
 endmodule
 `default_nettype wire

@@ -6,7 +6,7 @@
 // Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2 }
 // Latency     a round of merging takes 296 clocks
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)
-// Described   rtl/src/vc1/mod.rs:115
+// Described   rtl/src/vc1/mod.rs:111
 `default_nettype none
 
 module vc1_width16_height8_edge4_pages4_processors2 (
@@ -16,12 +16,12 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     input  wire        pe_rst,
     // Of each processor.
     // A pixel to draw.
-    input  wire        processors_0_request_valid, // There is one.
+    input  wire        processors_0_request_valid,
     input  wire [3:0]  processors_0_request_x,     // Counted from the left.
     input  wire [2:0]  processors_0_request_y,     // Counted from the top.
     input  wire [47:0] processors_0_request_word,  // Depth above colour.
     // A patch table entry to clear.
-    input  wire        processors_0_clear_valid,   // There is one.
+    input  wire        processors_0_clear_valid,
     input  wire [2:0]  processors_0_clear_patch,   // Its number.
     input  wire        processors_0_swap,          // For one clock, when idle or in overflow: exchange the buffers.
     input  wire        processors_0_resume,        // For one clock, in overflow: try the held request again.
@@ -40,13 +40,9 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] gfb_background,
     // To each processor.
-    output wire        processors_0_ready,         // The request is accepted at this edge.
-    output wire        processors_0_clear_ready,   // The clear is accepted at this edge.
     output wire        processors_0_overflow,      // The request is held: all pages are taken.
     output wire [2:0]  processors_0_pages_used,    // How many pages are taken.
     output wire        processors_0_idle,          // Nothing is under way.
-    output wire        processors_1_ready,
-    output wire        processors_1_clear_ready,
     output wire        processors_1_overflow,
     output wire [2:0]  processors_1_pages_used,
     output wire        processors_1_idle,
@@ -56,13 +52,17 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     // The next or present round is the first since the banks were swapped.
     output wire        gfb_first_round,
     // The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
-    output wire [8:0]  gfb_clocks
+    output wire [8:0]  gfb_clocks,
+    output wire        processors_0_request_ready,
+    output wire        processors_0_clear_ready,
+    output wire        processors_1_request_ready,
+    output wire        processors_1_clear_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:116
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:116
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:116
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:115
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:112
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:112
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:112
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:111
 
     genvar i;
 
@@ -75,13 +75,13 @@ module vc1_width16_height8_edge4_pages4_processors2 (
     wire [1:0] u_lfb_swap = {processors_1_swap, processors_0_swap};
     wire [1:0] u_lfb_resume = {processors_1_resume, processors_0_resume};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:118
-            wire ready;
-            wire clear_ready;
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:114
             wire overflow;
             wire [2:0] pages_used;
             wire idle;
             wire [47:0] word;
+            wire request_ready;
+            wire clear_ready;
             wire request_valid = u_lfb_request_valid[i];
             wire [3:0] request_x = u_lfb_request_x[i * 4 +: 4];
             wire [2:0] request_y = u_lfb_request_y[i * 3 +: 3];
@@ -110,17 +110,17 @@ module vc1_width16_height8_edge4_pages4_processors2 (
                 .scan_enable   (u_gfb_scan_enable),
                 .preset_x      (preset_x[3:0]),
                 .preset_y      (preset_y[2:0]),
-                .ready         (ready),
-                .clear_ready   (clear_ready),
                 .overflow      (overflow),
                 .pages_used    (pages_used),
                 .idle          (idle),
-                .word          (word)
+                .word          (word),
+                .request_ready (request_ready),
+                .clear_ready   (clear_ready)
             );
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20 u_gfb (           // rtl/src/vc1/mod.rs:116
+    gfb_unit_width16_height8_units2_overhead20 u_gfb (           // rtl/src/vc1/mod.rs:112
         .clk               (merge_clk),
         .rst               (merge_rst),
         .host_start        (gfb_start),
@@ -137,7 +137,7 @@ module vc1_width16_height8_edge4_pages4_processors2 (
         .left              (u_gfb_left)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:127
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:123
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),
@@ -146,13 +146,14 @@ module vc1_width16_height8_edge4_pages4_processors2 (
         .merged    (merged)
     );
 
-    assign processors_0_ready = u_lfb[0].ready;
-    assign processors_0_clear_ready = u_lfb[0].clear_ready;
+    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:115
+    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:115
+    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:115
+    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:115
+
     assign processors_0_overflow = u_lfb[0].overflow;
     assign processors_0_pages_used = u_lfb[0].pages_used;
     assign processors_0_idle = u_lfb[0].idle;
-    assign processors_1_ready = u_lfb[1].ready;
-    assign processors_1_clear_ready = u_lfb[1].clear_ready;
     assign processors_1_overflow = u_lfb[1].overflow;
     assign processors_1_pages_used = u_lfb[1].pages_used;
     assign processors_1_idle = u_lfb[1].idle;

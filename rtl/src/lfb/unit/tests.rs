@@ -62,7 +62,7 @@ impl Bench {
         sim.set(x, preset.x);
         sim.set(y, preset.y);
         sim.set(sim.i.scan.restart, 1);
-        sim.step_clock("merge", 1);
+        sim.step_clock(MERGE, 1);
         sim.set(sim.i.scan.restart, 0);
         sim.set(sim.i.scan.enable, 1);
         Bench {
@@ -87,7 +87,7 @@ impl Bench {
     }
 
     fn now(&self) -> u64 {
-        self.sim.cycles("pe").unwrap()
+        self.sim.cycles(PE).unwrap()
     }
 
     /// Lets a clock of the processor pass, and takes what the merger gets meanwhile.
@@ -95,9 +95,9 @@ impl Bench {
         let now = self.now();
         while self.now() == now {
             let word = self.sim.get_u64(self.sim.o.word);
-            let merged = self.sim.cycles("merge").unwrap();
+            let merged = self.sim.cycles(MERGE).unwrap();
             self.sim.step();
-            if self.sim.cycles("merge").unwrap() > merged {
+            if self.sim.cycles(MERGE).unwrap() > merged {
                 self.merge(word);
             }
         }
@@ -121,7 +121,7 @@ impl Bench {
         }
         // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
         let restart = self.advanced == self.restart_at;
-        let merged = self.sim.cycles("merge").unwrap();
+        let merged = self.sim.cycles(MERGE).unwrap();
         self.sim.set(scan.restart, restart);
         self.sim.set(scan.enable, if restart { self.restart_advances } else { merged % 11 > 1 });
     }
@@ -143,7 +143,7 @@ impl Bench {
         self.sim.set(self.sim.i.request.y, y);
         self.sim.set(self.sim.i.request.word, word);
         let due = self.now().max(self.found);
-        self.wait_until(|o| o.ready);
+        self.wait_until(self.sim.i.request.ready);
         let accepted = self.now();
         assert_eq!(accepted, due, "a request is accepted when the one before has its page");
         self.clock();
@@ -168,8 +168,8 @@ impl Bench {
     }
 
     /// Lets clocks pass until an output is high, which takes at most 9: a clear and both stages, or a swap.
-    fn wait_until(&mut self, output: impl Fn(&LfbUnitOut<Port>) -> Port) {
-        let (port, start) = (output(&self.sim.o), self.now());
+    fn wait_until(&mut self, port: Port) {
+        let start = self.now();
         while self.sim.get(port) != 1 {
             assert!(self.now() < start + 9, "the unit does not go on");
             self.clock();
@@ -179,7 +179,7 @@ impl Bench {
     /// Swaps when the back buffer has been sent, and clears the patch table.
     fn swap(&mut self) {
         if self.sim.get(self.sim.o.overflow) != 1 {
-            self.wait_until(|o| o.idle);
+            self.wait_until(self.sim.o.idle);
         }
         assert_eq!(self.sim.get_u64(self.sim.o.pages_used), self.model.resident.len() as u64);
         self.finish_scan();
@@ -197,7 +197,7 @@ impl Bench {
     fn clear(&mut self, patch: u32) -> u64 {
         self.sim.set(self.sim.i.clear.valid, 1);
         self.sim.set(self.sim.i.clear.patch, patch);
-        self.wait_until(|o| o.clear_ready);
+        self.wait_until(self.sim.i.clear.ready);
         let accepted = self.now();
         self.clock();
         self.sim.set(self.sim.i.clear.valid, 0);
@@ -248,10 +248,10 @@ fn hits_are_accepted_every_3_clocks_and_misses_every_4() {
     let mut bench = Bench::new(SMALL, 4, 30, 0);
     let misses: Vec<u64> = (0..6).map(|i| bench.draw((4 * i, 0), 9)).collect();
     assert_eq!(intervals(&misses), [4; 5]);
-    bench.wait_until(|o| o.idle);
+    bench.wait_until(bench.sim.o.idle);
     let hits: Vec<u64> = (0..24).map(|x| bench.draw((x, 1), 9)).collect();
     assert_eq!(intervals(&hits), [3; 23]);
-    bench.wait_until(|o| o.idle);
+    bench.wait_until(bench.sim.o.idle);
     let mixed = [(0, 2), (0, 4), (0, 3), (4, 4), (8, 4), (5, 4)].map(|pixel| bench.draw(pixel, 9));
     assert_eq!(intervals(&mixed), [3, 4, 3, 4, 4]);
 }
@@ -286,7 +286,7 @@ fn after_a_whole_scan_the_back_buffer_is_empty() {
     }
     bench.swap();
     bench.draw((3, 3), 1);
-    bench.wait_until(|o| o.idle);
+    bench.wait_until(bench.sim.o.idle);
     assert!(bench.words_held()[0] > 300, "{:?}: the scan is not far yet", bench.words_held());
     bench.finish_scan();
     assert_eq!(bench.words_held(), [0, 1]);

@@ -22,7 +22,7 @@ fn the_table_is_free_when_the_merger_has_followed_a_swap() {
         bench.clock();
         bench.sim.set(bench.sim.i.swap, 0);
         let followed = (bench.sim.time() / merge + 2) * merge;
-        bench.wait_until(|o| o.clear_ready);
+        bench.wait_until(bench.sim.i.clear.ready);
         assert_eq!(bench.sim.time(), (followed / pe + 2) * pe, "a swap after {wait} clocks");
     }
 }
@@ -36,13 +36,13 @@ fn after_a_reset_the_table_is_free_and_stays_free() {
         for swap in [1, 0] {
             sim.reset();
             for clock in 0..16 {
-                assert_eq!(sim.get_u64(sim.o.clear_ready), 1, "clock {clock} of {wait}");
-                sim.step_clock("pe", 1);
+                assert_eq!(sim.get_u64(sim.i.clear.ready), 1, "clock {clock} of {wait}");
+                sim.step_clock(PE, 1);
             }
             sim.set(sim.i.swap, swap);
-            sim.step_clock("pe", 1);
+            sim.step_clock(PE, 1);
             sim.set(sim.i.swap, 0);
-            sim.step_clock("pe", wait);
+            sim.step_clock(PE, wait);
         }
     }
 }
@@ -57,7 +57,7 @@ fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
             for x in 0..24 {
                 bench.draw((u64::abs_diff(first, x), 0), x);
             }
-            bench.wait_until(|o| o.idle);
+            bench.wait_until(bench.sim.o.idle);
             bench.wait_for_scan(2);
             (0..wait).for_each(|_| bench.clock());
             bench.swap();

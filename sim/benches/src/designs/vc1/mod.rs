@@ -18,11 +18,11 @@
 mod host;
 mod painter;
 
-use tilewright_hdl::{Fields, Module, Signal, bits, block, constants, def, stack};
+use tilewright_hdl::{Module, Signal, bits, block, constants, def, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
-use tilewright_rtl::vc1::{Vc1, Vc1In};
+use tilewright_rtl::vc1::{ProcessorIn, Vc1, Vc1In};
 
 use super::BenchOut;
 use crate::word::seed;
@@ -70,17 +70,13 @@ impl Vc1Frames {
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
-        let wire = |name: &str, number: u32| m.wire(&format!("{name}{number}"), 1);
-        let wires = |name: &str| (0..self.processors).map(|number| wire(name, number)).collect::<Vec<_>>();
-        let (ready, clear_ready, idle) = (wires("ready"), wires("clear_ready"), wires("idle"));
+        let idle: Vec<_> = (0..self.processors).map(|number| m.wire(&format!("idle{number}"), 1)).collect();
         def!(request = merge.wire(1));
         def!(swap = pe.synchronize(*request));
 
         let painter = Painter { patches: self.patches, painted: self.painted };
         let painters = pe.array("u_painter", self.processors, &painter, |_| PainterIn {
             seed: constants(bits(32).of(self.processors), seed),
-            ready: stack(ready.iter().map(|wire| Signal::from(*wire))),
-            clear_ready: stack(clear_ready.iter().map(|wire| Signal::from(*wire))),
             idle: stack(idle.iter().map(|wire| Signal::from(*wire))),
             swap,
         });
@@ -93,14 +89,18 @@ impl Vc1Frames {
         let host = merge.instance("u_host", &host, HostIn { drawn, swapped, hash, read_word: *read_word, busy: *busy });
         request.drive(host.request);
 
-        let processors = (0..self.processors).map(|number| painters.vc1.map(|field| field.lane(number))).collect();
+        let ProcessorIn { request, clear, swap, resume } = painters.vc1;
+        let streams = request.lanes().into_iter().zip(clear.lanes());
+        let processor = |(number, (request, clear))| {
+            let [swap, resume] = [swap, resume].map(|field| field.lane(number));
+            ProcessorIn { request, clear, swap, resume }
+        };
+        let processors = (0..).zip(streams).map(processor).collect();
         let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, gfb: host.gfb });
         read_word.drive(vc1.gfb.read_word);
         busy.drive(vc1.gfb.busy);
-        for (number, processor) in vc1.processors.iter().enumerate() {
-            ready[number].drive(processor.ready);
-            clear_ready[number].drive(processor.clear_ready);
-            idle[number].drive(processor.idle);
+        for (idle, processor) in idle.iter().zip(&vc1.processors) {
+            idle.drive(processor.idle);
         }
         BenchOut { csum: host.csum }
     }

@@ -1,7 +1,7 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
 use tilewright_hdl::{Module, Reg, bit, bits, block, cat, codes, def, index_width, lit, mux, when};
-use tilewright_rtl::lfb::{Clear, Patches, Request};
+use tilewright_rtl::lfb::{Patches, Request, Wanted};
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
 
@@ -31,10 +31,6 @@ block! {
     in PainterIn {
         /// Of the random generator.
         seed: bits(32),
-        /// The local frame buffer takes the pixel at this edge.
-        ready: bit(),
-        /// The local frame buffer clears the entry at this edge.
-        clear_ready: bit(),
         /// Nothing is under way in the local frame buffer.
         idle: bit(),
         /// The host wants the buffers swapped; until it has seen that they are.
@@ -61,29 +57,32 @@ impl Painter {
         random.next(mux(seeded, xorshift(*random), i.seed));
 
         def!(entry = m.reg(self.patches.patch_width()).reset(0));
-        def!(cleared = phase.is(Phase::Clear) & i.clear_ready);
+        let (clear, cleared) = m.offer(phase.is(Phase::Clear), Wanted { patch: *entry });
         def!(last_entry = entry.eq(self.patches.count() - 1));
         entry.enable(cleared).next(mux(last_entry, 0, entry + 1));
 
         // A pixel is computed in 16 clocks on average, and then asks until it is taken.
         def!(asks = m.reg(1).reset(0));
-        def!(computed = phase.is(Phase::Draw) & !asks & random.slice(28..32).eq(0));
-        def!(taken = asks & i.ready);
-        asks.next(computed | (asks & !i.ready));
         def!(word = m.reg(WORD));
-        word.enable(computed).next(cat![random.slice(0..24), random.slice(8..32)]);
         def!(pixel = m.reg(4).reset(0));
+        let columns = self.patches.columns();
+        let rows = self.patches.count() / columns;
+        def!(column = m.reg(index_width(columns.into())).reset(0));
+        def!(row = m.reg(index_width(rows.into())).reset(0));
+        let edge = |position: Reg, low: u32| cat![position, pixel.slice(low..low + 2)];
+        let (request, taken) = m.offer(asks, Request { x: edge(column, 0), y: edge(row, 2), word: *word });
+        def!(computed = phase.is(Phase::Draw) & !asks & random.slice(28..32).eq(0));
+        asks.when(computed, 1).when(taken, 0);
+        word.enable(computed).next(cat![random.slice(0..24), random.slice(8..32)]);
         pixel.enable(taken).next(pixel + 1);
 
         def!(patch_ends = taken & pixel.all_ones());
-        let patch = |name: &str, count: u32, low: u32| {
-            let width = index_width(count.into());
-            let position = m.reg(name, width).reset(0);
-            position.enable(patch_ends).next(below(random.slice(low..low + width), count, (1 << width) - count));
-            position
+        let jump = |position: Reg, count: u32, low: u32| {
+            let width = position.width();
+            position.when(patch_ends, below(random.slice(low..low + width), count, (1 << width) - count));
         };
-        let column = patch("column", self.patches.columns(), 0);
-        let row = patch("row", self.patches.count() / self.patches.columns(), 12);
+        jump(column, columns, 0);
+        jump(row, rows, 12);
         def!(painted = m.reg(index_width(self.painted.into())).reset(0));
         def!(last_patch = painted.eq(self.painted - 1));
         painted.enable(patch_ends).next(mux(last_patch, 0, painted + 1));
@@ -98,9 +97,6 @@ impl Painter {
 
         def!(hash = m.reg(32).reset(0));
         hash.enable(taken).next(hash.rotate_left(1) ^ *random);
-        let edge = |position: Reg, low: u32| cat![position, pixel.slice(low..low + 2)];
-        let request = Request { valid: *asks, x: edge(column, 0), y: edge(row, 2), word: *word };
-        let clear = Clear { valid: phase.is(Phase::Clear), patch: *entry };
         PainterOut {
             vc1: ProcessorIn { request, clear, swap: swaps, resume: lit(1, 0) },
             drawn: phase.is(Phase::Wait) & i.idle,
