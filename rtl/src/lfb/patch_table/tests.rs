@@ -47,7 +47,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
 fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
     let state = |sim: &mut Sim| {
         let code = sim.peek("stage1").unwrap().to_u64().unwrap();
-        sim.step_clock("pe", 1);
+        sim.step_clock(PE, 1);
         Stage1::ALL[code as usize].name()
     };
     (0..n).map(|_| state(sim)).collect()
@@ -55,7 +55,7 @@ fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
 
 fn pulse(port: Port, sim: &mut Sim) {
     sim.set(port, 1);
-    sim.step_clock("pe", 1);
+    sim.step_clock(PE, 1);
     sim.set(port, 0);
 }
 
@@ -76,7 +76,7 @@ fn a_clear_and_a_look_up_clock_by_clock() {
     let mut sim = Simulation::of(&PatchTable { patches: 6, pages: 4 }).unwrap().seeded(1);
     sim.set(sim.i.settled, 1);
     sim.reset();
-    sim.step_clock("pe", 1);
+    sim.step_clock(PE, 1);
     let wave = sim.record([
         "clear_valid",
         "clear_ready",
@@ -225,7 +225,7 @@ fn the_scan_reads_the_buffer_it_names() {
     clocks(&mut sim, 5);
     let mut entry = |patch, buffer| {
         sim.drive(PatchTableIn { scan: ScanLookUp { enable: 1, patch, buffer }, ..idle() });
-        sim.step_clock("merge", 1);
+        sim.step_clock(MERGE, 1);
         let Entry { resident, page } = sim.read_u64().scan_entry;
         (resident == 1).then_some(page)
     };

@@ -190,7 +190,7 @@ proptest! {
                 prop_assert_eq!((o.scan_entry.resident == 1).then_some(o.scan_entry.page), entry);
             }
 
-            let clocks = |sim: &Simulation<_, _>| ["pe", "merge"].map(|clock| sim.cycles(clock).unwrap());
+            let clocks = |sim: &Simulation<_, _>| [PE, MERGE].map(|clock| sim.cycles(clock).unwrap());
             let before = clocks(&sim);
             sim.step();
             let [pe, merge] = clocks(&sim);
