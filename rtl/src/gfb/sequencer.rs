@@ -82,23 +82,26 @@ impl GfbSequencer {
         def!(clocks_left = m.reg(below(longest)).reset(0));
         def!(part_ends = clocks_left.eq(0));
         def!(last_pixel = x.eq(width - 1));
-        def!(last_line_ends = part_ends & y.eq(height - 1));
+        def!(last_line = y.eq(height - 1));
         let moves = round.next(|part| match part {
             Round::Idle => when(i.start, Round::Prime),
             Round::Prime => when(part_ends, Round::Line),
             Round::Line => when(last_pixel, Round::Overhead),
-            Round::Overhead => when(last_line_ends, Round::Drain).or_when(part_ends, Round::Line),
+            Round::Overhead => when(!part_ends, Round::Overhead).or_when(last_line, Round::Drain).or_else(Round::Line),
             Round::Drain => when(part_ends, Round::Idle),
         });
         def!(begins = moves.leaves(Round::Idle));
         def!(line_ends = moves.leaves(Round::Line));
-        def!(overhead_ends = round.is(Round::Overhead) & part_ends);
+        def!(overhead_ends = moves.leaves(Round::Overhead));
         def!(scan_ends = moves.enters(Round::Drain));
         def!(ends = moves.leaves(Round::Drain));
         x.when(line_ends, 0).when(round.is(Round::Line), x + 1);
         y.when(scan_ends, 0).when(overhead_ends, y + 1);
-        let lengths = [(begins, SCAN_LATENCY - 1), (line_ends, self.overhead - 1), (scan_ends, drain - 1)];
-        clocks_left.next(select(lengths, mux(part_ends, 0, clocks_left - 1)));
+        clocks_left
+            .when(begins, SCAN_LATENCY - 1)
+            .when(line_ends, self.overhead - 1)
+            .when(scan_ends, drain - 1)
+            .when(!part_ends, clocks_left - 1);
 
         // The pixels that enter the chain, and those that have gone through all of it.
         def!(enable = round.is(Round::Prime) | round.is(Round::Line) | round.is(Round::Drain));
@@ -107,7 +110,7 @@ impl GfbSequencer {
         let way = SCAN_LATENCY + drain;
         def!(until_stored = m.reg(up_to(way)).reset(0));
         def!(stores = enable & until_stored.eq(0));
-        until_stored.when(begins, way).when(enable & !stores, until_stored - 1);
+        until_stored.when(begins, way).when(stores, 0).when(enable, until_stored - 1);
         def!(store = m.reg(below(self.screen.pixels())).reset(0));
         store.when(begins, 0).when(stores, store + 1);
 

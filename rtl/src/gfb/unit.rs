@@ -82,13 +82,13 @@ impl GfbUnit {
 
         // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
         // pixel is fed long before it is stored.
-        let filled = m.toggle("filled_bank", swap);
+        def!(filled_bank = m.toggle(swap));
         def!(banks = m.memory(2 * self.screen.pixels(), WORD, ReadUnderWrite::Any));
-        banks.write(round.stores, cat![round.store, filled], i.merged);
-        def!(read_word = banks.read(cat![read_address, !filled]));
+        banks.write(round.stores, cat![round.store, filled_bank], i.merged);
+        def!(read_word = banks.read(cat![read_address, !filled_bank]));
 
         def!(first_round = m.reg(1).reset(1).when(swap, 1).when(round.ends, 0));
-        def!(old = banks.read_when(round.scan.enable, cat![round.feed, filled]));
+        def!(old = banks.read_when(round.scan.enable, cat![round.feed, filled_bank]));
         def!(left = m.pipe_when(round.scan.enable, mux(first_round, background, old)));
 
         let view = View { read_word, busy: round.busy, first_round: *first_round, clocks: round.clocks };

@@ -38,7 +38,7 @@ block! {
     latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
     source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
     in(self) ImageMemoryIn {
-        /// A pixel to draw, from the first stage: the third clock after the one before, or later.
+        /// A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
         draw: pub struct Draw {
             /// There is one.
             valid: bit(),

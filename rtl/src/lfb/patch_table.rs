@@ -95,41 +95,42 @@ impl PatchTable {
     fn build(&self, m: Module, i: PatchTableIn) -> PatchTableOut {
         use Stage1::*;
         let m = m.on(PE);
-        let stage = m.fsm("stage1", Idle);
-        def!(clearing = m.reg(2).reset(0));
+        def!(stage1 = m.fsm(Idle));
+        let [idle, found, overflow] = [Idle, Found, Overflow].map(|state| stage1.is(state));
+        def!(clearing = m.reg(below(CLEAR_CLOCKS)).reset(0));
+        def!(cleared = clearing.eq(0));
 
-        def!(table_free = clearing.eq(0) & i.settled);
-        def!(can_accept = stage.is(Idle) | stage.is(Found));
+        def!(table_free = cleared & i.settled);
+        def!(can_accept = idle | found);
         let look_up = i.look_up.take_when(can_accept);
-        let clear = i.clear.take_when(table_free & (can_accept | stage.is(Overflow)));
-        clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(clearing.ne(0), clearing - 1);
+        let clear = i.clear.take_when(table_free & (can_accept | overflow));
+        clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(!cleared, clearing - 1);
         def!(patch = m.pipe_when(look_up.taken, look_up.patch));
 
         // The two ports are never in the same buffer.
-        let entry = Entry { resident: bit(), page: below(self.pages) };
-        let table = m.memory("entries", 2 * self.patches, entry, ReadUnderWrite::Any).fill(0);
+        let layout = Entry { resident: bit(), page: below(self.pages) };
+        def!(entries = m.memory(2 * self.patches, layout, ReadUnderWrite::Any).fill(0));
         def!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
-        def!(read = stage.is(Read) & table_free);
-        def!(entry = table.on(PE).read_when(read, address));
+        def!(read = m.wire(bit()));
+        def!(entry = entries.on(PE).read_when(*read, address));
 
-        def!(allocate = stage.is(Allocate));
+        def!(allocate = stage1.is(Allocate));
         let taking = PageIdGeneratorIn { restart: i.restart, take: allocate };
         let free = m.instance("u_page_id_generator", &PageIdGenerator { pages: self.pages }, taking);
-        let moves = stage.next(|state| match state {
+        let moves = stage1.next(|state| match state {
             Idle => when(look_up.taken, Read),
-            Read => when(read, Examine),
+            Read => when(table_free, Examine),
             Examine => when(entry.resident, Found).or_when(free.exhausted, Overflow).or_else(Allocate),
             Allocate => goto(Found),
             Found => when(look_up.taken, Read).or_else(Idle),
             Overflow => when(i.resume, Read),
         });
-
+        read.drive(moves.leaves(Read));
         m.cover("a look-up finds no free page", moves.enters(Overflow));
 
-        def!(page = m.pipe_when(stage.is(Examine), mux(entry.resident, entry.page, free.page)));
-        table.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
-        def!(scan_entry = table.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
-        let (overflow, idle, found) = (stage.is(Overflow), stage.is(Idle), stage.is(Found));
+        def!(page = m.pipe_when(stage1.is(Examine), mux(entry.resident, entry.page, free.page)));
+        entries.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
+        def!(scan_entry = entries.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
         PatchTableOut { overflow, idle, pages_used: free.used, found, page, scan_entry }
     }
 }

@@ -79,8 +79,9 @@ impl ScanCounter {
             Pass::Frame | Pass::After => Pass::After,
         });
         pass.when(restart, mux(at_start, Pass::Frame, Pass::Before)).when(frame_end, following);
-        m.cover("a whole frame is sent", frame_end & pass.is(Pass::Frame));
-        ScanCounterOut { pixel: Position { x: *x, y: *y }, armed: pass.is(Pass::Frame) }
+        def!(armed = pass.is(Pass::Frame));
+        m.cover("a whole frame is sent", frame_end & armed);
+        ScanCounterOut { pixel: Position { x: *x, y: *y }, armed }
     }
 }
 

@@ -81,6 +81,7 @@ block! {
 impl LfbUnit {
     fn build(&self, m: Module, i: LfbUnitIn) -> LfbUnitOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
+        let ScanControl { restart, enable } = i.scan;
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
         def!(front = pe.toggle(i.swap));
@@ -93,27 +94,27 @@ impl LfbUnit {
         let counter = ScanCounter { screen: self.patches.screen() };
         let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan: i.scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
-        let armed =
-            merge.reg("sought_armed", bit()).reset(0).when(i.scan.restart, 0).when(i.scan.enable, counted.armed);
-        let offset = merge.pipe_when(i.scan.enable, "sought_offset", sought.offset);
-        let buffer = merge.pipe_when(i.scan.enable, "sought_buffer", back);
+        def!(sought_armed = merge.reg(bit()).reset(0).when(restart, 0).when(enable, counted.armed));
+        def!(sought_offset = merge.pipe_when(enable, sought.offset));
+        def!(sought_buffer = merge.pipe_when(enable, back));
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let look_up = i.request.with(Wanted { patch: wanted.patch });
         def!(accept = i.request.valid & i.request.ready);
-        let seek = ScanLookUp { enable: i.scan.enable, patch: sought.patch, buffer: back };
+        let seek = ScanLookUp { enable, patch: sought.patch, buffer: back };
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
         let asked =
             PatchTableIn { look_up, clear: i.clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
         let table = m.instance("u_patch_table", &table, asked);
         def!(wanted_offset = pe.pipe_when(accept, wanted.offset));
-        let word = pe.pipe_when(accept, "wanted_word", i.request.word);
+        def!(wanted_word = pe.pipe_when(accept, i.request.word));
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
-        def!(resident = armed & table.scan_entry.resident & buffer.eq(back));
-        let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word };
-        let send = SendPixel { enable: i.scan.enable, resident, page: table.scan_entry.page, offset, buffer: back };
+        let entry = table.scan_entry;
+        def!(resident = sought_armed & entry.resident & sought_buffer.eq(back));
+        let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word: wanted_word };
+        let send = SendPixel { enable, resident, page: entry.page, offset: sought_offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
         let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
         let idle = table.idle & image.idle;

@@ -68,7 +68,8 @@ impl MergingUnit {
         // The last stage keeps what it chooses, not what it chooses from.
         let race = m.stages(STAGES - 1, i.enable, start, compare);
         let Race { left, right, right_is_nearer, .. } = compare(STAGES, race);
-        MergingUnitOut { nearer: m.pipe_when(i.enable, "nearer", mux(right_is_nearer, right, left)) }
+        def!(nearer = m.pipe_when(i.enable, mux(right_is_nearer, right, left)));
+        MergingUnitOut { nearer }
     }
 }
 

@@ -14,7 +14,7 @@ module image_memory_pages4_page_pixels16 (
     input  wire        pe_rst,
     input  wire        merge_clk,
     input  wire        merge_rst,
-    // A pixel to draw, from the first stage: the third clock after the one before, or later.
+    // A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
     input  wire        draw_valid,    // There is one.
     input  wire [1:0]  draw_page,     // Its page.
     input  wire [3:0]  draw_offset,   // The pixel's place in the page.

@@ -36,7 +36,7 @@ module scan_counter_width16_height8 (
     wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:71
     wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:72
     wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:76
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:83
+    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:82
 
     always @(posedge clk) begin
         if (rst) begin
@@ -68,14 +68,14 @@ module scan_counter_width16_height8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (frame_end & (pass == PASS_FRAME));          // rtl/src/lfb/scan_counter.rs:82
+        if (!rst) cover (frame_end & armed);                         // rtl/src/lfb/scan_counter.rs:83
         if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:77
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (frame_end & (pass == PASS_FRAME)) && !is_covered) begin // rtl/src/lfb/scan_counter.rs:82
+        if (!rst && (frame_end & armed) && !is_covered) begin        // rtl/src/lfb/scan_counter.rs:83
             $display("COVER: time %0t: %m: a whole frame is sent", $time);
             is_covered <= 1'b1;
         end
