@@ -72,6 +72,7 @@ fn pxpl() {
 #[test]
 fn vc1() {
     check("vc1x3@32x16", 200_000);
+    check("vc1x16@160x120", 200_000);
 }
 
 #[test]
