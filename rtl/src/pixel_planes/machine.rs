@@ -127,8 +127,7 @@ impl PixelPlanes5 {
         let finished: Vec<_> =
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();
         def!(room = m.wire(bit().of(row(renderers))));
-        let messages =
-            RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| (**planes).clone()).collect() };
+        let messages = RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| **planes).collect() };
         let sent = m.instance("u_ring", &ring, messages);
 
         let (mut rooms, mut takes, mut idles) = (Vec::new(), Vec::new(), Vec::new());
