@@ -89,11 +89,11 @@ impl BackingStore {
         let payload = BitPlane { region: *region, line: read_line, plane: read_plane, bits: sent_bits };
         let (planes, sent) = m.offer(*arrived, payload);
         reads.drive(reading & (!arrived | sent));
-        def!(line_ends = plane.eq(last_plane));
+        def!(line_ends = reads & plane.eq(last_plane));
         def!(ends = line_ends & line.eq(self.side - 1));
-        reading.when(complete, 1).when(reads & ends, 0);
-        plane.when(reads & line_ends, 0).when(reads, plane + 1);
-        line.when(reads & line_ends, line + 1);
+        reading.when(complete, 1).when(ends, 0);
+        plane.when(line_ends, 0).when(reads, plane + 1);
+        line.when(line_ends, line + 1);
         arrived.when(reads, 1).when(sent, 0);
         free.when(i.save.claim, 0).when(sent & !reading, 1);
 

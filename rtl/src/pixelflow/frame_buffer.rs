@@ -258,12 +258,13 @@ impl FrameBuffer {
 
         def!(arrived = m.reg(bit()).reset(0));
         def!(scans = m.wire(bit()));
-        def!(line_ends = x.eq(columns - 1));
-        def!(frame_ends = y.eq(lines - 1));
-        def!(region_ends = y.part(0, below(height)).eq(height - 1));
-        x.when(scans, mux(line_ends, 0, x + 1));
-        y.when(scans & line_ends, mux(frame_ends, 0, y + 1));
-        left.when(scans & line_ends & frame_ends, 0).when(scans & line_ends & region_ends, left + across);
+        def!(is_rightmost = x.eq(columns - 1));
+        def!(line_ends = scans & is_rightmost);
+        def!(frame_ends = line_ends & y.eq(lines - 1));
+        def!(region_ends = line_ends & y.part(0, below(height)).eq(height - 1));
+        x.when(line_ends, 0).when(*scans, x + 1);
+        y.when(frame_ends, 0).when(line_ends, y + 1);
+        left.when(frame_ends, 0).when(region_ends, left + across);
 
         let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
         def!(scanned = slot(*shown, *left + fitting(beside, left.width())));
@@ -274,7 +275,7 @@ impl FrameBuffer {
         };
         def!(scans_at = self.address(scanned, chip >> 1, inside));
         let [even, odd] = [even, odd].map(|memory| memory.read_when(*scans, scans_at));
-        let [is_odd, first, last] = [("is_odd", chip.bit(0)), ("first", is_first), ("last", line_ends)]
+        let [is_odd, first, last] = [("is_odd", chip.bit(0)), ("first", is_first), ("last", is_rightmost)]
             .map(|(name, mark)| m.pipe_when(*scans, name, mark));
         let colour = mux(is_odd, odd, even);
         let channel = |number: u32| colour.part(8 * number, 8);
@@ -316,9 +317,9 @@ impl FrameBuffer {
     fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
         def!(register = m.reg(below(COLOUR * RENDERINGS)));
         def!(sample = m.reg(below(SIDE * SIDE)));
-        def!(sample_ends = register.eq(COLOUR * RENDERINGS - 1));
-        register.when(begins | (runs & sample_ends), 0).when(runs, register + 1);
-        sample.when(begins, 0).when(runs & sample_ends, sample + 1);
+        def!(sample_ends = runs & register.eq(COLOUR * RENDERINGS - 1));
+        register.when(begins | sample_ends, 0).when(runs, register + 1);
+        sample.when(begins, 0).when(sample_ends, sample + 1);
         (concat(&[sample.bit(1), number, sample.bit(0)]), register.zext(6))
     }
 }

@@ -82,7 +82,7 @@ impl NetworkPort {
         def!(advances = mux(loads, i.sends, i.upstream.valid));
         def!(is_first = mux(loads, i.first, i.upstream.first));
         def!(pixel = m.reg(below(pixels)).reset(0));
-        pixel.when(advances & pixel.eq(pixels - 1), 0).when(advances, pixel + 1);
+        pixel.when(advances, mux(pixel.eq(pixels - 1), 0, pixel + 1));
         m.assume(!(loads & i.upstream.valid), "nothing comes while a node loads");
 
         let each = |signal: Signal| signal.of(row(chips));

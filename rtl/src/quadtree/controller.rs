@@ -70,12 +70,12 @@ impl VideoController {
         let group = words.rows().pick(*arrived_row);
         let (pixels, sent) = m.offer(*arrived, mux(group.all_ones(), blank, group));
         def!(asks = reading & (!arrived | sent));
-        def!(line_ends = column.eq(self.format.columns() - 1));
+        def!(line_ends = asks & column.eq(self.format.columns() - 1));
         def!(ends = line_ends & line.eq(screen.height - 1));
         arrived_row.drive(m.pipe_when(asks, "asked_row", matrix_row));
-        reading.when(i.show.start, 1).when(asks & ends, 0);
-        column.when(i.show.start | (asks & line_ends), 0).when(asks, column + 1);
-        line.when(i.show.start, 0).when(asks & line_ends, line + 1);
+        reading.when(i.show.start, 1).when(ends, 0);
+        column.when(i.show.start | line_ends, 0).when(asks, column + 1);
+        line.when(i.show.start, 0).when(line_ends, line + 1);
         arrived.when(asks, 1).when(sent, 0);
         m.assume(i.show.start.implies(!reading & !arrived), "a picture is asked for when none is read");
 

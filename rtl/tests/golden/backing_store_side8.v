@@ -44,7 +44,7 @@ module backing_store_side8 (
     wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:77
     wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:90
     wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:84
-    wire line_ends = plane == 6'd47;                             // rtl/src/pixel_planes/backing_store.rs:92
+    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:92
     wire ends = line_ends & (line == 3'd7);                      // rtl/src/pixel_planes/backing_store.rs:93
 
     genvar i;
@@ -97,10 +97,10 @@ module backing_store_side8 (
             if (save_claim) free <= 1'b0;
             else if (planes_taken & !reading) free <= 1'b1;
             if (complete) reading <= 1'b1;
-            else if (reads & ends) reading <= 1'b0;
-            if (reads & line_ends) plane <= 6'd0;
+            else if (ends) reading <= 1'b0;
+            if (line_ends) plane <= 6'd0;
             else if (reads) plane <= plane + 6'd1;
-            if (reads & line_ends) line <= line + 3'd1;
+            if (line_ends) line <= line + 3'd1;
             if (reads) arrived <= 1'b1;
             else if (planes_taken) arrived <= 1'b0;
         end

@@ -40,16 +40,16 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     reg [2:0] left;                                              // rtl/src/pixelflow/frame_buffer.rs:251
     reg has_frame;                                               // rtl/src/pixelflow/frame_buffer.rs:252
     reg arrived;                                                 // rtl/src/pixelflow/frame_buffer.rs:259
-    reg is_odd;                                                  // rtl/src/pixelflow/frame_buffer.rs:278
-    reg first;                                                   // rtl/src/pixelflow/frame_buffer.rs:278
-    reg last;                                                    // rtl/src/pixelflow/frame_buffer.rs:278
+    reg is_odd;                                                  // rtl/src/pixelflow/frame_buffer.rs:279
+    reg first;                                                   // rtl/src/pixelflow/frame_buffer.rs:279
+    reg last;                                                    // rtl/src/pixelflow/frame_buffer.rs:279
 
     (* no_rw_check *)
     reg [23:0] even [0:127];                                     // rtl/src/pixelflow/frame_buffer.rs:212
-    reg [23:0] even_read;                                        // rtl/src/pixelflow/frame_buffer.rs:276
+    reg [23:0] even_read;                                        // rtl/src/pixelflow/frame_buffer.rs:277
     (* no_rw_check *)
     reg [23:0] odd [0:127];                                      // rtl/src/pixelflow/frame_buffer.rs:212
-    reg [23:0] odd_read;                                         // rtl/src/pixelflow/frame_buffer.rs:276
+    reg [23:0] odd_read;                                         // rtl/src/pixelflow/frame_buffer.rs:277
 
     wire runs = busy & !(is_whole & (region == 2'd0));           // rtl/src/pixelflow/frame_buffer.rs:226
     wire turn_ends = runs & (clock == 3'd2);                     // rtl/src/pixelflow/frame_buffer.rs:227
@@ -62,22 +62,23 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     wire [6:0] stores_at = stores_at_joined | {3'd0, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
     wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:253
     wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:254
-    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:282
+    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:283
     wire scans = has_frame & !changes & (!arrived | pixels_taken); // rtl/src/pixelflow/frame_buffer.rs:260
-    wire line_ends = x == 4'd15;                                 // rtl/src/pixelflow/frame_buffer.rs:261
-    wire frame_ends = y == 3'd7;                                 // rtl/src/pixelflow/frame_buffer.rs:262
-    wire region_ends = y[1:0] == 2'd3;                           // rtl/src/pixelflow/frame_buffer.rs:263
-    wire [3:0] scanned_extended = {3'd0, x[3]};                  // rtl/src/pixelflow/frame_buffer.rs:268
-    wire [2:0] scanned_sum = left + scanned_extended[2:0];       // rtl/src/pixelflow/frame_buffer.rs:269
-    wire [2:0] scanned = shown ? (scanned_sum + 3'd4) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:269
-    wire [6:0] scans_at = {scanned, 4'h0} | {3'd0, {y[0], x[2:0]}}; // rtl/src/pixelflow/frame_buffer.rs:275
-    wire [23:0] pixels_red_choice = is_odd ? odd_read : even_read; // rtl/src/pixelflow/frame_buffer.rs:279
-    assign pixels_red = pixels_red_choice[23:16];                // rtl/src/pixelflow/frame_buffer.rs:280
-    assign pixels_green = pixels_red_choice[15:8];               // rtl/src/pixelflow/frame_buffer.rs:280
-    assign pixels_blue = pixels_red_choice[7:0];                 // rtl/src/pixelflow/frame_buffer.rs:280
-    assign port_pixel = pixel[3:0];                              // rtl/src/pixelflow/frame_buffer.rs:286
-    wire [7:0] port_address_extended = {5'd0, clock};            // rtl/src/pixelflow/frame_buffer.rs:288
-    assign port_address = port_address_extended[5:0];            // rtl/src/pixelflow/frame_buffer.rs:288
+    wire is_rightmost = x == 4'd15;                              // rtl/src/pixelflow/frame_buffer.rs:261
+    wire line_ends = scans & is_rightmost;                       // rtl/src/pixelflow/frame_buffer.rs:262
+    wire frame_ends = line_ends & (y == 3'd7);                   // rtl/src/pixelflow/frame_buffer.rs:263
+    wire region_ends = line_ends & (y[1:0] == 2'd3);             // rtl/src/pixelflow/frame_buffer.rs:264
+    wire [3:0] scanned_extended = {3'd0, x[3]};                  // rtl/src/pixelflow/frame_buffer.rs:269
+    wire [2:0] scanned_sum = left + scanned_extended[2:0];       // rtl/src/pixelflow/frame_buffer.rs:270
+    wire [2:0] scanned = shown ? (scanned_sum + 3'd4) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:270
+    wire [6:0] scans_at = {scanned, 4'h0} | {3'd0, {y[0], x[2:0]}}; // rtl/src/pixelflow/frame_buffer.rs:276
+    wire [23:0] pixels_red_choice = is_odd ? odd_read : even_read; // rtl/src/pixelflow/frame_buffer.rs:280
+    assign pixels_red = pixels_red_choice[23:16];                // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_green = pixels_red_choice[15:8];               // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_blue = pixels_red_choice[7:0];                 // rtl/src/pixelflow/frame_buffer.rs:281
+    assign port_pixel = pixel[3:0];                              // rtl/src/pixelflow/frame_buffer.rs:287
+    wire [7:0] port_address_extended = {5'd0, clock};            // rtl/src/pixelflow/frame_buffer.rs:289
+    assign port_address = port_address_extended[5:0];            // rtl/src/pixelflow/frame_buffer.rs:289
 
     genvar i;
 
@@ -116,7 +117,7 @@ module frame_buffer_array8_4_samples1_width16_height8 (
         if (scans) begin
             is_odd <= y[1];
             first <= is_first;
-            last <= line_ends;
+            last <= is_rightmost;
         end
     end
 
@@ -141,16 +142,12 @@ module frame_buffer_array8_4_samples1_width16_height8 (
                 if (is_last) region <= 2'd0;
                 else region <= region + 2'd1;
             end
-            if (scans) begin
-                if (line_ends) x <= 4'd0;
-                else x <= x + 4'd1;
-            end
-            if (scans & line_ends) begin
-                if (frame_ends) y <= 3'd0;
-                else y <= y + 3'd1;
-            end
-            if (scans & line_ends & frame_ends) left <= 3'd0;
-            else if (scans & line_ends & region_ends) left <= left + 3'd2;
+            if (line_ends) x <= 4'd0;
+            else if (scans) x <= x + 4'd1;
+            if (frame_ends) y <= 3'd0;
+            else if (line_ends) y <= y + 3'd1;
+            if (frame_ends) left <= 3'd0;
+            else if (region_ends) left <= left + 3'd2;
             if (changes) has_frame <= 1'b1;
             if (scans) arrived <= 1'b1;
             else if (pixels_taken) arrived <= 1'b0;

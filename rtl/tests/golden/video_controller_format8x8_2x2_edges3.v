@@ -38,7 +38,7 @@ module video_controller_format8x8_2x2_edges3 (
     wire arrived_row = asked_row;                                // rtl/src/quadtree/controller.rs:68
     wire pixels_taken = arrived & pixels_ready;                  // rtl/src/quadtree/controller.rs:71
     wire asks = reading & (!arrived | pixels_taken);             // rtl/src/quadtree/controller.rs:72
-    wire line_ends = column == 2'd3;                             // rtl/src/quadtree/controller.rs:73
+    wire line_ends = asks & (column == 2'd3);                    // rtl/src/quadtree/controller.rs:73
     wire ends = line_ends & (line == 3'd7);                      // rtl/src/quadtree/controller.rs:74
     assign busy = reading | arrived;                             // rtl/src/quadtree/controller.rs:89
     assign scan_x = {4{column}};                                 // rtl/src/quadtree/controller.rs:85
@@ -90,11 +90,11 @@ module video_controller_format8x8_2x2_edges3 (
             arrived <= 1'b0;
         end else begin
             if (show_start) reading <= 1'b1;
-            else if (asks & ends) reading <= 1'b0;
-            if (show_start | (asks & line_ends)) column <= 2'd0;
+            else if (ends) reading <= 1'b0;
+            if (show_start | line_ends) column <= 2'd0;
             else if (asks) column <= column + 2'd1;
             if (show_start) line <= 3'd0;
-            else if (asks & line_ends) line <= line + 3'd1;
+            else if (line_ends) line <= line + 3'd1;
             if (asks) arrived <= 1'b1;
             else if (pixels_taken) arrived <= 1'b0;
         end
