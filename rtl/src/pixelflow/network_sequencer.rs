@@ -106,7 +106,7 @@ impl NetworkSequencer {
     pub const BYTES: u32 = 32;
 
     fn build(&self, m: Module, i: NetworkSequencerIn) -> NetworkSequencerOut {
-        def!(phase = m.reg(one_of::<Phase>()).reset(Phase::Idle));
+        def!(phase = m.fsm(Phase::Idle));
         let next = i.jobs.take_when(phase.is(Phase::Idle));
         let mode = m.reg("job_mode", one_of::<Mode>()).reset(Mode::Forward);
         def!(bank = m.reg(bits(BANKS)).reset(0));
@@ -116,10 +116,19 @@ impl NetworkSequencer {
 
         def!(has_bank = (*bank & !i.given).eq(0));
         def!(waited = m.reg(up_to(self.setup.max(1))));
-        def!(is_set = waited.eq(self.setup));
-        def!(loads = mode.is(Mode::Load));
+        waited.when(phase.is(Phase::Bank), 0).otherwise(waited + 1);
         def!(byte_ends = i.advances & i.pixel.eq(self.pixels - 1));
-        def!(ends = (byte_ends & address.eq(0)) | (phase.is(Phase::Ready) & *empty & i.go));
+        def!(word_ends = byte_ends & address.eq(0));
+        def!(begins = mode.is(Mode::Load) & i.go);
+        def!(is_over = word_ends | (empty & i.go));
+        let moves = phase.next(|phase| match phase {
+            Phase::Idle => when(next.valid, Phase::Bank),
+            Phase::Bank => when(has_bank, Phase::SetUp),
+            Phase::SetUp => when(waited.eq(self.setup), Phase::Ready),
+            Phase::Ready => when(begins, Phase::Sends).or_when(is_over, Phase::Idle),
+            Phase::Sends => when(word_ends, Phase::Idle),
+        });
+        def!(ends = moves.enters(Phase::Idle));
 
         def!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
         mode.when(next.taken, next.mode).when(ends, Mode::Forward);
@@ -127,13 +136,6 @@ impl NetworkSequencer {
         address.when(next.taken, (next.bytes - 1).low()).when(byte_ends, address - 1);
         first.when(next.taken, 1).when(byte_ends, 0);
         empty.when(next.taken, next.bytes.eq(0));
-        waited.when(phase.is(Phase::Bank), 0).otherwise(waited + 1);
-        phase
-            .when(next.taken, Phase::Bank)
-            .when(phase.is(Phase::Bank) & has_bank, Phase::SetUp)
-            .when(phase.is(Phase::SetUp) & is_set, Phase::Ready)
-            .when(phase.is(Phase::Ready) & loads & i.go, Phase::Sends)
-            .when(ends, Phase::Idle);
 
         def!(ready = phase.is(Phase::Ready));
         def!(sends = phase.is(Phase::Sends));
