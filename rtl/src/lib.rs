@@ -2,6 +2,7 @@
 
 pub mod catalog;
 pub mod clocks;
+mod delays;
 pub mod gfb;
 pub mod lfb;
 pub mod merger;

@@ -1,5 +1,6 @@
 //! What the trees are made of: sums of streams of bits, least significant bit first, and their delays and shifts (PP5-ARCH).
 
+use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
 
 /// Which of the nodes of a level are right children.
@@ -8,26 +9,16 @@ pub(super) fn is_right(nodes: u32) -> Signal {
     constants(bit().of(row(nodes)), |node| u64::from(node % 2))
 }
 
-/// The beginnings of expressions, at so many places: a clock later at each. There are none before the first that is sent.
+/// The beginnings of expressions, at so many places: a clock later at each.
 #[track_caller]
 pub(super) fn beginnings(m: Module, places: u32, first: Signal) -> Vec<Signal> {
-    let mut beginnings = vec![first];
-    for place in 1..places {
-        let later = m.reg(&format!("first{place}"), bit()).reset(0);
-        later.next(beginnings[place as usize - 1]);
-        beginnings.push(*later);
-    }
-    beginnings
+    mark_delays(m, "first", places - 1, first)
 }
 
 /// The bit, so many clocks later.
 #[track_caller]
 pub(super) fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal {
-    let mut bit = bit;
-    for clock in 1..=clocks {
-        bit = m.pipe(&format!("{name}{clock}"), bit);
-    }
-    bit
+    delays(m, name, clocks, bit)[clocks as usize]
 }
 
 /// The sums of two numbers that begin with `first`, a clock later; their names, and those of their carries.

@@ -24,6 +24,7 @@
 //!
 //! Latency 1 clock more than the larger tree has levels; a byte of each pixel a clock, and expressions right behind one another.
 
+use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
 
 block! {
@@ -72,10 +73,10 @@ impl LinearEvaluator {
         let (chips, pixels, levels) = (self.height / 2, 2 * self.width, self.levels());
         let Coefficients { a, b, c } = i.coefficients;
         let sent = Sent {
-            first: delays(m, "first", levels, i.first, true),
-            sends: delays(m, "sends", levels, i.sends, true),
-            a: delays(m, "a", levels + 1, a, false),
-            b: delays(m, "b", levels + 1, b, false),
+            first: mark_delays(m, "first", levels, i.first),
+            sends: mark_delays(m, "sends", levels, i.sends),
+            a: delays(m, "a", levels + 1, a),
+            b: delays(m, "b", levels + 1, b),
         };
         // By how many places each level shifts its coefficient.
         let of_columns = (0..self.width.trailing_zeros()).rev().map(|places| (&sent.a, places));
@@ -83,7 +84,7 @@ impl LinearEvaluator {
         let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
         let tree = |name, root, added: &[(&Vec<Signal>, u32)]| {
             let begins = levels - added.len() as u32;
-            let root = delays(m, &format!("{name}_root"), begins, root, false)[begins as usize];
+            let root = delays(m, &format!("{name}_root"), begins, root)[begins as usize];
             added.iter().zip(0..).fold(root.of(row(1)), |parents, (&(coefficient, places), level)| {
                 let at = (begins + level) as usize;
                 let weighted = sent.weighted(coefficient, places, at);
@@ -132,18 +133,6 @@ fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Mar
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
     sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, marks)
-}
-
-/// The signal, and the same some clocks later each, up to so many. What is a mark does not come before it is sent.
-fn delays(m: Module, name: &str, clocks: u32, signal: Signal, is_mark: bool) -> Vec<Signal> {
-    let mut delays = vec![signal];
-    for clock in 1..=clocks {
-        let register = m.reg(&format!("{name}{clock}"), signal.width());
-        let register = if is_mark { register.reset(0) } else { register };
-        register.next(delays[clock as usize - 1]);
-        delays.push(*register);
-    }
-    delays
 }
 
 /// The sum of words that come byte by byte, a clock later.

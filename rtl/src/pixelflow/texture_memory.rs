@@ -17,6 +17,7 @@
 //!
 //! Latency 3 clocks, a place a clock.
 
+use crate::delays::mark_delays;
 use crate::prelude::*;
 
 block! {
@@ -131,11 +132,7 @@ impl TextureMemory {
     }
 
     fn build(&self, m: Module, i: TextureMemoryIn) -> TextureMemoryOut {
-        let valid = (1..=3).fold(i.request.valid, |valid, clock| {
-            let later = m.reg(&format!("valid{clock}"), bit()).reset(0);
-            later.next(valid);
-            *later
-        });
+        let valid = mark_delays(m, "valid", 3, i.request.valid)[3];
         // First clock: where the texture is.
         let widths = self.describe();
         let [base, finest] = [("bases", widths.base, i.describe.base), ("finests", widths.finest, i.describe.finest)]
@@ -149,53 +146,46 @@ impl TextureMemory {
 
         // Second clock: the levels, and columns and rows on both.
         def!(base = m.pipe(base));
-        let sides = [0u64, 1].map(|side| {
-            let sought = level + side;
-            let clamped = mux(sought.lt(finest.zext(9)), sought.low(), finest);
-            let sides = [("u", u), ("v", v)].map(|(name, part)| neighbours(m, &format!("{name}{side}"), part, clamped));
-            Side { level: m.pipe(&format!("level{side}"), clamped), columns: sides[0], rows: sides[1] }
-        });
+        let around = |sought: Signal| {
+            let level = mux(sought.lt(finest.zext(9)), sought.low(), finest);
+            let ([left, right], [below, above]) = (neighbours(u, level), neighbours(v, level));
+            Side { level, left, right, below, above }
+        };
+        def!(coarser = m.pipe(around(level)));
+        def!(finer = m.pipe(around(level + 1)));
 
         // Third clock: each bank has one texel of the level whose parity it has.
-        let banks: Vec<Signal> = (0..8u32)
-            .map(|bank| {
-                let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Old);
-                memory.write(i.write.valid & i.write.bank.eq(bank), i.write.address, i.write.texel);
-                memory.read(self.address(base, &sides, bank))
-            })
-            .collect();
-        let banks = stack(banks);
-        let texel = |number: u32| {
-            let side = &sides[(number >> 2) as usize];
-            let bank = concat(&[
-                side.level.bit(0),
-                side.rows[(number >> 1 & 1) as usize].bit(0),
-                side.columns[(number & 1) as usize].bit(0),
-            ]);
-            banks.pick(m.pipe(&format!("from{number}"), bank))
-        };
-        TextureMemoryOut { valid, texels: stack((0..8).map(texel)) }
+        let banks = stack(self.addresses(base, coarser, finer).into_iter().zip(0..).map(|(address, bank)| {
+            let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Old);
+            memory.write(i.write.valid & i.write.bank.eq(bank), i.write.address, i.write.texel);
+            memory.read(address)
+        }));
+        def!(from = m.pipe(stack([coarser.banks(), finer.banks()].concat())));
+        TextureMemoryOut { valid, texels: banks.to_rows(8).columns().pick(from) }
     }
 
-    /// The address of a bank's texel.
-    fn address(&self, base: Signal, sides: &[Side; 2], bank: u32) -> Signal {
-        let [first, second] = sides;
-        let is_first = first.level.bit(0).eq(bank >> 2);
-        let level = mux(is_first, first.level, second.level);
-        let with_parity = |of: fn(&Side) -> [Signal; 2], parity: u32| {
-            let of_side = |side: &Side| {
-                let [low, high] = of(side);
-                mux(low.bit(0).eq(parity), low, high)
-            };
-            mux(is_first, of_side(first), of_side(second)) >> 1
-        };
-        let column = with_parity(|side| side.columns, bank & 1);
-        let row_number = with_parity(|side| side.rows, bank >> 1 & 1);
+    /// The address of each bank's texel.
+    fn addresses(&self, base: Signal, coarser: Side, finer: Side) -> Vec<Signal> {
         let wide = bits(2 * TextureMemory::FINEST + 1);
         let offsets = constants(wide.of(row(TextureMemory::FINEST + 1)), TextureMemory::offset);
-        let line = (row_number.zext(wide) << level) >> 1;
-        let address = offsets.pick(level) + line + column.zext(wide);
-        base + fitting(address, base.width())
+        let with_parity = |parity: u32, [one, other]: [Signal; 2]| mux(one.bit(0).eq(parity), one, other) >> 1;
+        let mut addresses = Vec::new();
+        for (parity, name) in [(0, "even"), (1, "odd")] {
+            let side = mux(coarser.level.bit(0).eq(parity), coarser, finer).named(name);
+            let level = offsets.pick(side.level);
+            let lines = [0, 1].map(|parity| {
+                let number = with_parity(parity, [side.below, side.above]);
+                (level + ((number.zext(wide) << side.level) >> 1)).named(&format!("{name}_line{parity}"))
+            });
+            let columns = [0, 1].map(|parity| {
+                let number = with_parity(parity, [side.left, side.right]);
+                number.zext(wide).named(&format!("{name}_column{parity}"))
+            });
+            for line in lines {
+                addresses.extend(columns.map(|column| base + fitting(line + column, base.width())));
+            }
+        }
+        addresses
     }
 }
 
@@ -204,23 +194,29 @@ pub(super) fn fitting(number: Signal, width: u32) -> Signal {
     if width > number.width() { number.zext(width) } else { number.trunc(width) }
 }
 
-/// A level, and the columns and rows around a place on it.
-struct Side {
-    level: Signal,
-    columns: [Signal; 2],
-    rows: [Signal; 2],
+bundle! {
+    /// A level, and the columns and rows around a place on it.
+    struct Side<T> { level: T, left: T, right: T, below: T, above: T }
 }
 
-/// The numbers of the two texels around a part of the texture along one axis, a clock later.
-fn neighbours(m: Module, name: &str, part: Signal, level: Signal) -> [Signal; 2] {
+impl Side {
+    /// Which banks have its texels: left and right below, and then above.
+    fn banks(&self) -> [Signal; 4] {
+        let Side { level, left, right, below, above } = *self;
+        [(below, left), (below, right), (above, left), (above, right)]
+            .map(|(row, column)| concat(&[level.bit(0), row.bit(0), column.bit(0)]))
+    }
+}
+
+/// The numbers of the two texels around a part of the texture along one axis.
+fn neighbours(part: Signal, level: Signal) -> [Signal; 2] {
     let number = bits(TextureMemory::FINEST);
     let wide = bits(16 + TextureMemory::FINEST);
     let place = ((part.zext(wide) << level) >> 8) - (1 << 7);
     let last = (lit(TextureMemory::FINEST + 1, 1) << level) - 1;
     let last = last.trunc(number);
     let low = place.part(8, TextureMemory::FINEST) & last;
-    let high = (low + 1) & last;
-    [("low", low), ("high", high)].map(|(which, texel)| m.pipe(&format!("{name}_{which}"), texel))
+    [low, (low + 1) & last]
 }
 
 #[cfg(test)]

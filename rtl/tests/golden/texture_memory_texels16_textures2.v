@@ -35,247 +35,130 @@ module texture_memory_texels16_textures2 (
     reg valid1;                                                  // rtl/src/pixelflow/texture_memory.rs:135
     reg valid2;                                                  // rtl/src/pixelflow/texture_memory.rs:135
     reg valid3;                                                  // rtl/src/pixelflow/texture_memory.rs:135
-    reg [15:0] u;                                                // rtl/src/pixelflow/texture_memory.rs:147
-    reg [15:0] v;                                                // rtl/src/pixelflow/texture_memory.rs:147
-    reg [7:0] level;                                             // rtl/src/pixelflow/texture_memory.rs:148
-    reg [3:0] base;                                              // rtl/src/pixelflow/texture_memory.rs:151
-    reg [9:0] u0_low;                                            // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] u0_high;                                           // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] v0_low;                                            // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] v0_high;                                           // rtl/src/pixelflow/texture_memory.rs:223
-    reg [3:0] level0;                                            // rtl/src/pixelflow/texture_memory.rs:156
-    reg [9:0] u1_low;                                            // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] u1_high;                                           // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] v1_low;                                            // rtl/src/pixelflow/texture_memory.rs:223
-    reg [9:0] v1_high;                                           // rtl/src/pixelflow/texture_memory.rs:223
-    reg [3:0] level1;                                            // rtl/src/pixelflow/texture_memory.rs:156
-    reg [2:0] from0;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from1;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from2;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from3;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from4;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from5;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from6;                                             // rtl/src/pixelflow/texture_memory.rs:175
-    reg [2:0] from7;                                             // rtl/src/pixelflow/texture_memory.rs:175
+    reg [15:0] u;                                                // rtl/src/pixelflow/texture_memory.rs:144
+    reg [15:0] v;                                                // rtl/src/pixelflow/texture_memory.rs:144
+    reg [7:0] level;                                             // rtl/src/pixelflow/texture_memory.rs:145
+    reg [3:0] base;                                              // rtl/src/pixelflow/texture_memory.rs:148
+    reg [3:0] coarser_level;                                     // rtl/src/pixelflow/texture_memory.rs:154
+    reg [9:0] coarser_left;                                      // rtl/src/pixelflow/texture_memory.rs:154
+    reg [9:0] coarser_right;                                     // rtl/src/pixelflow/texture_memory.rs:154
+    reg [9:0] coarser_below;                                     // rtl/src/pixelflow/texture_memory.rs:154
+    reg [9:0] coarser_above;                                     // rtl/src/pixelflow/texture_memory.rs:154
+    reg [3:0] finer_level;                                       // rtl/src/pixelflow/texture_memory.rs:155
+    reg [9:0] finer_left;                                        // rtl/src/pixelflow/texture_memory.rs:155
+    reg [9:0] finer_right;                                       // rtl/src/pixelflow/texture_memory.rs:155
+    reg [9:0] finer_below;                                       // rtl/src/pixelflow/texture_memory.rs:155
+    reg [9:0] finer_above;                                       // rtl/src/pixelflow/texture_memory.rs:155
 
-    reg [3:0] bases [0:1];                                       // rtl/src/pixelflow/texture_memory.rs:143
-    reg [3:0] bases_read;                                        // rtl/src/pixelflow/texture_memory.rs:145
-    reg [3:0] finests [0:1];                                     // rtl/src/pixelflow/texture_memory.rs:143
-    reg [3:0] finests_read;                                      // rtl/src/pixelflow/texture_memory.rs:145
-    reg [23:0] bank0 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank0_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank1 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank1_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank2 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank2_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank3 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank3_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank4 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank4_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank5 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank5_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank6 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank6_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
-    reg [23:0] bank7 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:162
-    reg [23:0] bank7_read;                                       // rtl/src/pixelflow/texture_memory.rs:164
+    reg [3:0] bases [0:1];                                       // rtl/src/pixelflow/texture_memory.rs:140
+    reg [3:0] bases_read;                                        // rtl/src/pixelflow/texture_memory.rs:142
+    reg [3:0] finests [0:1];                                     // rtl/src/pixelflow/texture_memory.rs:140
+    reg [3:0] finests_read;                                      // rtl/src/pixelflow/texture_memory.rs:142
+    reg [23:0] bank0 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank0_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank1 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank1_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank2 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank2_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank3 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank3_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank4 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank4_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank5 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank5_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank6 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank6_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
+    reg [23:0] bank7 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:159
+    reg [23:0] bank7_read;                                       // rtl/src/pixelflow/texture_memory.rs:161
 
-    wire [20:0] bank0_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank1_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank2_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank3_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank4_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank5_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank6_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank7_read_picked;                               // rtl/src/pixelflow/texture_memory.rs:197
-    wire [23:0] texels_picked_8;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_7;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_6;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_5;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_4;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_3;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_2;                                 // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked;                                   // rtl/src/pixelflow/texture_memory.rs:175
-    wire [3:0] u0_low_choice = ({1'd0, level} < {5'd0, finests_read}) ? level[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:154
-    wire [25:0] u0_low_shifted = {10'd0, u} << u0_low_choice;    // rtl/src/pixelflow/texture_memory.rs:218
-    wire [25:0] u0_low_difference = {8'd0, u0_low_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [10:0] u0_low_difference_2 = (11'd1 << u0_low_choice) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:219
-    wire [9:0] u0_low_next = u0_low_difference[17:8] & u0_low_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:221
-    wire [25:0] v0_low_shifted = {10'd0, v} << u0_low_choice;    // rtl/src/pixelflow/texture_memory.rs:218
-    wire [25:0] v0_low_difference = {8'd0, v0_low_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [10:0] v0_low_difference_2 = (11'd1 << u0_low_choice) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:219
-    wire [9:0] v0_low_next = v0_low_difference[17:8] & v0_low_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:221
-    wire [8:0] u1_low_sum = {1'd0, level} + 9'd1;                // rtl/src/pixelflow/texture_memory.rs:153
-    wire u1_low_less = u1_low_sum < {5'd0, finests_read};        // rtl/src/pixelflow/texture_memory.rs:154
-    wire [3:0] u1_low_choice = u1_low_less ? u1_low_sum[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:154
-    wire [25:0] u1_low_shifted = {10'd0, u} << u1_low_choice;    // rtl/src/pixelflow/texture_memory.rs:218
-    wire [25:0] u1_low_difference = {8'd0, u1_low_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [10:0] u1_low_difference_2 = (11'd1 << u1_low_choice) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:219
-    wire [9:0] u1_low_next = u1_low_difference[17:8] & u1_low_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:221
-    wire [25:0] v1_low_shifted = {10'd0, v} << u1_low_choice;    // rtl/src/pixelflow/texture_memory.rs:218
-    wire [25:0] v1_low_difference = {8'd0, v1_low_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [10:0] v1_low_difference_2 = (11'd1 << u1_low_choice) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:219
-    wire [9:0] v1_low_next = v1_low_difference[17:8] & v1_low_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:221
-    wire bank0_read_inverse = !level0[0];                        // rtl/src/pixelflow/texture_memory.rs:183
-    wire [3:0] bank0_read_choice = bank0_read_inverse ? level0 : level1; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank0_read_choice_6 = !u0_low[0] ? u0_low : u0_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank0_read_choice_7 = !u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank0_read_choice_5 = bank0_read_inverse ? bank0_read_choice_6 : bank0_read_choice_7; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank0_read_choice_3 = !v0_low[0] ? v0_low : v0_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank0_read_choice_4 = !v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank0_read_choice_2 = bank0_read_inverse ? bank0_read_choice_3 : bank0_read_choice_4; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank0_read_shifted = {11'd0, {1'd0, bank0_read_choice_2[9:1]}} << bank0_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank0_read_sum_2 = bank0_read_picked + {1'd0, bank0_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank0_read_sum = bank0_read_sum_2 + {11'd0, {1'd0, bank0_read_choice_5[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank0_read_address = base + bank0_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire bank1_read_inverse = !level0[0];                        // rtl/src/pixelflow/texture_memory.rs:183
-    wire [3:0] bank1_read_choice = bank1_read_inverse ? level0 : level1; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank1_read_choice_6 = u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank1_read_choice_5 = bank1_read_inverse ? (u0_low[0] ? u0_low : u0_high) : bank1_read_choice_6; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank1_read_choice_3 = !v0_low[0] ? v0_low : v0_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank1_read_choice_4 = !v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank1_read_choice_2 = bank1_read_inverse ? bank1_read_choice_3 : bank1_read_choice_4; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank1_read_shifted = {11'd0, {1'd0, bank1_read_choice_2[9:1]}} << bank1_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank1_read_sum_2 = bank1_read_picked + {1'd0, bank1_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank1_read_sum = bank1_read_sum_2 + {11'd0, {1'd0, bank1_read_choice_5[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank1_read_address = base + bank1_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire bank2_read_inverse = !level0[0];                        // rtl/src/pixelflow/texture_memory.rs:183
-    wire [3:0] bank2_read_choice = bank2_read_inverse ? level0 : level1; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank2_read_choice_5 = !u0_low[0] ? u0_low : u0_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank2_read_choice_6 = !u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank2_read_choice_4 = bank2_read_inverse ? bank2_read_choice_5 : bank2_read_choice_6; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank2_read_choice_3 = v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank2_read_choice_2 = bank2_read_inverse ? (v0_low[0] ? v0_low : v0_high) : bank2_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank2_read_shifted = {11'd0, {1'd0, bank2_read_choice_2[9:1]}} << bank2_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank2_read_sum_2 = bank2_read_picked + {1'd0, bank2_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank2_read_sum = bank2_read_sum_2 + {11'd0, {1'd0, bank2_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank2_read_address = base + bank2_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire bank3_read_inverse = !level0[0];                        // rtl/src/pixelflow/texture_memory.rs:183
-    wire [3:0] bank3_read_choice = bank3_read_inverse ? level0 : level1; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank3_read_choice_5 = u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank3_read_choice_4 = bank3_read_inverse ? (u0_low[0] ? u0_low : u0_high) : bank3_read_choice_5; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank3_read_choice_3 = v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank3_read_choice_2 = bank3_read_inverse ? (v0_low[0] ? v0_low : v0_high) : bank3_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank3_read_shifted = {11'd0, {1'd0, bank3_read_choice_2[9:1]}} << bank3_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank3_read_sum_2 = bank3_read_picked + {1'd0, bank3_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank3_read_sum = bank3_read_sum_2 + {11'd0, {1'd0, bank3_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank3_read_address = base + bank3_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire [3:0] bank4_read_choice = level0[0] ? level0 : level1;  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank4_read_choice_5 = !u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank4_read_choice_4 = level0[0] ? (!u0_low[0] ? u0_low : u0_high) : bank4_read_choice_5; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank4_read_choice_3 = !v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank4_read_choice_2 = level0[0] ? (!v0_low[0] ? v0_low : v0_high) : bank4_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank4_read_shifted = {11'd0, {1'd0, bank4_read_choice_2[9:1]}} << bank4_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank4_read_sum_2 = bank4_read_picked + {1'd0, bank4_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank4_read_sum = bank4_read_sum_2 + {11'd0, {1'd0, bank4_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank4_read_address = base + bank4_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire [3:0] bank5_read_choice = level0[0] ? level0 : level1;  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank5_read_choice_5 = u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank5_read_choice_4 = level0[0] ? (u0_low[0] ? u0_low : u0_high) : bank5_read_choice_5; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank5_read_choice_3 = !v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank5_read_choice_2 = level0[0] ? (!v0_low[0] ? v0_low : v0_high) : bank5_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank5_read_shifted = {11'd0, {1'd0, bank5_read_choice_2[9:1]}} << bank5_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank5_read_sum_2 = bank5_read_picked + {1'd0, bank5_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank5_read_sum = bank5_read_sum_2 + {11'd0, {1'd0, bank5_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank5_read_address = base + bank5_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire [3:0] bank6_read_choice = level0[0] ? level0 : level1;  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank6_read_choice_5 = !u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank6_read_choice_4 = level0[0] ? (!u0_low[0] ? u0_low : u0_high) : bank6_read_choice_5; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank6_read_choice_3 = v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank6_read_choice_2 = level0[0] ? (v0_low[0] ? v0_low : v0_high) : bank6_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank6_read_shifted = {11'd0, {1'd0, bank6_read_choice_2[9:1]}} << bank6_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank6_read_sum_2 = bank6_read_picked + {1'd0, bank6_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank6_read_sum = bank6_read_sum_2 + {11'd0, {1'd0, bank6_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank6_read_address = base + bank6_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    wire [3:0] bank7_read_choice = level0[0] ? level0 : level1;  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] bank7_read_choice_5 = u1_low[0] ? u1_low : u1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank7_read_choice_4 = level0[0] ? (u0_low[0] ? u0_low : u0_high) : bank7_read_choice_5; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [9:0] bank7_read_choice_3 = v1_low[0] ? v1_low : v1_high; // rtl/src/pixelflow/texture_memory.rs:188
-    wire [9:0] bank7_read_choice_2 = level0[0] ? (v0_low[0] ? v0_low : v0_high) : bank7_read_choice_3; // rtl/src/pixelflow/texture_memory.rs:190
-    wire [20:0] bank7_read_shifted = {11'd0, {1'd0, bank7_read_choice_2[9:1]}} << bank7_read_choice; // rtl/src/pixelflow/texture_memory.rs:196
-    wire [20:0] bank7_read_sum_2 = bank7_read_picked + {1'd0, bank7_read_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank7_read_sum = bank7_read_sum_2 + {11'd0, {1'd0, bank7_read_choice_4[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [3:0] bank7_read_address = base + bank7_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:198
-    assign texels = {texels_picked, texels_picked_2, texels_picked_3, texels_picked_4, texels_picked_5, texels_picked_6, texels_picked_7, texels_picked_8}; // rtl/src/pixelflow/texture_memory.rs:177
+    wire [20:0] even_line0_picked;                               // rtl/src/pixelflow/texture_memory.rs:175
+    wire [20:0] odd_line0_picked;                                // rtl/src/pixelflow/texture_memory.rs:175
+    wire [3:0] coarser_level_next = ({1'd0, level} < {5'd0, finests_read}) ? level[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:150
+    wire [25:0] coarser_left_shifted = {10'd0, u} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [25:0] coarser_left_difference = {8'd0, coarser_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [10:0] coarser_left_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:216
+    wire [9:0] coarser_left_next = coarser_left_difference[17:8] & coarser_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:218
+    wire [25:0] coarser_below_shifted = {10'd0, v} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [25:0] coarser_below_difference = {8'd0, coarser_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [10:0] coarser_below_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:216
+    wire [9:0] coarser_below_next = coarser_below_difference[17:8] & coarser_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:218
+    wire [8:0] finer_level_sum = {1'd0, level} + 9'd1;           // rtl/src/pixelflow/texture_memory.rs:155
+    wire finer_level_less = finer_level_sum < {5'd0, finests_read}; // rtl/src/pixelflow/texture_memory.rs:150
+    wire [3:0] finer_level_next = finer_level_less ? finer_level_sum[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:150
+    wire [25:0] finer_left_shifted = {10'd0, u} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [25:0] finer_left_difference = {8'd0, finer_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [10:0] finer_left_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:216
+    wire [9:0] finer_left_next = finer_left_difference[17:8] & finer_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:218
+    wire [25:0] finer_below_shifted = {10'd0, v} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [25:0] finer_below_difference = {8'd0, finer_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:215
+    wire [10:0] finer_below_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:216
+    wire [9:0] finer_below_next = finer_below_difference[17:8] & finer_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:218
+    wire even_level_inverse = !coarser_level[0];                 // rtl/src/pixelflow/texture_memory.rs:174
+    wire [3:0] even_level = even_level_inverse ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] even_left = even_level_inverse ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] even_right = even_level_inverse ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] even_below = even_level_inverse ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] even_above = even_level_inverse ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] even_line0_choice = !even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] even_line0_shifted = {11'd0, {1'd0, even_line0_choice[9:1]}} << even_level; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [20:0] even_line0 = even_line0_picked + {1'd0, even_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [9:0] even_line1_choice = even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] even_line1_shifted = {11'd0, {1'd0, even_line1_choice[9:1]}} << even_level; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [20:0] even_line1 = even_line0_picked + {1'd0, even_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [9:0] even_column0_choice = !even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] even_column0 = {11'd0, {1'd0, even_column0_choice[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:182
+    wire [9:0] even_column1_choice = even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] even_column1 = {11'd0, {1'd0, even_column1_choice[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:182
+    wire [20:0] bank0_read_sum = even_line0 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank0_read_address = base + bank0_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank1_read_sum = even_line0 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank1_read_address = base + bank1_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank2_read_sum = even_line1 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank2_read_address = base + bank2_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank3_read_sum = even_line1 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank3_read_address = base + bank3_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] odd_level = coarser_level[0] ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] odd_left = coarser_level[0] ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] odd_right = coarser_level[0] ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] odd_below = coarser_level[0] ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] odd_above = coarser_level[0] ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:174
+    wire [9:0] odd_line0_choice = !odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] odd_line0_shifted = {11'd0, {1'd0, odd_line0_choice[9:1]}} << odd_level; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [20:0] odd_line0 = odd_line0_picked + {1'd0, odd_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [9:0] odd_line1_choice = odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] odd_line1_shifted = {11'd0, {1'd0, odd_line1_choice[9:1]}} << odd_level; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [20:0] odd_line1 = odd_line0_picked + {1'd0, odd_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:178
+    wire [9:0] odd_column0_choice = !odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] odd_column0 = {11'd0, {1'd0, odd_column0_choice[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:182
+    wire [9:0] odd_column1_choice = odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:171
+    wire [20:0] odd_column1 = {11'd0, {1'd0, odd_column1_choice[9:1]}}; // rtl/src/pixelflow/texture_memory.rs:182
+    wire [20:0] bank4_read_sum = odd_line0 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank4_read_address = base + bank4_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank5_read_sum = odd_line0 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank5_read_address = base + bank5_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank6_read_sum = odd_line1 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank6_read_address = base + bank6_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [20:0] bank7_read_sum = odd_line1 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:185
+    wire [3:0] bank7_read_address = base + bank7_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:185
+    wire [2:0] from_joined = {coarser_level[0], coarser_below[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_2 = {coarser_level[0], coarser_below[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_3 = {coarser_level[0], coarser_above[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_4 = {coarser_level[0], coarser_above[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_5 = {finer_level[0], finer_below[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_6 = {finer_level[0], finer_below[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_7 = {finer_level[0], finer_above[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [2:0] from_joined_8 = {finer_level[0], finer_above[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:207
 
     genvar i;
+    genvar j;
 
-    localparam [230:0] bank0_read_listed_row_bank0_read_listed = {
+    localparam [230:0] even_line0_listed_row_even_line0_listed = {
         21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
         21'h000001, 21'h000001, 21'h000000, 21'h000000
     };
     generate
-        for (i = 0; i < 11; i = i + 1) begin : bank0_read_listed_row
-            wire [20:0] bank0_read_listed = bank0_read_listed_row_bank0_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank1_read_listed_row_bank1_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank1_read_listed_row
-            wire [20:0] bank1_read_listed = bank1_read_listed_row_bank1_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank2_read_listed_row_bank2_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank2_read_listed_row
-            wire [20:0] bank2_read_listed = bank2_read_listed_row_bank2_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank3_read_listed_row_bank3_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank3_read_listed_row
-            wire [20:0] bank3_read_listed = bank3_read_listed_row_bank3_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank4_read_listed_row_bank4_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank4_read_listed_row
-            wire [20:0] bank4_read_listed = bank4_read_listed_row_bank4_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank5_read_listed_row_bank5_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank5_read_listed_row
-            wire [20:0] bank5_read_listed = bank5_read_listed_row_bank5_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank6_read_listed_row_bank6_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank6_read_listed_row
-            wire [20:0] bank6_read_listed = bank6_read_listed_row_bank6_read_listed[i * 21 +: 21];
-        end
-    endgenerate
-
-    localparam [230:0] bank7_read_listed_row_bank7_read_listed = {
-        21'h004445, 21'h001111, 21'h000445, 21'h000111, 21'h000045, 21'h000011, 21'h000005,
-        21'h000001, 21'h000001, 21'h000000, 21'h000000
-    };
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank7_read_listed_row
-            wire [20:0] bank7_read_listed = bank7_read_listed_row_bank7_read_listed[i * 21 +: 21];
+        for (i = 0; i < 11; i = i + 1) begin : even_line0_listed_row
+            wire [20:0] even_line0_listed = even_line0_listed_row_even_line0_listed[i * 21 +: 21];
         end
     endgenerate
 
@@ -295,118 +178,52 @@ module texture_memory_texels16_textures2 (
         end
     endgenerate
 
-    wire [20:0] bank0_read_picked_lanes [0:10];
     generate
-        for (i = 0; i < 11; i = i + 1) begin : bank0_read_picked_of
-            assign bank0_read_picked_lanes[i] = bank0_read_listed_row[i].bank0_read_listed;
+        for (i = 0; i < 8; i = i + 1) begin : from_row
+            reg [2:0] from;
+            wire [2:0] from_next;
+            case (i)
+                0: begin : from_next_0 assign from_next = from_joined; end
+                1: begin : from_next_1 assign from_next = from_joined_2; end
+                2: begin : from_next_2 assign from_next = from_joined_3; end
+                3: begin : from_next_3 assign from_next = from_joined_4; end
+                4: begin : from_next_4 assign from_next = from_joined_5; end
+                5: begin : from_next_5 assign from_next = from_joined_6; end
+                6: begin : from_next_6 assign from_next = from_joined_7; end
+                default: begin : from_next_7 assign from_next = from_joined_8; end
+            endcase
+            wire [23:0] texels_picked;
+            wire [23:0] texels_picked_lanes [0:7];
+            for (j = 0; j < 8; j = j + 1) begin : texels_picked_of
+                assign texels_picked_lanes[j] = texels_listed_row[j].texels_listed;
+            end
+            assign texels_picked = texels_picked_lanes[from];
+
+            always @(posedge clk) begin
+                from <= from_next;
+            end
         end
     endgenerate
-    assign bank0_read_picked = (bank0_read_choice < 4'd11) ? bank0_read_picked_lanes[bank0_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank1_read_picked_lanes [0:10];
+
+    wire [20:0] even_line0_picked_lanes [0:10];
     generate
-        for (i = 0; i < 11; i = i + 1) begin : bank1_read_picked_of
-            assign bank1_read_picked_lanes[i] = bank1_read_listed_row[i].bank1_read_listed;
+        for (i = 0; i < 11; i = i + 1) begin : even_line0_picked_of
+            assign even_line0_picked_lanes[i] = even_line0_listed_row[i].even_line0_listed;
         end
     endgenerate
-    assign bank1_read_picked = (bank1_read_choice < 4'd11) ? bank1_read_picked_lanes[bank1_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank2_read_picked_lanes [0:10];
+    assign even_line0_picked = (even_level < 4'd11) ? even_line0_picked_lanes[even_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:175
+    wire [20:0] odd_line0_picked_lanes [0:10];
     generate
-        for (i = 0; i < 11; i = i + 1) begin : bank2_read_picked_of
-            assign bank2_read_picked_lanes[i] = bank2_read_listed_row[i].bank2_read_listed;
+        for (i = 0; i < 11; i = i + 1) begin : odd_line0_picked_of
+            assign odd_line0_picked_lanes[i] = even_line0_listed_row[i].even_line0_listed;
         end
     endgenerate
-    assign bank2_read_picked = (bank2_read_choice < 4'd11) ? bank2_read_picked_lanes[bank2_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank3_read_picked_lanes [0:10];
+    assign odd_line0_picked = (odd_level < 4'd11) ? odd_line0_picked_lanes[odd_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:175
     generate
-        for (i = 0; i < 11; i = i + 1) begin : bank3_read_picked_of
-            assign bank3_read_picked_lanes[i] = bank3_read_listed_row[i].bank3_read_listed;
+        for (i = 0; i < 8; i = i + 1) begin : texels_of
+            assign texels[i * 24 +: 24] = from_row[i].texels_picked;
         end
     endgenerate
-    assign bank3_read_picked = (bank3_read_choice < 4'd11) ? bank3_read_picked_lanes[bank3_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank4_read_picked_lanes [0:10];
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank4_read_picked_of
-            assign bank4_read_picked_lanes[i] = bank4_read_listed_row[i].bank4_read_listed;
-        end
-    endgenerate
-    assign bank4_read_picked = (bank4_read_choice < 4'd11) ? bank4_read_picked_lanes[bank4_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank5_read_picked_lanes [0:10];
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank5_read_picked_of
-            assign bank5_read_picked_lanes[i] = bank5_read_listed_row[i].bank5_read_listed;
-        end
-    endgenerate
-    assign bank5_read_picked = (bank5_read_choice < 4'd11) ? bank5_read_picked_lanes[bank5_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank6_read_picked_lanes [0:10];
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank6_read_picked_of
-            assign bank6_read_picked_lanes[i] = bank6_read_listed_row[i].bank6_read_listed;
-        end
-    endgenerate
-    assign bank6_read_picked = (bank6_read_choice < 4'd11) ? bank6_read_picked_lanes[bank6_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [20:0] bank7_read_picked_lanes [0:10];
-    generate
-        for (i = 0; i < 11; i = i + 1) begin : bank7_read_picked_of
-            assign bank7_read_picked_lanes[i] = bank7_read_listed_row[i].bank7_read_listed;
-        end
-    endgenerate
-    assign bank7_read_picked = (bank7_read_choice < 4'd11) ? bank7_read_picked_lanes[bank7_read_choice] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:197
-    wire [23:0] texels_picked_8_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_8_of
-            assign texels_picked_8_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_8 = texels_picked_8_lanes[from0];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_7_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_7_of
-            assign texels_picked_7_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_7 = texels_picked_7_lanes[from1];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_6_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_6_of
-            assign texels_picked_6_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_6 = texels_picked_6_lanes[from2];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_5_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_5_of
-            assign texels_picked_5_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_5 = texels_picked_5_lanes[from3];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_4_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_4_of
-            assign texels_picked_4_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_4 = texels_picked_4_lanes[from4];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_3_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_3_of
-            assign texels_picked_3_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_3 = texels_picked_3_lanes[from5];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_2_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_2_of
-            assign texels_picked_2_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked_2 = texels_picked_2_lanes[from6];       // rtl/src/pixelflow/texture_memory.rs:175
-    wire [23:0] texels_picked_lanes [0:7];
-    generate
-        for (i = 0; i < 8; i = i + 1) begin : texels_picked_of
-            assign texels_picked_lanes[i] = texels_listed_row[i].texels_listed;
-        end
-    endgenerate
-    assign texels_picked = texels_picked_lanes[from7];           // rtl/src/pixelflow/texture_memory.rs:175
 
     always @(posedge clk) begin
         if (describe_valid) bases[describe_texture] <= describe_base;
@@ -463,24 +280,16 @@ module texture_memory_texels16_textures2 (
         v <= request_v;
         level <= request_level;
         base <= bases_read;
-        u0_low <= u0_low_next;
-        u0_high <= (u0_low_next + 10'd1) & u0_low_difference_2[9:0];
-        v0_low <= v0_low_next;
-        v0_high <= (v0_low_next + 10'd1) & v0_low_difference_2[9:0];
-        level0 <= u0_low_choice;
-        u1_low <= u1_low_next;
-        u1_high <= (u1_low_next + 10'd1) & u1_low_difference_2[9:0];
-        v1_low <= v1_low_next;
-        v1_high <= (v1_low_next + 10'd1) & v1_low_difference_2[9:0];
-        level1 <= u1_low_choice;
-        from0 <= {level0[0], v0_low[0], u0_low[0]};
-        from1 <= {level0[0], v0_low[0], u0_high[0]};
-        from2 <= {level0[0], v0_high[0], u0_low[0]};
-        from3 <= {level0[0], v0_high[0], u0_high[0]};
-        from4 <= {level1[0], v1_low[0], u1_low[0]};
-        from5 <= {level1[0], v1_low[0], u1_high[0]};
-        from6 <= {level1[0], v1_high[0], u1_low[0]};
-        from7 <= {level1[0], v1_high[0], u1_high[0]};
+        coarser_level <= coarser_level_next;
+        coarser_left <= coarser_left_next;
+        coarser_right <= (coarser_left_next + 10'd1) & coarser_left_difference_2[9:0];
+        coarser_below <= coarser_below_next;
+        coarser_above <= (coarser_below_next + 10'd1) & coarser_below_difference_2[9:0];
+        finer_level <= finer_level_next;
+        finer_left <= finer_left_next;
+        finer_right <= (finer_left_next + 10'd1) & finer_left_difference_2[9:0];
+        finer_below <= finer_below_next;
+        finer_above <= (finer_below_next + 10'd1) & finer_below_difference_2[9:0];
     end
 
     always @(posedge clk) begin
@@ -497,22 +306,20 @@ module texture_memory_texels16_textures2 (
 
     assign valid = valid3;
 
-    wire _unused_ok = &{1'b0, request_texture[7:1], u0_low_shifted[7:0], u0_low_difference[25:18],
-            u0_low_difference[7:0], u0_low_difference_2[10], v0_low_shifted[7:0],
-            v0_low_difference[25:18], v0_low_difference[7:0], v0_low_difference_2[10],
-            u1_low_shifted[7:0], u1_low_difference[25:18], u1_low_difference[7:0],
-            u1_low_difference_2[10], v1_low_shifted[7:0], v1_low_difference[25:18],
-            v1_low_difference[7:0], v1_low_difference_2[10], bank0_read_choice_5[0],
-            bank0_read_choice_2[0], bank0_read_shifted[0], bank0_read_sum[20:4],
-            bank1_read_choice_5[0], bank1_read_choice_2[0], bank1_read_shifted[0],
-            bank1_read_sum[20:4], bank2_read_choice_4[0], bank2_read_choice_2[0],
-            bank2_read_shifted[0], bank2_read_sum[20:4], bank3_read_choice_4[0],
-            bank3_read_choice_2[0], bank3_read_shifted[0], bank3_read_sum[20:4],
-            bank4_read_choice_4[0], bank4_read_choice_2[0], bank4_read_shifted[0],
-            bank4_read_sum[20:4], bank5_read_choice_4[0], bank5_read_choice_2[0],
-            bank5_read_shifted[0], bank5_read_sum[20:4], bank6_read_choice_4[0],
-            bank6_read_choice_2[0], bank6_read_shifted[0], bank6_read_sum[20:4],
-            bank7_read_choice_4[0], bank7_read_choice_2[0], bank7_read_shifted[0],
-            bank7_read_sum[20:4]};
+    wire _unused_ok = &{1'b0, request_texture[7:1], coarser_left_shifted[7:0],
+            coarser_left_difference[25:18], coarser_left_difference[7:0],
+            coarser_left_difference_2[10], coarser_below_shifted[7:0],
+            coarser_below_difference[25:18], coarser_below_difference[7:0],
+            coarser_below_difference_2[10], finer_left_shifted[7:0],
+            finer_left_difference[25:18], finer_left_difference[7:0],
+            finer_left_difference_2[10], finer_below_shifted[7:0],
+            finer_below_difference[25:18], finer_below_difference[7:0],
+            finer_below_difference_2[10], even_line0_choice[0], even_line0_shifted[0],
+            even_line1_choice[0], even_line1_shifted[0], even_column0_choice[0],
+            even_column1_choice[0], bank0_read_sum[20:4], bank1_read_sum[20:4],
+            bank2_read_sum[20:4], bank3_read_sum[20:4], odd_line0_choice[0],
+            odd_line0_shifted[0], odd_line1_choice[0], odd_line1_shifted[0],
+            odd_column0_choice[0], odd_column1_choice[0], bank4_read_sum[20:4],
+            bank5_read_sum[20:4], bank6_read_sum[20:4], bank7_read_sum[20:4]};
 endmodule
 `default_nettype wire
