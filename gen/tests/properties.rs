@@ -72,7 +72,7 @@ fn a_code_that_only_a_statement_names_is_declared() {
     for part in [
         "assume (way <= WAY_BOTH);",
         "    localparam [1:0] WAY_BOTH  = 2'd2;",
-        "// not mentioned: localparam [1:0] WAY_LEFT",
+        "    // Not used here: WAY_LEFT = 0, WAY_RIGHT = 1.",
     ] {
         assert!(files[0].text.contains(part), "{}", files[0].text);
     }

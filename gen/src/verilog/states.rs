@@ -1,6 +1,7 @@
-//! The names of codes: each code of an enum is a `localparam`, and the constants that a value of that enum takes or is
-//! compared with are printed by that name.
+//! The names of codes: the codes of an enum that the text mentions are `localparam`s, and the constants that a value of
+//! that enum takes or is compared with are printed by that name.
 
+use super::layout::{range, wrapped};
 use super::literal::{Style, literal};
 use super::scope;
 use std::collections::BTreeSet;
@@ -67,17 +68,27 @@ impl StateNames {
         only.filter(|_| others.next().is_none())
     }
 
-    /// The declarations; a state that the text does not mention becomes a comment, so that no linter warns.
+    /// The declarations; codes that the text does not mention are listed behind them, as linters warn of a `localparam`
+    /// that nothing reads.
     pub fn declarations(&self) -> Vec<String> {
-        let mut lines = Vec::new();
-        for states in self.enums.iter().filter(|states| !states.used.is_empty()) {
-            let longest = states.localparams.iter().map(String::len).max().unwrap_or(0);
-            let range = if states.width == 1 { String::new() } else { format!("[{}:0] ", states.width - 1) };
-            for (code, name) in states.localparams.iter().enumerate() {
-                let value = literal(&Bits::new(states.width, code as u64), Style::Count);
-                let unused = if states.used.contains(&code) { "" } else { "// not mentioned: " };
-                lines.push(format!("{unused}localparam {range}{name:longest$} = {value};"));
-            }
+        self.enums.iter().filter(|states| !states.used.is_empty()).flat_map(Enum::declarations).collect()
+    }
+}
+
+impl Enum {
+    fn declarations(&self) -> Vec<String> {
+        let (used, unused): (Vec<_>, Vec<_>) =
+            self.localparams.iter().enumerate().partition(|(code, _)| self.used.contains(code));
+        let longest = used.iter().map(|(_, name)| name.len()).max().unwrap_or(0);
+        let declare = |(code, name): (usize, &String)| {
+            let value = literal(&Bits::new(self.width, code as u64), Style::Count);
+            format!("localparam {}{name:longest$} = {value};", range(self.width))
+        };
+        let mut lines: Vec<String> = used.into_iter().map(declare).collect();
+        if !unused.is_empty() {
+            let items: Vec<String> = unused.iter().map(|(code, name)| format!("{name} = {code}")).collect();
+            let list = format!("// Not used here: {}.", wrapped(&items, 0));
+            lines.extend(list.replace('\n', "\n//     ").lines().map(str::to_string));
         }
         lines
     }

@@ -66,41 +66,32 @@ module array_controller_width8_height4 (
     output wire        instructions_ready
 );
 
-    localparam [1:0] SOURCE_CONSTANT     = 2'd0;
-    localparam [1:0] SOURCE_EXPRESSION   = 2'd1;
-    // not mentioned: localparam [1:0] SOURCE_ACCUMULATOR  = 2'd2;
-    // not mentioned: localparam [1:0] SOURCE_MULTIPLICAND = 2'd3;
-    localparam [3:0] FUNCTION_OPERAND      = 4'd0;
-    // not mentioned: localparam [3:0] FUNCTION_WORD         = 4'd1;
-    // not mentioned: localparam [3:0] FUNCTION_ADD          = 4'd2;
-    // not mentioned: localparam [3:0] FUNCTION_SUBTRACT     = 4'd3;
-    // not mentioned: localparam [3:0] FUNCTION_COMPARE      = 4'd4;
-    // not mentioned: localparam [3:0] FUNCTION_AND          = 4'd5;
-    // not mentioned: localparam [3:0] FUNCTION_OR           = 4'd6;
-    // not mentioned: localparam [3:0] FUNCTION_EXCLUSIVE_OR = 4'd7;
-    // not mentioned: localparam [3:0] FUNCTION_SHIFT_LEFT   = 4'd8;
-    // not mentioned: localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
-    localparam [3:0] FUNCTION_ADD_HALVED   = 4'd10;
+    localparam [1:0] SOURCE_CONSTANT   = 2'd0;
+    localparam [1:0] SOURCE_EXPRESSION = 2'd1;
+    // Not used here: SOURCE_ACCUMULATOR = 2, SOURCE_MULTIPLICAND = 3.
+    localparam [3:0] FUNCTION_OPERAND    = 4'd0;
+    localparam [3:0] FUNCTION_ADD_HALVED = 4'd10;
+    // Not used here: FUNCTION_WORD = 1, FUNCTION_ADD = 2, FUNCTION_SUBTRACT = 3, FUNCTION_COMPARE = 4,
+    //     FUNCTION_AND = 5, FUNCTION_OR = 6, FUNCTION_EXCLUSIVE_OR = 7, FUNCTION_SHIFT_LEFT = 8,
+    //     FUNCTION_SHIFT_RIGHT = 9.
     localparam [1:0] BEGIN_KEPT = 2'd0;
-    // not mentioned: localparam [1:0] BEGIN_ZERO = 2'd1;
     localparam [1:0] BEGIN_ONE  = 2'd2;
-    localparam [1:0] MASK_NOBODY    = 2'd0;
-    // not mentioned: localparam [1:0] MASK_EVERYBODY = 2'd1;
-    localparam [1:0] MASK_ENABLED   = 2'd2;
-    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
+    // Not used here: BEGIN_ZERO = 1.
+    localparam [1:0] MASK_NOBODY  = 2'd0;
+    localparam [1:0] MASK_ENABLED = 2'd2;
+    // Not used here: MASK_EVERYBODY = 1, MASK_FLAGGED = 3.
     localparam [1:0] CONDITION_POSITIVE = 2'd0;
-    // not mentioned: localparam [1:0] CONDITION_CARRY    = 2'd1;
     localparam [1:0] CONDITION_NO_CARRY = 2'd2;
+    // Not used here: CONDITION_CARRY = 1.
     localparam [2:0] ENABLING_KEEP     = 3'd0;
-    // not mentioned: localparam [2:0] ENABLING_SET      = 3'd1;
     localparam [2:0] ENABLING_REPLACE  = 3'd2;
     localparam [2:0] ENABLING_RESTRICT = 3'd3;
     localparam [2:0] ENABLING_PUSH     = 3'd4;
-    // not mentioned: localparam [2:0] ENABLING_INVERT   = 3'd5;
     localparam [2:0] ENABLING_POP      = 3'd6;
+    // Not used here: ENABLING_SET = 1, ENABLING_INVERT = 5.
     localparam [1:0] FLAGGING_KEEP              = 2'd0;
-    // not mentioned: localparam [1:0] FLAGGING_CONDITION         = 2'd1;
     localparam [1:0] FLAGGING_ENABLED_CONDITION = 2'd2;
+    // Not used here: FLAGGING_CONDITION = 1.
     localparam [2:0] SYNC_NOTHING       = 3'd0;
     localparam [2:0] SYNC_AWAIT_BANK    = 3'd1;
     localparam [2:0] SYNC_GIVE_BANK     = 3'd2;

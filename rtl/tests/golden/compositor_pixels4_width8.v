@@ -19,10 +19,9 @@ module compositor_pixels4_width8 (
     output reg  [7:0] downstream  // The byte for the node behind.
 );
 
-    // not mentioned: localparam [1:0] MODE_FORWARD   = 2'd0;
     localparam [1:0] MODE_LOAD      = 2'd1;
     localparam [1:0] MODE_COMPOSITE = 2'd2;
-    // not mentioned: localparam [1:0] MODE_UNLOAD    = 2'd3;
+    // Not used here: MODE_FORWARD = 0, MODE_UNLOAD = 3.
     localparam [1:0] NEARER_EQUAL    = 2'd0;
     localparam [1:0] NEARER_OWN      = 2'd1;
     localparam [1:0] NEARER_UPSTREAM = 2'd2;

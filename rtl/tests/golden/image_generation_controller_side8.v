@@ -52,37 +52,21 @@ module image_generation_controller_side8 (
     output wire        instructions_ready
 );
 
-    // not mentioned: localparam [4:0] OPERATION_ENABLE           = 5'd0;
-    // not mentioned: localparam [4:0] OPERATION_DISABLE          = 5'd1;
-    // not mentioned: localparam [4:0] OPERATION_TEST_FIRST       = 5'd2;
-    // not mentioned: localparam [4:0] OPERATION_TEST             = 5'd3;
-    // not mentioned: localparam [4:0] OPERATION_TEST_LAST        = 5'd4;
-    // not mentioned: localparam [4:0] OPERATION_FLAG             = 5'd5;
-    // not mentioned: localparam [4:0] OPERATION_EVALUATE         = 5'd6;
-    // not mentioned: localparam [4:0] OPERATION_EVALUATE_ENABLED = 5'd7;
-    // not mentioned: localparam [4:0] OPERATION_EVALUATE_FLAGGED = 5'd8;
-    // not mentioned: localparam [4:0] OPERATION_ADD              = 5'd9;
-    // not mentioned: localparam [4:0] OPERATION_COMPARE          = 5'd10;
-    // not mentioned: localparam [4:0] OPERATION_COMPARE_ON       = 5'd11;
-    // not mentioned: localparam [4:0] OPERATION_COMPARE_CONSTANT = 5'd12;
-    // not mentioned: localparam [4:0] OPERATION_FILL             = 5'd13;
-    // not mentioned: localparam [4:0] OPERATION_FILL_FLAGGED     = 5'd14;
-    // not mentioned: localparam [4:0] OPERATION_COPY             = 5'd15;
-    // not mentioned: localparam [4:0] OPERATION_COPY_FLAGGED     = 5'd16;
-    // not mentioned: localparam [4:0] OPERATION_SAVE             = 5'd17;
-    localparam [4:0] OPERATION_CURVE            = 5'd18;
+    localparam [4:0] OPERATION_CURVE = 5'd18;
+    // Not used here: OPERATION_ENABLE = 0, OPERATION_DISABLE = 1, OPERATION_TEST_FIRST = 2,
+    //     OPERATION_TEST = 3, OPERATION_TEST_LAST = 4, OPERATION_FLAG = 5, OPERATION_EVALUATE = 6,
+    //     OPERATION_EVALUATE_ENABLED = 7, OPERATION_EVALUATE_FLAGGED = 8, OPERATION_ADD = 9,
+    //     OPERATION_COMPARE = 10, OPERATION_COMPARE_ON = 11, OPERATION_COMPARE_CONSTANT = 12,
+    //     OPERATION_FILL = 13, OPERATION_FILL_FLAGGED = 14, OPERATION_COPY = 15,
+    //     OPERATION_COPY_FLAGGED = 16, OPERATION_SAVE = 17.
     localparam [1:0] SOURCE_EXPRESSION = 2'd0;
-    // not mentioned: localparam [1:0] SOURCE_MEMORY     = 2'd1;
     localparam [1:0] SOURCE_CONSTANT   = 2'd2;
-    localparam [1:0] MASK_NOBODY    = 2'd0;
-    // not mentioned: localparam [1:0] MASK_EVERYBODY = 2'd1;
-    // not mentioned: localparam [1:0] MASK_ENABLED   = 2'd2;
-    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
+    // Not used here: SOURCE_MEMORY = 1.
+    localparam [1:0] MASK_NOBODY = 2'd0;
+    // Not used here: MASK_EVERYBODY = 1, MASK_ENABLED = 2, MASK_FLAGGED = 3.
     localparam [2:0] ENABLING_KEEP     = 3'd0;
-    // not mentioned: localparam [2:0] ENABLING_SET      = 3'd1;
-    // not mentioned: localparam [2:0] ENABLING_CLEAR    = 3'd2;
-    // not mentioned: localparam [2:0] ENABLING_REPLACE  = 3'd3;
     localparam [2:0] ENABLING_RESTRICT = 3'd4;
+    // Not used here: ENABLING_SET = 1, ENABLING_CLEAR = 2, ENABLING_REPLACE = 3.
 
     reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:54
     reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:54

@@ -28,10 +28,9 @@ module network_port_chips2_pixels4_width8 (
     output wire [15:0] downstream_bytes  // The bytes.
 );
 
-    // not mentioned: localparam [1:0] MODE_FORWARD   = 2'd0;
-    localparam [1:0] MODE_LOAD      = 2'd1;
-    // not mentioned: localparam [1:0] MODE_COMPOSITE = 2'd2;
-    localparam [1:0] MODE_UNLOAD    = 2'd3;
+    localparam [1:0] MODE_LOAD   = 2'd1;
+    localparam [1:0] MODE_UNLOAD = 2'd3;
+    // Not used here: MODE_FORWARD = 0, MODE_COMPOSITE = 2.
 
     wire loads = mode == MODE_LOAD;                              // rtl/src/pixelflow/network_port.rs:81
     assign advances = loads ? sends : upstream_valid;            // rtl/src/pixelflow/network_port.rs:82
@@ -72,8 +71,10 @@ module network_port_chips2_pixels4_width8 (
             pixel <= 2'd0;
             downstream_valid <= 1'b0;
         end else begin
-            if (advances & (pixel == 2'd3)) pixel <= 2'd0;
-            else if (advances) pixel <= pixel + 2'd1;
+            if (advances) begin
+                if (pixel == 2'd3) pixel <= 2'd0;
+                else pixel <= pixel + 2'd1;
+            end
             downstream_valid <= advances;
         end
     end

@@ -32,10 +32,9 @@ module network_sequencer_pixels4_setup2 (
     output wire       jobs_ready
 );
 
-    localparam [1:0] MODE_FORWARD   = 2'd0;
-    localparam [1:0] MODE_LOAD      = 2'd1;
-    // not mentioned: localparam [1:0] MODE_COMPOSITE = 2'd2;
-    // not mentioned: localparam [1:0] MODE_UNLOAD    = 2'd3;
+    localparam [1:0] MODE_FORWARD = 2'd0;
+    localparam [1:0] MODE_LOAD    = 2'd1;
+    // Not used here: MODE_COMPOSITE = 2, MODE_UNLOAD = 3.
     localparam [2:0] PHASE_IDLE   = 3'd0;
     localparam [2:0] PHASE_BANK   = 3'd1;
     localparam [2:0] PHASE_SET_UP = 3'd2;
@@ -50,18 +49,19 @@ module network_sequencer_pixels4_setup2 (
     assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:110
     wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:110
     wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:117
-    wire is_set = waited == 2'd2;                                // rtl/src/pixelflow/network_sequencer.rs:119
-    wire loads = job_mode == MODE_LOAD;                          // rtl/src/pixelflow/network_sequencer.rs:120
-    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:121
-    wire ends_and = (phase == PHASE_READY) & empty & go;         // rtl/src/pixelflow/network_sequencer.rs:122
-    wire ends = (byte_ends & (address == 5'd0)) | ends_and;      // rtl/src/pixelflow/network_sequencer.rs:122
-    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:124
-    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:127
-    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:138
-    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:139
-    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:144
-    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:146
-    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:155
+    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:120
+    wire word_ends = byte_ends & (address == 5'd0);              // rtl/src/pixelflow/network_sequencer.rs:121
+    wire begins = (job_mode == MODE_LOAD) & go;                  // rtl/src/pixelflow/network_sequencer.rs:122
+    wire is_over = word_ends | (empty & go);                     // rtl/src/pixelflow/network_sequencer.rs:123
+    wire ends_and = (phase == PHASE_READY) & (!begins & is_over); // rtl/src/pixelflow/network_sequencer.rs:131
+    wire ends = ends_and | ((phase == PHASE_SENDS) & word_ends); // rtl/src/pixelflow/network_sequencer.rs:131
+    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:133
+    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:136
+    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:140
+    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:141
+    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:146
+    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:148
+    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:157
 
     always @(posedge clk) begin
         if (jobs_taken) address <= address_difference[4:0];
@@ -79,11 +79,19 @@ module network_sequencer_pixels4_setup2 (
             job_mode <= MODE_FORWARD;
             bank <= 2'd0;
         end else begin
-            if (jobs_taken) phase <= PHASE_BANK;
-            else if ((phase == PHASE_BANK) & has_bank) phase <= PHASE_SET_UP;
-            else if ((phase == PHASE_SET_UP) & is_set) phase <= PHASE_READY;
-            else if ((phase == PHASE_READY) & loads & go) phase <= PHASE_SENDS;
-            else if (ends) phase <= PHASE_IDLE;
+            case (phase)
+                PHASE_IDLE: if (jobs_valid) phase <= PHASE_BANK;
+                PHASE_BANK: if (has_bank) phase <= PHASE_SET_UP;
+                PHASE_SET_UP: if (waited == 2'd2) phase <= PHASE_READY;
+                PHASE_READY: begin
+                    if (begins) phase <= PHASE_SENDS;
+                    else if (is_over) phase <= PHASE_IDLE;
+                end
+                default: begin // PHASE_SENDS
+                    if (word_ends) phase <= PHASE_IDLE;
+                    else phase <= PHASE_SENDS;
+                end
+            endcase
             if (jobs_taken) job_mode <= jobs_mode;
             else if (ends) job_mode <= MODE_FORWARD;
             if (jobs_taken) bank <= needs;
@@ -94,21 +102,21 @@ module network_sequencer_pixels4_setup2 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:140
-        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:140
-        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:143
+        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:142
+        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:142
+        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:145
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:140
+        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:142
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has at most 32 bytes", $time);
             $stop;
         end
-        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:140
+        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:142
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a job of no bytes forwards", $time);
             $stop;
         end
-        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:143
+        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:145
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
             $stop;
         end

@@ -28,16 +28,16 @@ module pixel_processor (
 
     localparam [1:0] SOURCE_EXPRESSION = 2'd0;
     localparam [1:0] SOURCE_MEMORY     = 2'd1;
-    // not mentioned: localparam [1:0] SOURCE_CONSTANT   = 2'd2;
+    // Not used here: SOURCE_CONSTANT = 2.
     localparam [1:0] MASK_NOBODY    = 2'd0;
     localparam [1:0] MASK_EVERYBODY = 2'd1;
     localparam [1:0] MASK_ENABLED   = 2'd2;
-    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
-    localparam [2:0] ENABLING_KEEP     = 3'd0;
-    localparam [2:0] ENABLING_SET      = 3'd1;
-    localparam [2:0] ENABLING_CLEAR    = 3'd2;
-    localparam [2:0] ENABLING_REPLACE  = 3'd3;
-    // not mentioned: localparam [2:0] ENABLING_RESTRICT = 3'd4;
+    // Not used here: MASK_FLAGGED = 3.
+    localparam [2:0] ENABLING_KEEP    = 3'd0;
+    localparam [2:0] ENABLING_SET     = 3'd1;
+    localparam [2:0] ENABLING_CLEAR   = 3'd2;
+    localparam [2:0] ENABLING_REPLACE = 3'd3;
+    // Not used here: ENABLING_RESTRICT = 4.
 
     reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:146
     reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:151

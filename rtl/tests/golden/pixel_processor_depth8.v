@@ -31,11 +31,10 @@ module pixel_processor_depth8 (
     output wire       writes_register      // It goes to the communication register at the address that is written.
 );
 
-    localparam [1:0] SOURCE_CONSTANT     = 2'd0;
-    localparam [1:0] SOURCE_EXPRESSION   = 2'd1;
-    localparam [1:0] SOURCE_ACCUMULATOR  = 2'd2;
-    // not mentioned: localparam [1:0] SOURCE_MULTIPLICAND = 2'd3;
-    // not mentioned: localparam [3:0] FUNCTION_OPERAND      = 4'd0;
+    localparam [1:0] SOURCE_CONSTANT    = 2'd0;
+    localparam [1:0] SOURCE_EXPRESSION  = 2'd1;
+    localparam [1:0] SOURCE_ACCUMULATOR = 2'd2;
+    // Not used here: SOURCE_MULTIPLICAND = 3.
     localparam [3:0] FUNCTION_WORD         = 4'd1;
     localparam [3:0] FUNCTION_ADD          = 4'd2;
     localparam [3:0] FUNCTION_SUBTRACT     = 4'd3;
@@ -46,26 +45,27 @@ module pixel_processor_depth8 (
     localparam [3:0] FUNCTION_SHIFT_LEFT   = 4'd8;
     localparam [3:0] FUNCTION_SHIFT_RIGHT  = 4'd9;
     localparam [3:0] FUNCTION_ADD_HALVED   = 4'd10;
+    // Not used here: FUNCTION_OPERAND = 0.
     localparam [1:0] BEGIN_KEPT = 2'd0;
     localparam [1:0] BEGIN_ZERO = 2'd1;
-    // not mentioned: localparam [1:0] BEGIN_ONE  = 2'd2;
+    // Not used here: BEGIN_ONE = 2.
     localparam [1:0] MASK_NOBODY    = 2'd0;
     localparam [1:0] MASK_EVERYBODY = 2'd1;
     localparam [1:0] MASK_ENABLED   = 2'd2;
-    // not mentioned: localparam [1:0] MASK_FLAGGED   = 2'd3;
+    // Not used here: MASK_FLAGGED = 3.
     localparam [1:0] CONDITION_POSITIVE = 2'd0;
     localparam [1:0] CONDITION_CARRY    = 2'd1;
-    // not mentioned: localparam [1:0] CONDITION_NO_CARRY = 2'd2;
+    // Not used here: CONDITION_NO_CARRY = 2.
     localparam [2:0] ENABLING_KEEP     = 3'd0;
     localparam [2:0] ENABLING_SET      = 3'd1;
     localparam [2:0] ENABLING_REPLACE  = 3'd2;
     localparam [2:0] ENABLING_RESTRICT = 3'd3;
     localparam [2:0] ENABLING_PUSH     = 3'd4;
     localparam [2:0] ENABLING_INVERT   = 3'd5;
-    // not mentioned: localparam [2:0] ENABLING_POP      = 3'd6;
-    localparam [1:0] FLAGGING_KEEP              = 2'd0;
-    localparam [1:0] FLAGGING_CONDITION         = 2'd1;
-    // not mentioned: localparam [1:0] FLAGGING_ENABLED_CONDITION = 2'd2;
+    // Not used here: ENABLING_POP = 6.
+    localparam [1:0] FLAGGING_KEEP      = 2'd0;
+    localparam [1:0] FLAGGING_CONDITION = 2'd1;
+    // Not used here: FLAGGING_ENABLED_CONDITION = 2.
 
     reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:250
     reg carry;                                                   // rtl/src/pixelflow/pixel.rs:251
