@@ -1,0 +1,134 @@
+// backing_store_side4
+//
+// Holds a finished region, and sends it line by line while the next one is drawn.
+//
+// Parameters  BackingStore { side: 4 }
+// Latency     2 clocks from the last plane; a region is sent in 192 clocks
+// Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
+// Described   rtl/src/pixel_planes/backing_store.rs:72
+`default_nettype none
+
+module backing_store_side4 (
+    input  wire        clk,
+    input  wire        rst,
+    // What the controller says.
+    input  wire        save_claim,    // A region is about to be saved: the store is no longer free.
+    input  wire [15:0] save_region,   // The number of that region.
+    // The bit that the pixels read is one of the region's; its number is the address that is written.
+    input  wire        save_plane,
+    input  wire [5:0]  number,        // The number of the plane that comes.
+    input  wire [15:0] word,          // Its bits, a row for each line.
+    input  wire        planes_ready,
+    output reg         free,          // It can take a region.
+    // The region.
+    output wire        planes_valid,
+    output wire [15:0] planes_region, // The number of the region.
+    output wire [1:0]  planes_line,   // The line of the region.
+    output wire [5:0]  planes_plane,  // The bit of the visibility word.
+    output wire [3:0]  planes_bits    // A bit of each pixel, from the left.
+);
+
+    reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:73
+    reg reading;                                                 // rtl/src/pixel_planes/backing_store.rs:80
+    reg [5:0] plane;                                             // rtl/src/pixel_planes/backing_store.rs:81
+    reg [1:0] line;                                              // rtl/src/pixel_planes/backing_store.rs:82
+    reg arrived;                                                 // rtl/src/pixel_planes/backing_store.rs:83
+    reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:87
+    reg [1:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:87
+
+    reg [15:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:75
+    reg [15:0] bits_read_word;
+    reg bits_read_inside;
+    wire [15:0] bits_read = bits_read_inside ? bits_read_word : 16'd0;
+
+    wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:77
+    wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:90
+    wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:84
+    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:92
+    wire ends = line_ends & (line == 2'd3);                      // rtl/src/pixel_planes/backing_store.rs:93
+
+    genvar i;
+    genvar j;
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : row
+            wire planes_bits_picked;
+            wire [3:0] planes_bits_picked_lanes;
+            for (j = 0; j < 4; j = j + 1) begin : planes_bits_picked_of
+                assign planes_bits_picked_lanes[j] = bits_read[j * 4 + i];
+            end
+            assign planes_bits_picked = planes_bits_picked_lanes[read_line];
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : planes_bits_of
+            assign planes_bits[i] = row[i].planes_bits_picked;
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (save_plane) bits[number] <= word;
+        if (reads) begin
+            bits_read_word <= bits[plane];
+            bits_read_inside <= plane < 6'd48;
+        end
+    end
+
+    always @(posedge clk) begin
+        if (save_claim) region <= save_region;
+    end
+
+    always @(posedge clk) begin
+        if (reads) begin
+            read_plane <= plane;
+            read_line <= line;
+        end
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            free <= 1'b1;
+            reading <= 1'b0;
+            plane <= 6'd0;
+            line <= 2'd0;
+            arrived <= 1'b0;
+        end else begin
+            if (save_claim) free <= 1'b0;
+            else if (planes_taken & !reading) free <= 1'b1;
+            if (complete) reading <= 1'b1;
+            else if (ends) reading <= 1'b0;
+            if (line_ends) plane <= 6'd0;
+            else if (reads) plane <= plane + 6'd1;
+            if (line_ends) line <= line + 2'd1;
+            if (reads) arrived <= 1'b1;
+            else if (planes_taken) arrived <= 1'b0;
+        end
+    end
+
+    assign planes_valid = arrived;
+    assign planes_region = region;
+    assign planes_line = read_line;
+    assign planes_plane = read_plane;
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assume (!save_claim | free);                       // rtl/src/pixel_planes/backing_store.rs:100
+        if (!rst) assume (!save_plane | (!free & !reading & !arrived)); // rtl/src/pixel_planes/backing_store.rs:101
+    end
+`else
+    always @(posedge clk) begin
+        if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:100
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a region comes when the one before is gone", $time);
+            $stop;
+        end
+        if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:101
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: planes come of a region that was announced", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+endmodule
+`default_nettype wire

@@ -1,0 +1,61 @@
+// compositor_pixels16_width8
+//
+// Sends on the lesser of two words of each pixel, byte by byte.
+//
+// Parameters  Compositor { pixels: 16, width: 8 }
+// Latency     1 clock, a byte a clock
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
+// Described   rtl/src/pixelflow/compositor.rs:83
+`default_nettype none
+
+module compositor_pixels16_width8 (
+    input  wire       clk,
+    input  wire [1:0] mode,       // What the node does: a `Mode`.
+    input  wire       advances,   // A byte goes.
+    input  wire       first,      // It is the first of the pixel's word.
+    input  wire [3:0] pixel,      // The pixel.
+    input  wire [7:0] upstream,   // Its byte from the node before.
+    input  wire [7:0] own,        // Its byte in this node.
+    output reg  [7:0] downstream  // The byte for the node behind.
+);
+
+    localparam [1:0] MODE_LOAD      = 2'd1;
+    localparam [1:0] MODE_COMPOSITE = 2'd2;
+    // Not used here: MODE_FORWARD = 0, MODE_UNLOAD = 3.
+    localparam [1:0] NEARER_EQUAL    = 2'd0;
+    localparam [1:0] NEARER_OWN      = 2'd1;
+    localparam [1:0] NEARER_UPSTREAM = 2'd2;
+
+    (* no_rw_check *)
+    reg [1:0] states [0:15];                                     // rtl/src/pixelflow/compositor.rs:83
+
+    wire [1:0] states_word = states[pixel];                      // rtl/src/pixelflow/compositor.rs:84
+    wire [1:0] state = first ? NEARER_EQUAL : states_word;       // rtl/src/pixelflow/compositor.rs:84
+    reg [1:0] nearer_choice;                                     // rtl/src/pixelflow/compositor.rs:86
+    always @* begin
+        if (own < upstream) nearer_choice = NEARER_OWN;
+        else if (upstream < own) nearer_choice = NEARER_UPSTREAM;
+        else nearer_choice = NEARER_EQUAL;
+    end
+    wire [1:0] nearer = (state == NEARER_EQUAL) ? nearer_choice : state; // rtl/src/pixelflow/compositor.rs:86
+    reg takes_own;                                               // rtl/src/pixelflow/compositor.rs:89
+    always @* begin
+        case (mode)
+            MODE_LOAD: takes_own = 1'b1;
+            MODE_COMPOSITE: takes_own = nearer == NEARER_OWN;
+            default: takes_own = 1'b0;
+        endcase
+    end
+
+    always @(posedge clk) begin
+        if (advances) states[pixel] <= nearer;
+    end
+
+    always @(posedge clk) begin
+        if (advances) begin
+            if (takes_own) downstream <= own;
+            else downstream <= upstream;
+        end
+    end
+endmodule
+`default_nettype wire

@@ -1,0 +1,401 @@
+// coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2
+//
+// Tests the quarters of windows, and sends on those that their polygon may cover.
+//
+// Parameters  CoverageTest { format: "8x8_2x2_edges3", test: Serial, from: 2, sizes: 2 }
+// Latency     a window takes a clock for each edge of each quarter, and 4 for each quarter that passes
+// Source      sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)
+// Described   rtl/src/quadtree/coverage_test.rs:71
+`default_nettype none
+
+module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 (
+    input  wire         clk,
+    input  wire         rst,
+    // Windows with their polygons.
+    input  wire         works_valid,
+    // The polygon.
+    input  wire [2:0]   works_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    input  wire [50:0]  works_polygon_fall_x,
+    input  wire [50:0]  works_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    input  wire [2:0]   works_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    input  wire [2:0]   works_polygon_lower,
+    input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
+    input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    input  wire [1:0]   works_window_size,          // The binary logarithm of its side in samples: n less the level.
+    input  wire [1:0]   works_window_x,             // Its leftmost sample.
+    input  wire [1:0]   works_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    input  wire [95:0]  works_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  works_window_bounds_left,   // The leftmost column.
+    input  wire [12:0]  works_window_bounds_top,    // The uppermost line.
+    input  wire [12:0]  works_window_bounds_right,  // The rightmost column.
+    input  wire [12:0]  works_window_bounds_bottom, // The lowest line.
+    input  wire [159:0] works_window_planes,        // The value of each plane at its upper left sample.
+    input  wire         parts_ready,
+    // Their parts that the polygon may cover; divided to the end, the leaves.
+    output wire         parts_valid,
+    // The polygon.
+    output wire [2:0]   parts_polygon_last_edge,    // The number of its edges, less one.
+    // What each edge function loses over a sample along x, on the way from where it is greatest.
+    output wire [50:0]  parts_polygon_fall_x,
+    output wire [50:0]  parts_polygon_fall_y,       // The same along y.
+    // Whether each edge function is greatest at the right side of a window.
+    output wire [2:0]   parts_polygon_right,
+    // Whether each edge function is greatest at the lower side of a window.
+    output wire [2:0]   parts_polygon_lower,
+    output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
+    output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
+    // The window.
+    output wire [1:0]   parts_window_size,          // The binary logarithm of its side in samples: n less the level.
+    output wire [1:0]   parts_window_x,             // Its leftmost sample.
+    output wire [1:0]   parts_window_y,             // Its uppermost sample.
+    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    output wire [95:0]  parts_window_edges,
+    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    output wire [12:0]  parts_window_bounds_left,   // The leftmost column.
+    output wire [12:0]  parts_window_bounds_top,    // The uppermost line.
+    output wire [12:0]  parts_window_bounds_right,  // The rightmost column.
+    output wire [12:0]  parts_window_bounds_bottom, // The lowest line.
+    output wire [159:0] parts_window_planes,        // The value of each plane at its upper left sample.
+    output wire         idle,                       // No window is held.
+    // What was done on each level, from the first.
+    output wire [31:0]  tally_0_busy,               // Clocks in which it worked.
+    output wire [31:0]  tally_0_stalled,            // Clocks in which it had a result that was not taken.
+    output wire [31:0]  tally_0_results,            // Results.
+    output wire [31:0]  tally_1_busy,
+    output wire [31:0]  tally_1_stalled,
+    output wire [31:0]  tally_1_results,
+    output wire         works_ready
+);
+
+    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:71
+    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:72
+    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:72
+    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:73
+    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:74
+    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:75
+    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:132
+    reg [31:0] size2_busy;                                       // rtl/src/quadtree/tally.rs:28
+    reg [31:0] size2_stalled;                                    // rtl/src/quadtree/tally.rs:28
+    reg [31:0] size2_results;                                    // rtl/src/quadtree/tally.rs:28
+    reg [31:0] size1_busy;                                       // rtl/src/quadtree/tally.rs:28
+    reg [31:0] size1_stalled;                                    // rtl/src/quadtree/tally.rs:28
+    reg [31:0] size1_results;                                    // rtl/src/quadtree/tally.rs:28
+
+    wire [31:0] value_picked;                                    // rtl/src/quadtree/coverage_test.rs:129
+    wire value_picked_2;                                         // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:129
+    wire value_picked_4;                                         // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_5;                                  // rtl/src/quadtree/coverage_test.rs:129
+    wire [39:0] plane_picked;                                    // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_2;                                  // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:93
+    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:83
+    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:131
+    assign parts_window_size = held_window_size - 2'd1;          // rtl/src/quadtree/coverage_test.rs:79
+    wire [31:0] value_shifted = {15'd0, value_picked_3} << parts_window_size; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice = (value_picked_2 == number[0]) ? 32'd0 : value_shifted; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_shifted_2 = {15'd0, value_picked_5} << parts_window_size; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice_2 = (value_picked_4 == number[1]) ? 32'd0 : value_shifted_2; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value = value_picked - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:129
+    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:133
+    wire [12:0] parts_window_bounds_left_choice = number[0] ? 13'd0 : (13'd2 << parts_window_size); // rtl/src/quadtree/format.rs:316
+    assign parts_window_bounds_left = held_window_bounds_left - parts_window_bounds_left_choice; // rtl/src/quadtree/format.rs:316
+    wire [12:0] parts_window_bounds_top_choice = number[1] ? 13'd0 : (13'd2 << parts_window_size); // rtl/src/quadtree/format.rs:316
+    assign parts_window_bounds_top = held_window_bounds_top - parts_window_bounds_top_choice; // rtl/src/quadtree/format.rs:316
+    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:330
+    wire [12:0] parts_window_bounds_right_choice = !number[0] ? 13'd0 : (13'd2 << parts_window_size); // rtl/src/quadtree/format.rs:316
+    assign parts_window_bounds_right = held_window_bounds_right - parts_window_bounds_right_choice; // rtl/src/quadtree/format.rs:316
+    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:330
+    wire [12:0] parts_window_bounds_bottom_choice = !number[1] ? 13'd0 : (13'd2 << parts_window_size); // rtl/src/quadtree/format.rs:316
+    assign parts_window_bounds_bottom = held_window_bounds_bottom - parts_window_bounds_bottom_choice; // rtl/src/quadtree/format.rs:316
+    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:86
+    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:88
+    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:95
+    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:99
+    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:101
+    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:102
+    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:103
+    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:87
+    wire [39:0] plane_choice = number[0] ? (plane_picked_2 << parts_window_size) : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
+    wire [39:0] plane_choice_2 = number[1] ? (plane_picked_3 << parts_window_size) : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
+    wire [39:0] plane = plane_picked + plane_choice + plane_choice_2; // rtl/src/quadtree/coverage_test.rs:93
+    assign parts_window_x = held_window_x | ({1'd0, number[0]} << parts_window_size); // rtl/src/quadtree/coverage_test.rs:96
+    assign parts_window_y = held_window_y | ({1'd0, number[1]} << parts_window_size); // rtl/src/quadtree/coverage_test.rs:96
+    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:103
+    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:110
+    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:116
+    wire size2_busy_equal = held_window_size == 2'd2;            // rtl/src/quadtree/coverage_test.rs:112
+    wire size1_busy_equal = held_window_size == 2'd1;            // rtl/src/quadtree/coverage_test.rs:112
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : edges_row
+            reg [31:0] edges;
+            localparam [31:0] edges_listed = i;
+
+            always @(posedge clk) begin
+                if (tests) begin
+                    if (edges_listed[2:0] == step) edges <= value;
+                end
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : planes_row
+            reg [39:0] planes;
+            localparam [31:0] parts_window_planes_listed = i;
+            wire [39:0] parts_window_planes_choice = (parts_window_planes_listed[2:0] == step) ? plane : planes;
+
+            always @(posedge clk) begin
+                if (moves) planes <= parts_window_planes_choice;
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_fall_x_row
+            reg [16:0] held_polygon_fall_x;
+
+            always @(posedge clk) begin
+                if (works_taken) held_polygon_fall_x <= works_polygon_fall_x[i * 17 +: 17];
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_fall_y_row
+            reg [16:0] held_polygon_fall_y;
+
+            always @(posedge clk) begin
+                if (works_taken) held_polygon_fall_y <= works_polygon_fall_y[i * 17 +: 17];
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_right_row
+            reg held_polygon_right;
+
+            always @(posedge clk) begin
+                if (works_taken) held_polygon_right <= works_polygon_right[i];
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_lower_row
+            reg held_polygon_lower;
+
+            always @(posedge clk) begin
+                if (works_taken) held_polygon_lower <= works_polygon_lower[i];
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : held_polygon_plane_x_row
+            reg [39:0] held_polygon_plane_x;
+
+            always @(posedge clk) begin
+                if (works_taken) begin
+                    held_polygon_plane_x <= works_polygon_plane_x[i * 40 +: 40];
+                end
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : held_polygon_plane_y_row
+            reg [39:0] held_polygon_plane_y;
+
+            always @(posedge clk) begin
+                if (works_taken) begin
+                    held_polygon_plane_y <= works_polygon_plane_y[i * 40 +: 40];
+                end
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : held_window_edges_row
+            reg [31:0] held_window_edges;
+
+            always @(posedge clk) begin
+                if (works_taken) held_window_edges <= works_window_edges[i * 32 +: 32];
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : held_window_planes_row
+            reg [39:0] held_window_planes;
+
+            always @(posedge clk) begin
+                if (works_taken) held_window_planes <= works_window_planes[i * 40 +: 40];
+            end
+        end
+    endgenerate
+
+    wire [31:0] value_picked_lanes [0:2];
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : value_picked_of
+            assign value_picked_lanes[i] = held_window_edges_row[i].held_window_edges;
+        end
+    endgenerate
+    assign value_picked = (step < 3'd3) ? value_picked_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:129
+    wire [2:0] value_picked_2_lanes;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : value_picked_2_of
+            assign value_picked_2_lanes[i] = held_polygon_right_row[i].held_polygon_right;
+        end
+    endgenerate
+    assign value_picked_2 = (step < 3'd3) ? value_picked_2_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_3_lanes [0:2];
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : value_picked_3_of
+            assign value_picked_3_lanes[i] = held_polygon_fall_x_row[i].held_polygon_fall_x;
+        end
+    endgenerate
+    assign value_picked_3 = (step < 3'd3) ? value_picked_3_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:129
+    wire [2:0] value_picked_4_lanes;
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : value_picked_4_of
+            assign value_picked_4_lanes[i] = held_polygon_lower_row[i].held_polygon_lower;
+        end
+    endgenerate
+    assign value_picked_4 = (step < 3'd3) ? value_picked_4_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:129
+    wire [16:0] value_picked_5_lanes [0:2];
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : value_picked_5_of
+            assign value_picked_5_lanes[i] = held_polygon_fall_y_row[i].held_polygon_fall_y;
+        end
+    endgenerate
+    assign value_picked_5 = (step < 3'd3) ? value_picked_5_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:129
+    wire [39:0] plane_picked_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_picked_of
+            assign plane_picked_lanes[i] = held_window_planes_row[i].held_window_planes;
+        end
+    endgenerate
+    assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_2_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_picked_2_of
+            assign plane_picked_2_lanes[i] = held_polygon_plane_x_row[i].held_polygon_plane_x;
+        end
+    endgenerate
+    assign plane_picked_2 = (step < 3'd4) ? plane_picked_2_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
+    wire [39:0] plane_picked_3_lanes [0:3];
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : plane_picked_3_of
+            assign plane_picked_3_lanes[i] = held_polygon_plane_y_row[i].held_polygon_plane_y;
+        end
+    endgenerate
+    assign plane_picked_3 = (step < 3'd4) ? plane_picked_3_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:93
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_x_of
+            assign parts_polygon_fall_x[i * 17 +: 17] = held_polygon_fall_x_row[i].held_polygon_fall_x;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_y_of
+            assign parts_polygon_fall_y[i * 17 +: 17] = held_polygon_fall_y_row[i].held_polygon_fall_y;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_right_of
+            assign parts_polygon_right[i] = held_polygon_right_row[i].held_polygon_right;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_lower_of
+            assign parts_polygon_lower[i] = held_polygon_lower_row[i].held_polygon_lower;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : parts_polygon_plane_x_of
+            assign parts_polygon_plane_x[i * 40 +: 40] = held_polygon_plane_x_row[i].held_polygon_plane_x;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : parts_polygon_plane_y_of
+            assign parts_polygon_plane_y[i * 40 +: 40] = held_polygon_plane_y_row[i].held_polygon_plane_y;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : parts_window_edges_of
+            assign parts_window_edges[i * 32 +: 32] = edges_row[i].edges;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 4; i = i + 1) begin : parts_window_planes_of
+            assign parts_window_planes[i * 40 +: 40] = planes_row[i].parts_window_planes_choice;
+        end
+    endgenerate
+
+    always @(posedge clk) begin
+        if (works_taken) held_polygon_last_edge <= works_polygon_last_edge;
+        if (works_taken) held_window_size <= works_window_size;
+        if (works_taken) held_window_x <= works_window_x;
+        if (works_taken) held_window_y <= works_window_y;
+        if (works_taken) held_window_bounds_left <= works_window_bounds_left;
+        if (works_taken) held_window_bounds_top <= works_window_bounds_top;
+        if (works_taken) held_window_bounds_right <= works_window_bounds_right;
+        if (works_taken) held_window_bounds_bottom <= works_window_bounds_bottom;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            busy <= 1'b0;
+            number <= 2'd0;
+            moves <= 1'b0;
+            step <= 3'd0;
+            outside <= 1'b0;
+            size2_busy <= 32'd0;
+            size2_stalled <= 32'd0;
+            size2_results <= 32'd0;
+            size1_busy <= 32'd0;
+            size1_stalled <= 32'd0;
+            size1_results <= 32'd0;
+        end else begin
+            if (works_taken) busy <= 1'b1;
+            else if (ends) busy <= 1'b0;
+            if (ends_quarter) number <= number + 2'd1;
+            if (passes) moves <= 1'b1;
+            else if (parts_taken) moves <= 1'b0;
+            if (passes | ends_quarter) step <= 3'd0;
+            else if (busy & !ready) step <= step + 3'd1;
+            if (tests) outside <= is_outside & !is_last;
+            if (busy & !waits & size2_busy_equal) size2_busy <= size2_busy + 32'd1;
+            if (waits & size2_busy_equal) size2_stalled <= size2_stalled + 32'd1;
+            if (parts_taken & size2_busy_equal) size2_results <= size2_results + 32'd1;
+            if (busy & !waits & size1_busy_equal) size1_busy <= size1_busy + 32'd1;
+            if (waits & size1_busy_equal) size1_stalled <= size1_stalled + 32'd1;
+            if (parts_taken & size1_busy_equal) size1_results <= size1_results + 32'd1;
+        end
+    end
+
+    assign parts_valid = ready;
+    assign parts_polygon_last_edge = held_polygon_last_edge;
+    assign tally_0_busy = size2_busy;
+    assign tally_0_stalled = size2_stalled;
+    assign tally_0_results = size2_results;
+    assign tally_1_busy = size1_busy;
+    assign tally_1_stalled = size1_stalled;
+    assign tally_1_results = size1_results;
+endmodule
+`default_nettype wire

@@ -1,0 +1,754 @@
+// image_generation_controller_side4_quadratic
+//
+// Takes the instructions of a renderer, and controls its tree and its pixels.
+//
+// Parameters  ImageGenerationController { side: 4, quadratic: true }
+// Latency     1 clock to the coefficients' bits, 9 to the control of pixels; the next instruction begins with the last bit
+// Source      Pixel-planes 5, section I.3.2.1 (PP5-UT)
+// Described   rtl/src/pixel_planes/controller.rs:105
+`default_nettype none
+
+module image_generation_controller_side4_quadratic (
+    input  wire        clk,
+    input  wire        rst,
+    // What to do.
+    input  wire        instructions_valid,
+    input  wire [4:0]  instructions_operation,      // What is done: an `Operation`.
+    input  wire [5:0]  instructions_skip,           // Bits of the expression that come before the word; 0 without one.
+    input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
+    input  wire [7:0]  instructions_read,           // Where the word that is read begins.
+    input  wire [7:0]  instructions_write,          // Where the word that is written begins.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    input  wire [39:0] instructions_coefficients_a, // Of what is added from a column to the next.
+    input  wire [39:0] instructions_coefficients_b, // Of what is added from a line to the next.
+    input  wire [39:0] instructions_coefficients_c, // Of the value at column 0 of line 0.
+    // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    input  wire        side_by_side,
+    input  wire        store_free,                  // The backing store can take a region.
+    // To the tree.
+    output wire        coefficients_a,              // Of what is added from a column to the next.
+    output wire        coefficients_b,              // Of what is added from a line to the next.
+    output wire        coefficients_c,              // Of the value at column 0 of line 0.
+    // To a quadratic tree, with them; 0 of a linear expression.
+    output wire        curve_0_d,                   // Of the square of x.
+    output wire        curve_0_e,                   // Of x times y.
+    output wire        curve_0_f,                   // Of the square of y.
+    output reg         first,                       // They are the first bits of an expression.
+    // To the pixels.
+    output wire [1:0]  control_source,              // Where the bit comes from: a `Source`.
+    output wire        control_constant,            // The bit, if it is a constant.
+    output wire        control_adds,                // The bit read, and the carry, are added to it.
+    output wire        control_first,               // It is the first bit of a word: carry and flag begin anew.
+    output wire [1:0]  control_mask,                // Who writes the result: a `Mask`.
+    // The flag is set where the words are less than the ones in memory, so far.
+    output wire        control_compares,
+    output wire        control_gates,               // That holds only where the processor is enabled.
+    output wire [2:0]  control_enabling,            // What becomes of the enable flags: an `Enabling`.
+    output wire        control_captures,            // The flag becomes what the enable flag becomes.
+    output wire [7:0]  control_read,                // The address that is read.
+    output wire [7:0]  control_write,               // The address that is written.
+    // To the backing store.
+    output wire        save_claim,                  // A region is about to be saved: the store is no longer free.
+    output wire [15:0] save_region,                 // The number of that region.
+    // The bit that the pixels read is one of the region's; its number is the address that is written.
+    output wire        save_plane,
+    output wire        idle,                        // Nothing is under way but in the pixels.
+    output wire        instructions_ready
+);
+
+    localparam [4:0] OPERATION_CURVE = 5'd18;
+    // Not used here: OPERATION_ENABLE = 0, OPERATION_DISABLE = 1, OPERATION_TEST_FIRST = 2,
+    //     OPERATION_TEST = 3, OPERATION_TEST_LAST = 4, OPERATION_FLAG = 5, OPERATION_EVALUATE = 6,
+    //     OPERATION_EVALUATE_ENABLED = 7, OPERATION_EVALUATE_FLAGGED = 8, OPERATION_ADD = 9,
+    //     OPERATION_COMPARE = 10, OPERATION_COMPARE_ON = 11, OPERATION_COMPARE_CONSTANT = 12,
+    //     OPERATION_FILL = 13, OPERATION_FILL_FLAGGED = 14, OPERATION_COPY = 15,
+    //     OPERATION_COPY_FLAGGED = 16, OPERATION_SAVE = 17.
+    localparam [1:0] SOURCE_EXPRESSION = 2'd0;
+    localparam [1:0] SOURCE_CONSTANT   = 2'd2;
+    // Not used here: SOURCE_MEMORY = 1.
+    localparam [1:0] MASK_NOBODY = 2'd0;
+    // Not used here: MASK_EVERYBODY = 1, MASK_ENABLED = 2, MASK_FLAGGED = 3.
+    localparam [2:0] ENABLING_KEEP     = 3'd0;
+    localparam [2:0] ENABLING_RESTRICT = 3'd4;
+    // Not used here: ENABLING_SET = 1, ENABLING_CLEAR = 2, ENABLING_REPLACE = 3.
+
+    reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] tree_microcode_source;                             // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_adds;                                     // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_begins;                                   // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] tree_microcode_mask;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_compares;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_gates;                                    // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [2:0] tree_microcode_enabling;                           // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_captures;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_saves;                                    // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [6:0] tree_length;                                       // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [7:0] tree_left;                                         // rtl/src/pixel_planes/controller/slot.rs:55
+    reg [39:0] tree_bits;                                        // rtl/src/pixel_planes/controller/slot.rs:57
+    reg [7:0] tree_read;                                         // rtl/src/pixel_planes/controller/slot.rs:63
+    reg [7:0] tree_write;                                        // rtl/src/pixel_planes/controller/slot.rs:64
+    reg memory_microcode_on_tree;                                // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_on_memory;                              // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] memory_microcode_source;                           // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_adds;                                   // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_begins;                                 // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [1:0] memory_microcode_mask;                             // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_compares;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_gates;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [2:0] memory_microcode_enabling;                         // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_captures;                               // rtl/src/pixel_planes/controller/slot.rs:54
+    reg memory_microcode_saves;                                  // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [6:0] memory_length;                                     // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [7:0] memory_left;                                       // rtl/src/pixel_planes/controller/slot.rs:55
+    reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:57
+    reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:63
+    reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:64
+    reg waits;                                                   // rtl/src/pixel_planes/controller.rs:108
+    reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:109
+    reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_adds;                                  // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_begins;                                // rtl/src/pixel_planes/controller.rs:109
+    reg [1:0] waiting_microcode_mask;                            // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_compares;                              // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_gates;                                 // rtl/src/pixel_planes/controller.rs:109
+    reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:109
+    reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:109
+    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:109
+    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:109
+    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:109
+    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:109
+    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:109
+    reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:112
+    reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:112
+    reg curve_waits;                                             // rtl/src/pixel_planes/controller.rs:169
+    reg curve_goes;                                              // rtl/src/pixel_planes/controller.rs:171
+    reg [39:0] d;                                                // rtl/src/pixel_planes/controller.rs:175
+    reg [39:0] e;                                                // rtl/src/pixel_planes/controller.rs:175
+    reg [39:0] f;                                                // rtl/src/pixel_planes/controller.rs:175
+    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent7_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent7_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent7_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent7_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent7_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent7_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent8_control_source;                              // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent8_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
+    reg [2:0] sent8_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent8_control_read;                                // rtl/src/pixel_planes/controller.rs:185
+    reg [7:0] sent8_control_write;                               // rtl/src/pixel_planes/controller.rs:185
+    reg sent8_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+
+    (* no_rw_check *)
+    reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:105
+
+    initial begin : microcode_contents
+        microcode[0] = 15'h5004;
+        microcode[1] = 15'h5008;
+        microcode[2] = 15'h400c;
+        microcode[3] = 15'h4010;
+        microcode[4] = 15'h6012;
+        microcode[5] = 15'h7002;
+        microcode[6] = 15'h6080;
+        microcode[7] = 15'h6100;
+        microcode[8] = 15'h6180;
+        microcode[9] = 15'h6700;
+        microcode[10] = 15'h62e0;
+        microcode[11] = 15'h60e0;
+        microcode[12] = 15'h3240;
+        microcode[13] = 15'h3080;
+        microcode[14] = 15'h3180;
+        microcode[15] = 15'h2880;
+        microcode[16] = 15'h2980;
+        microcode[17] = 15'h2801;
+        microcode[18] = 15'h5000;
+    end
+
+    wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:106
+    wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:61
+    wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:106
+    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:112
+    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:113
+    wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:114
+    wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:61
+    wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:115
+    wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:115
+    wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:106
+    wire memory_may = memory_may_and & (!decoded_saves | store_free); // rtl/src/pixel_planes/controller.rs:115
+    wire both_end = tree_ends & memory_ends & !waits;            // rtl/src/pixel_planes/controller.rs:116
+    wire may = (decoded_on_tree ? tree_may : memory_may) & (side_by_side | both_end); // rtl/src/pixel_planes/controller.rs:117
+    assign instructions_ready = may;                             // rtl/src/pixel_planes/controller.rs:118
+    wire [1:0] decoded_source = decoded[12:11];                  // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_adds = decoded[10];                             // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_begins = decoded[9];                            // rtl/src/pixel_planes/controller.rs:106
+    wire [1:0] decoded_mask = decoded[8:7];                      // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_compares = decoded[6];                          // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:106
+    wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:106
+    wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:106
+    wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:62
+    assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:66
+    wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:62
+    wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:118
+    wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:122
+    wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:123
+    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:124
+    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:127
+    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:129
+    wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
+    assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
+    assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
+    wire curve_waits_and = instructions_taken & (instructions_operation == OPERATION_CURVE); // rtl/src/pixel_planes/controller.rs:167
+    wire curve_waits_and_2 = instructions_taken & (decoded_source == SOURCE_EXPRESSION); // rtl/src/pixel_planes/controller.rs:168
+    assign curve_0_d = d[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:177
+    assign curve_0_e = e[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:177
+    assign curve_0_f = f[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:177
+    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:140
+    wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
+    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:196
+    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:197
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:200
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:200
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd2; // rtl/src/pixel_planes/controller.rs:203
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:204
+    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:149
+    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:149
+    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:156
+    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:156
+
+    always @(posedge clk) begin
+        if (tree_begins) tree_bits <= instructions_coefficients_c;
+        else tree_bits <= {tree_bits[39], tree_bits[39:1]};
+        if (tree_begins) tree_read <= instructions_read;
+        else if (tree_is_word) tree_read <= tree_read + 8'd1;
+        if (tree_begins) tree_write <= instructions_write;
+        else if (tree_is_word) tree_write <= tree_write + 8'd1;
+        if (memory_begins) begin
+            if (waits) memory_bits <= waiting_constant;
+            else memory_bits <= instructions_coefficients_c;
+        end else begin
+            memory_bits <= {memory_bits[39], memory_bits[39:1]};
+        end
+        if (memory_begins) begin
+            if (waits) memory_read <= waiting_read;
+            else memory_read <= instructions_read;
+        end else if (memory_is_word) begin
+            memory_read <= memory_read + 8'd1;
+        end
+        if (memory_begins) begin
+            if (waits) memory_write <= waiting_write;
+            else memory_write <= instructions_write;
+        end else if (memory_is_word) begin
+            memory_write <= memory_write + 8'd1;
+        end
+        if (must_wait) waiting_microcode_on_tree <= decoded_on_tree;
+        if (must_wait) waiting_microcode_on_memory <= decoded_on_memory;
+        if (must_wait) waiting_microcode_source <= decoded_source;
+        if (must_wait) waiting_microcode_adds <= decoded_adds;
+        if (must_wait) waiting_microcode_begins <= decoded_begins;
+        if (must_wait) waiting_microcode_mask <= decoded_mask;
+        if (must_wait) waiting_microcode_compares <= decoded_compares;
+        if (must_wait) waiting_microcode_gates <= decoded_gates;
+        if (must_wait) waiting_microcode_enabling <= decoded_enabling;
+        if (must_wait) waiting_microcode_captures <= decoded_captures;
+        if (must_wait) waiting_microcode_saves <= decoded_saves;
+        if (must_wait) waiting_skip <= instructions_skip;
+        if (must_wait) waiting_length <= instructions_length;
+        if (must_wait) waiting_read <= instructions_read;
+        if (must_wait) waiting_write <= instructions_write;
+        if (must_wait) waiting_constant <= instructions_coefficients_c;
+        if (tree_begins) a <= instructions_coefficients_a;
+        else a <= {a[39], a[39:1]};
+        if (tree_begins) b <= instructions_coefficients_b;
+        else b <= {b[39], b[39:1]};
+        if (curve_waits_and) d <= instructions_coefficients_a;
+        else if (curve_goes) d <= {d[39], d[39:1]};
+        if (curve_waits_and) e <= instructions_coefficients_b;
+        else if (curve_goes) e <= {e[39], e[39:1]};
+        if (curve_waits_and) f <= instructions_coefficients_c;
+        else if (curve_goes) f <= {f[39], f[39:1]};
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            tree_microcode_on_tree <= 1'b0;
+            tree_microcode_on_memory <= 1'b0;
+            tree_microcode_source <= SOURCE_EXPRESSION;
+            tree_microcode_adds <= 1'b0;
+            tree_microcode_begins <= 1'b0;
+            tree_microcode_mask <= MASK_NOBODY;
+            tree_microcode_compares <= 1'b0;
+            tree_microcode_gates <= 1'b0;
+            tree_microcode_enabling <= ENABLING_KEEP;
+            tree_microcode_captures <= 1'b0;
+            tree_microcode_saves <= 1'b0;
+            tree_length <= 7'd0;
+            tree_left <= 8'd0;
+            memory_microcode_on_tree <= 1'b0;
+            memory_microcode_on_memory <= 1'b0;
+            memory_microcode_source <= SOURCE_EXPRESSION;
+            memory_microcode_adds <= 1'b0;
+            memory_microcode_begins <= 1'b0;
+            memory_microcode_mask <= MASK_NOBODY;
+            memory_microcode_compares <= 1'b0;
+            memory_microcode_gates <= 1'b0;
+            memory_microcode_enabling <= ENABLING_KEEP;
+            memory_microcode_captures <= 1'b0;
+            memory_microcode_saves <= 1'b0;
+            memory_length <= 7'd0;
+            memory_left <= 8'd0;
+            waits <= 1'b0;
+            curve_waits <= 1'b0;
+            curve_goes <= 1'b0;
+            first <= 1'b0;
+            sent1_control_source <= SOURCE_EXPRESSION;
+            sent1_control_constant <= 1'b0;
+            sent1_control_adds <= 1'b0;
+            sent1_control_first <= 1'b0;
+            sent1_control_mask <= MASK_NOBODY;
+            sent1_control_compares <= 1'b0;
+            sent1_control_gates <= 1'b0;
+            sent1_control_enabling <= ENABLING_KEEP;
+            sent1_control_captures <= 1'b0;
+            sent1_control_read <= 8'd0;
+            sent1_control_write <= 8'd0;
+            sent1_plane <= 1'b0;
+            sent2_control_source <= SOURCE_EXPRESSION;
+            sent2_control_constant <= 1'b0;
+            sent2_control_adds <= 1'b0;
+            sent2_control_first <= 1'b0;
+            sent2_control_mask <= MASK_NOBODY;
+            sent2_control_compares <= 1'b0;
+            sent2_control_gates <= 1'b0;
+            sent2_control_enabling <= ENABLING_KEEP;
+            sent2_control_captures <= 1'b0;
+            sent2_control_read <= 8'd0;
+            sent2_control_write <= 8'd0;
+            sent2_plane <= 1'b0;
+            sent3_control_source <= SOURCE_EXPRESSION;
+            sent3_control_constant <= 1'b0;
+            sent3_control_adds <= 1'b0;
+            sent3_control_first <= 1'b0;
+            sent3_control_mask <= MASK_NOBODY;
+            sent3_control_compares <= 1'b0;
+            sent3_control_gates <= 1'b0;
+            sent3_control_enabling <= ENABLING_KEEP;
+            sent3_control_captures <= 1'b0;
+            sent3_control_read <= 8'd0;
+            sent3_control_write <= 8'd0;
+            sent3_plane <= 1'b0;
+            sent4_control_source <= SOURCE_EXPRESSION;
+            sent4_control_constant <= 1'b0;
+            sent4_control_adds <= 1'b0;
+            sent4_control_first <= 1'b0;
+            sent4_control_mask <= MASK_NOBODY;
+            sent4_control_compares <= 1'b0;
+            sent4_control_gates <= 1'b0;
+            sent4_control_enabling <= ENABLING_KEEP;
+            sent4_control_captures <= 1'b0;
+            sent4_control_read <= 8'd0;
+            sent4_control_write <= 8'd0;
+            sent4_plane <= 1'b0;
+            sent5_control_source <= SOURCE_EXPRESSION;
+            sent5_control_constant <= 1'b0;
+            sent5_control_adds <= 1'b0;
+            sent5_control_first <= 1'b0;
+            sent5_control_mask <= MASK_NOBODY;
+            sent5_control_compares <= 1'b0;
+            sent5_control_gates <= 1'b0;
+            sent5_control_enabling <= ENABLING_KEEP;
+            sent5_control_captures <= 1'b0;
+            sent5_control_read <= 8'd0;
+            sent5_control_write <= 8'd0;
+            sent5_plane <= 1'b0;
+            sent6_control_source <= SOURCE_EXPRESSION;
+            sent6_control_constant <= 1'b0;
+            sent6_control_adds <= 1'b0;
+            sent6_control_first <= 1'b0;
+            sent6_control_mask <= MASK_NOBODY;
+            sent6_control_compares <= 1'b0;
+            sent6_control_gates <= 1'b0;
+            sent6_control_enabling <= ENABLING_KEEP;
+            sent6_control_captures <= 1'b0;
+            sent6_control_read <= 8'd0;
+            sent6_control_write <= 8'd0;
+            sent6_plane <= 1'b0;
+            sent7_control_source <= SOURCE_EXPRESSION;
+            sent7_control_constant <= 1'b0;
+            sent7_control_adds <= 1'b0;
+            sent7_control_first <= 1'b0;
+            sent7_control_mask <= MASK_NOBODY;
+            sent7_control_compares <= 1'b0;
+            sent7_control_gates <= 1'b0;
+            sent7_control_enabling <= ENABLING_KEEP;
+            sent7_control_captures <= 1'b0;
+            sent7_control_read <= 8'd0;
+            sent7_control_write <= 8'd0;
+            sent7_plane <= 1'b0;
+            sent8_control_source <= SOURCE_EXPRESSION;
+            sent8_control_constant <= 1'b0;
+            sent8_control_adds <= 1'b0;
+            sent8_control_first <= 1'b0;
+            sent8_control_mask <= MASK_NOBODY;
+            sent8_control_compares <= 1'b0;
+            sent8_control_gates <= 1'b0;
+            sent8_control_enabling <= ENABLING_KEEP;
+            sent8_control_captures <= 1'b0;
+            sent8_control_read <= 8'd0;
+            sent8_control_write <= 8'd0;
+            sent8_plane <= 1'b0;
+        end else begin
+            if (tree_begins) tree_microcode_on_tree <= decoded_on_tree;
+            if (tree_begins) tree_microcode_on_memory <= decoded_on_memory;
+            if (tree_begins) tree_microcode_source <= decoded_source;
+            if (tree_begins) tree_microcode_adds <= decoded_adds;
+            if (tree_begins) tree_microcode_begins <= decoded_begins;
+            if (tree_begins) tree_microcode_mask <= decoded_mask;
+            if (tree_begins) tree_microcode_compares <= decoded_compares;
+            if (tree_begins) tree_microcode_gates <= decoded_gates;
+            if (tree_begins) tree_microcode_enabling <= decoded_enabling;
+            if (tree_begins) tree_microcode_captures <= decoded_captures;
+            if (tree_begins) tree_microcode_saves <= decoded_saves;
+            if (tree_begins) tree_length <= instructions_length;
+            if (tree_begins) begin
+                tree_left <= {2'd0, instructions_skip} + {1'd0, instructions_length};
+            end else if (tree_left != 8'd0) begin
+                tree_left <= tree_left - 8'd1;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_on_tree <= waiting_microcode_on_tree;
+                else memory_microcode_on_tree <= decoded_on_tree;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_on_memory <= waiting_microcode_on_memory;
+                else memory_microcode_on_memory <= decoded_on_memory;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_source <= waiting_microcode_source;
+                else memory_microcode_source <= decoded_source;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_adds <= waiting_microcode_adds;
+                else memory_microcode_adds <= decoded_adds;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_begins <= waiting_microcode_begins;
+                else memory_microcode_begins <= decoded_begins;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_mask <= waiting_microcode_mask;
+                else memory_microcode_mask <= decoded_mask;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_compares <= waiting_microcode_compares;
+                else memory_microcode_compares <= decoded_compares;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_gates <= waiting_microcode_gates;
+                else memory_microcode_gates <= decoded_gates;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_enabling <= waiting_microcode_enabling;
+                else memory_microcode_enabling <= decoded_enabling;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_captures <= waiting_microcode_captures;
+                else memory_microcode_captures <= decoded_captures;
+            end
+            if (memory_begins) begin
+                if (waits) memory_microcode_saves <= waiting_microcode_saves;
+                else memory_microcode_saves <= decoded_saves;
+            end
+            if (memory_begins) memory_length <= memory_length_choice;
+            if (memory_begins) begin
+                memory_left <= memory_left_extended + {1'd0, memory_length_choice};
+            end else if (memory_left != 8'd0) begin
+                memory_left <= memory_left - 8'd1;
+            end
+            if (must_wait) waits <= 1'b1;
+            else if (memory_ends) waits <= 1'b0;
+            if (curve_waits_and) curve_waits <= 1'b1;
+            else if (curve_waits_and_2) curve_waits <= 1'b0;
+            if (curve_waits_and) curve_goes <= 1'b0;
+            else if (curve_waits_and_2) curve_goes <= curve_waits;
+            first <= tree_begins & (decoded_source == SOURCE_EXPRESSION);
+            if (memory_is_word) sent1_control_source <= memory_microcode_source;
+            else sent1_control_source <= tree_microcode_source;
+            if (memory_is_word) sent1_control_constant <= memory_bits[0];
+            else sent1_control_constant <= coefficients_c;
+            if (memory_is_word) begin
+                sent1_control_adds <= memory_is_word & memory_microcode_adds;
+            end else begin
+                sent1_control_adds <= tree_is_word & tree_microcode_adds;
+            end
+            if (memory_is_word) begin
+                sent1_control_first <= memory_microcode_begins & (memory_left == {1'd0, memory_length});
+            end else begin
+                sent1_control_first <= tree_microcode_begins & (tree_left == {1'd0, tree_length});
+            end
+            if (memory_is_word) begin
+                if (memory_is_word) sent1_control_mask <= memory_microcode_mask;
+                else sent1_control_mask <= MASK_NOBODY;
+            end else if (tree_is_word) begin
+                sent1_control_mask <= tree_microcode_mask;
+            end else begin
+                sent1_control_mask <= MASK_NOBODY;
+            end
+            if (memory_is_word) begin
+                sent1_control_compares <= memory_is_word & memory_microcode_compares;
+            end else begin
+                sent1_control_compares <= tree_is_word & tree_microcode_compares;
+            end
+            if (memory_is_word) sent1_control_gates <= memory_microcode_gates;
+            else sent1_control_gates <= tree_microcode_gates;
+            if (sent1_control_enabling_and) sent1_control_enabling <= tree_microcode_enabling;
+            else sent1_control_enabling <= ENABLING_KEEP;
+            sent1_control_captures <= sent1_control_enabling_and & tree_microcode_captures;
+            if (memory_is_word) sent1_control_read <= memory_read;
+            else sent1_control_read <= tree_read;
+            if (memory_is_word) sent1_control_write <= memory_write;
+            else sent1_control_write <= tree_write;
+            sent1_plane <= memory_is_word & memory_microcode_saves;
+            sent2_control_source <= sent1_control_source;
+            sent2_control_constant <= sent1_control_constant;
+            sent2_control_adds <= sent1_control_adds;
+            sent2_control_first <= sent1_control_first;
+            sent2_control_mask <= sent1_control_mask;
+            sent2_control_compares <= sent1_control_compares;
+            sent2_control_gates <= sent1_control_gates;
+            sent2_control_enabling <= sent1_control_enabling;
+            sent2_control_captures <= sent1_control_captures;
+            sent2_control_read <= sent1_control_read;
+            sent2_control_write <= sent1_control_write;
+            sent2_plane <= sent1_plane;
+            sent3_control_source <= sent2_control_source;
+            sent3_control_constant <= sent2_control_constant;
+            sent3_control_adds <= sent2_control_adds;
+            sent3_control_first <= sent2_control_first;
+            sent3_control_mask <= sent2_control_mask;
+            sent3_control_compares <= sent2_control_compares;
+            sent3_control_gates <= sent2_control_gates;
+            sent3_control_enabling <= sent2_control_enabling;
+            sent3_control_captures <= sent2_control_captures;
+            sent3_control_read <= sent2_control_read;
+            sent3_control_write <= sent2_control_write;
+            sent3_plane <= sent2_plane;
+            sent4_control_source <= sent3_control_source;
+            sent4_control_constant <= sent3_control_constant;
+            sent4_control_adds <= sent3_control_adds;
+            sent4_control_first <= sent3_control_first;
+            sent4_control_mask <= sent3_control_mask;
+            sent4_control_compares <= sent3_control_compares;
+            sent4_control_gates <= sent3_control_gates;
+            sent4_control_enabling <= sent3_control_enabling;
+            sent4_control_captures <= sent3_control_captures;
+            sent4_control_read <= sent3_control_read;
+            sent4_control_write <= sent3_control_write;
+            sent4_plane <= sent3_plane;
+            sent5_control_source <= sent4_control_source;
+            sent5_control_constant <= sent4_control_constant;
+            sent5_control_adds <= sent4_control_adds;
+            sent5_control_first <= sent4_control_first;
+            sent5_control_mask <= sent4_control_mask;
+            sent5_control_compares <= sent4_control_compares;
+            sent5_control_gates <= sent4_control_gates;
+            sent5_control_enabling <= sent4_control_enabling;
+            sent5_control_captures <= sent4_control_captures;
+            sent5_control_read <= sent4_control_read;
+            sent5_control_write <= sent4_control_write;
+            sent5_plane <= sent4_plane;
+            sent6_control_source <= sent5_control_source;
+            sent6_control_constant <= sent5_control_constant;
+            sent6_control_adds <= sent5_control_adds;
+            sent6_control_first <= sent5_control_first;
+            sent6_control_mask <= sent5_control_mask;
+            sent6_control_compares <= sent5_control_compares;
+            sent6_control_gates <= sent5_control_gates;
+            sent6_control_enabling <= sent5_control_enabling;
+            sent6_control_captures <= sent5_control_captures;
+            sent6_control_read <= sent5_control_read;
+            sent6_control_write <= sent5_control_write;
+            sent6_plane <= sent5_plane;
+            sent7_control_source <= sent6_control_source;
+            sent7_control_constant <= sent6_control_constant;
+            sent7_control_adds <= sent6_control_adds;
+            sent7_control_first <= sent6_control_first;
+            sent7_control_mask <= sent6_control_mask;
+            sent7_control_compares <= sent6_control_compares;
+            sent7_control_gates <= sent6_control_gates;
+            sent7_control_enabling <= sent6_control_enabling;
+            sent7_control_captures <= sent6_control_captures;
+            sent7_control_read <= sent6_control_read;
+            sent7_control_write <= sent6_control_write;
+            sent7_plane <= sent6_plane;
+            sent8_control_source <= sent7_control_source;
+            sent8_control_constant <= sent7_control_constant;
+            sent8_control_adds <= sent7_control_adds;
+            sent8_control_first <= sent7_control_first;
+            sent8_control_mask <= sent7_control_mask;
+            sent8_control_compares <= sent7_control_compares;
+            sent8_control_gates <= sent7_control_gates;
+            sent8_control_enabling <= sent7_control_enabling;
+            sent8_control_captures <= sent7_control_captures;
+            sent8_control_read <= sent7_control_read;
+            sent8_control_write <= sent7_control_write;
+            sent8_plane <= sent7_plane;
+        end
+    end
+
+    assign control_source = sent8_control_source;
+    assign control_constant = sent8_control_constant;
+    assign control_adds = sent8_control_adds;
+    assign control_first = sent8_control_first;
+    assign control_mask = sent8_control_mask;
+    assign control_compares = sent8_control_compares;
+    assign control_gates = sent8_control_gates;
+    assign control_enabling = sent8_control_enabling;
+    assign control_captures = sent8_control_captures;
+    assign control_read = sent8_control_read;
+    assign control_write = sent8_control_write;
+    assign save_plane = sent8_plane;
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:140
+        if (!rst) assert ((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:146
+        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:194
+    end
+`else
+    always @(posedge clk) begin
+        if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:140
+            $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
+            $stop;
+        end
+        if (!rst && !((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:146
+            $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: what comes is an operation", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
+            $stop;
+        end
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:194
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, tree_microcode_on_tree, tree_microcode_saves, memory_microcode_on_tree,
+            memory_microcode_on_memory, memory_microcode_enabling, memory_microcode_captures,
+            asserted_and, assumed_and, assumed_and_2, assumed_at_most, assumed_at_most_2,
+            assumed_at_least, assumed_or};
+endmodule
+`default_nettype wire

@@ -1,0 +1,129 @@
+// network_sequencer_pixels16_setup2
+//
+// Schedules the words of a direction of the network.
+//
+// Parameters  NetworkSequencer { pixels: 16, setup: 2 }
+// Latency     5 clocks from a job to ready, if it has its bank
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)
+// Described   rtl/src/pixelflow/network_sequencer.rs:109
+`default_nettype none
+
+module network_sequencer_pixels16_setup2 (
+    input  wire       clk,
+    input  wire       rst,
+    // What to do with each word, in turn.
+    input  wire       jobs_valid,
+    input  wire [1:0] jobs_mode,  // A `Mode`.
+    input  wire       jobs_bank,  // The bank, unless it forwards.
+    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire [5:0] jobs_bytes,
+    input  wire [1:0] given,      // Banks that the array has given: a bit for each.
+    input  wire       go,         // All nodes are ready.
+    input  wire [3:0] pixel,      // The pixel of each chip whose turn it is.
+    input  wire       advances,   // A byte of it goes.
+    output wire [1:0] mode,       // To the port: a `Mode`.
+    output wire       sends,      // A byte of the node goes.
+    output reg        first,      // It is the first of its word.
+    output reg  [1:0] bank,       // The bank, if the job needs one: a bit for each.
+    output reg  [4:0] address,    // The byte of the bank.
+    output wire       ready,      // The node is set for its word.
+    output wire [1:0] done,       // The network has done with a bank: a bit for each.
+    output wire       idle,       // There is no job.
+    output wire       jobs_ready
+);
+
+    localparam [1:0] MODE_FORWARD = 2'd0;
+    localparam [1:0] MODE_LOAD    = 2'd1;
+    // Not used here: MODE_COMPOSITE = 2, MODE_UNLOAD = 3.
+    localparam [2:0] PHASE_IDLE   = 3'd0;
+    localparam [2:0] PHASE_BANK   = 3'd1;
+    localparam [2:0] PHASE_SET_UP = 3'd2;
+    localparam [2:0] PHASE_READY  = 3'd3;
+    localparam [2:0] PHASE_SENDS  = 3'd4;
+
+    reg [2:0] phase;                                             // rtl/src/pixelflow/network_sequencer.rs:109
+    reg [1:0] job_mode;                                          // rtl/src/pixelflow/network_sequencer.rs:111
+    reg empty;                                                   // rtl/src/pixelflow/network_sequencer.rs:115
+    reg [1:0] waited;                                            // rtl/src/pixelflow/network_sequencer.rs:118
+
+    assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:110
+    wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:110
+    wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:117
+    wire byte_ends = advances & (pixel == 4'd15);                // rtl/src/pixelflow/network_sequencer.rs:120
+    wire word_ends = byte_ends & (address == 5'd0);              // rtl/src/pixelflow/network_sequencer.rs:121
+    wire begins = (job_mode == MODE_LOAD) & go;                  // rtl/src/pixelflow/network_sequencer.rs:122
+    wire is_over = word_ends | (empty & go);                     // rtl/src/pixelflow/network_sequencer.rs:123
+    wire ends_and = (phase == PHASE_READY) & (!begins & is_over); // rtl/src/pixelflow/network_sequencer.rs:131
+    wire ends = ends_and | ((phase == PHASE_SENDS) & word_ends); // rtl/src/pixelflow/network_sequencer.rs:131
+    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:133
+    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:136
+    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:140
+    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:141
+    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:146
+    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:148
+    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:157
+
+    always @(posedge clk) begin
+        if (jobs_taken) address <= address_difference[4:0];
+        else if (byte_ends) address <= address - 5'd1;
+        if (jobs_taken) first <= 1'b1;
+        else if (byte_ends) first <= 1'b0;
+        if (jobs_taken) empty <= jobs_bytes == 6'd0;
+        if (phase == PHASE_BANK) waited <= 2'd0;
+        else waited <= waited + 2'd1;
+    end
+
+    always @(posedge clk) begin
+        if (rst) begin
+            phase <= PHASE_IDLE;
+            job_mode <= MODE_FORWARD;
+            bank <= 2'd0;
+        end else begin
+            case (phase)
+                PHASE_IDLE: if (jobs_valid) phase <= PHASE_BANK;
+                PHASE_BANK: if (has_bank) phase <= PHASE_SET_UP;
+                PHASE_SET_UP: if (waited == 2'd2) phase <= PHASE_READY;
+                PHASE_READY: begin
+                    if (begins) phase <= PHASE_SENDS;
+                    else if (is_over) phase <= PHASE_IDLE;
+                end
+                default: begin // PHASE_SENDS
+                    if (word_ends) phase <= PHASE_IDLE;
+                    else phase <= PHASE_SENDS;
+                end
+            endcase
+            if (jobs_taken) job_mode <= jobs_mode;
+            else if (ends) job_mode <= MODE_FORWARD;
+            if (jobs_taken) bank <= needs;
+            else if (ends) bank <= 2'd0;
+        end
+    end
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:142
+        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:142
+        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:145
+    end
+`else
+    always @(posedge clk) begin
+        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:142
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has at most 32 bytes", $time);
+            $stop;
+        end
+        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:142
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a job of no bytes forwards", $time);
+            $stop;
+        end
+        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:145
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
+            $stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, address_difference[5]};
+endmodule
+`default_nettype wire

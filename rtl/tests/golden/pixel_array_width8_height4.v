@@ -1,0 +1,298 @@
+// pixel_array_width8_height4
+//
+// Pixels that compute under one instruction stream.
+//
+// Parameters  PixelArray { width: 8, height: 4 }
+// Latency     the clocks of the instructions; a port's byte within the clock
+// Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
+// Described   rtl/src/pixelflow/array.rs:125
+`default_nettype none
+
+module pixel_array_width8_height4 (
+    input  wire        array_clk,
+    input  wire        array_rst,
+    input  wire        network_clk,
+    // What to do; all coefficients are relative to the region.
+    input  wire        instructions_valid,
+    input  wire [1:0]  instructions_source,      // Where the operand comes from: a `Source`.
+    input  wire [3:0]  instructions_function,    // What the ALU does: a `Function`.
+    input  wire [1:0]  instructions_begin,       // The carry that comes into the first byte: a `Begin`.
+    input  wire [1:0]  instructions_mask,        // Who writes: a `Mask`.
+    input  wire        instructions_accumulates, // Results go to the accumulator.
+    input  wire        instructions_stores,      // Results go to memory.
+    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    input  wire [1:0]  instructions_condition,
+    input  wire [2:0]  instructions_enabling,    // What becomes of the enable flags with the last byte: an `Enabling`.
+    input  wire [1:0]  instructions_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
+    input  wire [2:0]  instructions_skip,        // Bytes of the expression that come before the word; 0 without one.
+    input  wire [3:0]  instructions_length,      // Bytes of the word: 1 to `LONGEST`.
+    // Addresses go down, from the most significant byte on: for shifts to the right.
+    input  wire        instructions_descends,
+    input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
+    input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
+    input  wire [2:0]  instructions_sync,        // What it does besides, with the ports: a `Sync`.
+    input  wire [39:0] instructions_a,           // Of the expression, in two's complement, relative to the region.
+    input  wire [39:0] instructions_b,           // Likewise.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    input  wire [39:0] instructions_c,
+    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    input  wire        side_by_side,
+    input  wire [1:0]  bank_done,                // The network has done with a bank: a bit for each.
+    input  wire        texture_done,             // The texture unit has done.
+    // From the network, of each bank.
+    input  wire [3:0]  network_0_pixel,          // The pixel, counted line by line.
+    input  wire [4:0]  network_0_address,        // The register.
+    input  wire        network_0_writes,         // It is written.
+    input  wire [15:0] network_0_bytes,          // With a byte of each chip.
+    input  wire [3:0]  network_1_pixel,
+    input  wire [4:0]  network_1_address,
+    input  wire        network_1_writes,
+    input  wire [15:0] network_1_bytes,
+    // From the texture unit.
+    input  wire [3:0]  texture_pixel,            // The pixel, counted line by line.
+    input  wire [5:0]  texture_address,          // The register.
+    input  wire        texture_writes,           // It is written.
+    input  wire [15:0] texture_bytes,            // With a byte of each chip.
+    // To network and texture unit: at the edge behind it is what the instructions so far have written.
+    output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
+    output wire        given_texture,            // The texture unit begins.
+    // To the network, from each bank: a byte of each chip.
+    output wire [15:0] network_seen_0,
+    output wire [15:0] network_seen_1,
+    output wire [15:0] texture_seen,             // To the texture unit.
+    // Every instruction has ended, but in the pixels, which are as late as the evaluator.
+    output wire        idle,
+    output wire        instructions_ready
+);
+
+    wire [7:0] u_controller_coefficients_a;                      // rtl/src/pixelflow/array.rs:125
+    wire [7:0] u_controller_coefficients_b;                      // rtl/src/pixelflow/array.rs:125
+    wire [7:0] u_controller_coefficients_c;                      // rtl/src/pixelflow/array.rs:125
+    wire u_controller_first;                                     // rtl/src/pixelflow/array.rs:125
+    wire u_controller_sends;                                     // rtl/src/pixelflow/array.rs:125
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixelflow/array.rs:125
+    wire [7:0] u_controller_control_constant;                    // rtl/src/pixelflow/array.rs:125
+    wire [3:0] u_controller_control_function;                    // rtl/src/pixelflow/array.rs:125
+    wire [1:0] u_controller_control_begin;                       // rtl/src/pixelflow/array.rs:125
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixelflow/array.rs:125
+    wire u_controller_control_accumulates;                       // rtl/src/pixelflow/array.rs:125
+    wire u_controller_control_stores;                            // rtl/src/pixelflow/array.rs:125
+    wire [1:0] u_controller_control_condition;                   // rtl/src/pixelflow/array.rs:125
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixelflow/array.rs:125
+    wire u_controller_control_by_sign;                           // rtl/src/pixelflow/array.rs:125
+    wire [1:0] u_controller_control_flagging;                    // rtl/src/pixelflow/array.rs:125
+    wire [8:0] u_controller_control_read;                        // rtl/src/pixelflow/array.rs:125
+    wire [8:0] u_controller_control_write;                       // rtl/src/pixelflow/array.rs:125
+    wire [255:0] u_evaluator_value;                              // rtl/src/pixelflow/array.rs:131
+    wire [255:0] u_bank0_word;                                   // rtl/src/pixelflow/array.rs:146
+    wire [255:0] u_bank1_word;                                   // rtl/src/pixelflow/array.rs:146
+    wire [255:0] u_texture_word;                                 // rtl/src/pixelflow/array.rs:146
+
+    wire [31:0] u_bank0_writes;                                  // rtl/src/pixelflow/array.rs:142
+    wire [255:0] u_bank0_result;                                 // rtl/src/pixelflow/array.rs:135
+    wire [31:0] u_bank1_writes;                                  // rtl/src/pixelflow/array.rs:142
+    wire [255:0] u_bank1_result;                                 // rtl/src/pixelflow/array.rs:135
+    wire [31:0] u_texture_writes;                                // rtl/src/pixelflow/array.rs:142
+    wire [255:0] u_texture_result;                               // rtl/src/pixelflow/array.rs:135
+
+    genvar i;
+    genvar j;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:158
+            for (j = 0; j < 16; j = j + 1) begin : col
+                wire [7:0] lane_result;
+                wire lane_writes_register;
+                wire [7:0] u_pixel_register_byte_choice = u_controller_control_read[5] ? u_bank1_word[(i * 16 + j) * 8 +: 8] : u_bank0_word[(i * 16 + j) * 8 +: 8];
+
+                pixel_processor_depth8 lane (
+                    .clk                 (array_clk),
+                    .control_source      (u_controller_control_source),
+                    .control_constant    (u_controller_control_constant),
+                    .control_function    (u_controller_control_function),
+                    .control_begin       (u_controller_control_begin),
+                    .control_mask        (u_controller_control_mask),
+                    .control_accumulates (u_controller_control_accumulates),
+                    .control_stores      (u_controller_control_stores),
+                    .control_condition   (u_controller_control_condition),
+                    .control_enabling    (u_controller_control_enabling),
+                    .control_by_sign     (u_controller_control_by_sign),
+                    .control_flagging    (u_controller_control_flagging),
+                    .control_read        (u_controller_control_read),
+                    .control_write       (u_controller_control_write),
+                    .expression          (u_evaluator_value[(i * 16 + j) * 8 +: 8]),
+                    .register_byte       (u_controller_control_read[6] ? u_texture_word[(i * 16 + j) * 8 +: 8] : u_pixel_register_byte_choice),
+                    .result              (lane_result),
+                    .writes_register     (lane_writes_register)
+                );
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : result_cells
+            for (j = 0; j < 16; j = j + 1) begin : col
+                wire [7:0] result = u_pixel[i].col[j].lane_result;
+            end
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : writes_register_cells
+            for (j = 0; j < 16; j = j + 1) begin : col
+                wire writes_register = u_pixel[i].col[j].lane_writes_register;
+                wire u_bank0_writes_and = writes_register & (!u_controller_control_write[6] & !u_controller_control_write[5]);
+                wire u_bank1_writes_and = writes_register & (!u_controller_control_write[6] & u_controller_control_write[5]);
+                wire u_texture_writes_and = writes_register & u_controller_control_write[6];
+            end
+        end
+    endgenerate
+
+    array_controller_width8_height4 u_controller (               // rtl/src/pixelflow/array.rs:125
+        .clk                      (array_clk),
+        .rst                      (array_rst),
+        .instructions_valid       (instructions_valid),
+        .instructions_source      (instructions_source),
+        .instructions_function    (instructions_function),
+        .instructions_begin       (instructions_begin),
+        .instructions_mask        (instructions_mask),
+        .instructions_accumulates (instructions_accumulates),
+        .instructions_stores      (instructions_stores),
+        .instructions_condition   (instructions_condition),
+        .instructions_enabling    (instructions_enabling),
+        .instructions_flagging    (instructions_flagging),
+        .instructions_skip        (instructions_skip),
+        .instructions_length      (instructions_length),
+        .instructions_descends    (instructions_descends),
+        .instructions_read        (instructions_read),
+        .instructions_write       (instructions_write),
+        .instructions_sync        (instructions_sync),
+        .instructions_a           (instructions_a),
+        .instructions_b           (instructions_b),
+        .instructions_c           (instructions_c),
+        .side_by_side             (side_by_side),
+        .bank_done                (bank_done),
+        .texture_done             (texture_done),
+        .coefficients_a           (u_controller_coefficients_a),
+        .coefficients_b           (u_controller_coefficients_b),
+        .coefficients_c           (u_controller_coefficients_c),
+        .first                    (u_controller_first),
+        .sends                    (u_controller_sends),
+        .control_source           (u_controller_control_source),
+        .control_constant         (u_controller_control_constant),
+        .control_function         (u_controller_control_function),
+        .control_begin            (u_controller_control_begin),
+        .control_mask             (u_controller_control_mask),
+        .control_accumulates      (u_controller_control_accumulates),
+        .control_stores           (u_controller_control_stores),
+        .control_condition        (u_controller_control_condition),
+        .control_enabling         (u_controller_control_enabling),
+        .control_by_sign          (u_controller_control_by_sign),
+        .control_flagging         (u_controller_control_flagging),
+        .control_read             (u_controller_control_read),
+        .control_write            (u_controller_control_write),
+        .given_banks              (given_banks),
+        .given_texture            (given_texture),
+        .idle                     (idle),
+        .instructions_ready       (instructions_ready)
+    );
+
+    linear_evaluator_width8_height4 u_evaluator (                // rtl/src/pixelflow/array.rs:131
+        .clk            (array_clk),
+        .rst            (array_rst),
+        .coefficients_a (u_controller_coefficients_a),
+        .coefficients_b (u_controller_coefficients_b),
+        .coefficients_c (u_controller_coefficients_c),
+        .first          (u_controller_first),
+        .sends          (u_controller_sends),
+        .value          (u_evaluator_value)
+    );
+
+    communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a u_bank0 ( // rtl/src/pixelflow/array.rs:146
+        .array_clk    (array_clk),
+        .network_clk  (network_clk),
+        .read         (u_controller_control_read[4:0]),
+        .write        (u_controller_control_write[4:0]),
+        .writes       (u_bank0_writes),
+        .result       (u_bank0_result),
+        .port_pixel   (network_0_pixel),
+        .port_address (network_0_address),
+        .port_writes  (network_0_writes),
+        .port_bytes   (network_0_bytes),
+        .word         (u_bank0_word),
+        .seen         (network_seen_0)
+    );
+
+    communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a u_bank1 ( // rtl/src/pixelflow/array.rs:146
+        .array_clk    (array_clk),
+        .network_clk  (network_clk),
+        .read         (u_controller_control_read[4:0]),
+        .write        (u_controller_control_write[4:0]),
+        .writes       (u_bank1_writes),
+        .result       (u_bank1_result),
+        .port_pixel   (network_1_pixel),
+        .port_address (network_1_address),
+        .port_writes  (network_1_writes),
+        .port_bytes   (network_1_bytes),
+        .word         (u_bank1_word),
+        .seen         (network_seen_1)
+    );
+
+    communication_registers_width8_height4_bytes64_port_clock_name_array_period10000 u_texture ( // rtl/src/pixelflow/array.rs:146
+        .array_clk    (array_clk),
+        .read         (u_controller_control_read[5:0]),
+        .write        (u_controller_control_write[5:0]),
+        .writes       (u_texture_writes),
+        .result       (u_texture_result),
+        .port_pixel   (texture_pixel),
+        .port_address (texture_address),
+        .port_writes  (texture_writes),
+        .port_bytes   (texture_bytes),
+        .word         (u_texture_word),
+        .seen         (texture_seen)
+    );
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_bank0_writes_of
+            for (j = 0; j < 16; j = j + 1) begin : u_bank0_writes_col
+                assign u_bank0_writes[i * 16 + j] = writes_register_cells[i].col[j].u_bank0_writes_and;
+            end
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_bank0_result_of
+            for (j = 0; j < 16; j = j + 1) begin : u_bank0_result_col
+                assign u_bank0_result[(i * 16 + j) * 8 +: 8] = result_cells[i].col[j].result;
+            end
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_bank1_writes_of
+            for (j = 0; j < 16; j = j + 1) begin : u_bank1_writes_col
+                assign u_bank1_writes[i * 16 + j] = writes_register_cells[i].col[j].u_bank1_writes_and;
+            end
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_bank1_result_of
+            for (j = 0; j < 16; j = j + 1) begin : u_bank1_result_col
+                assign u_bank1_result[(i * 16 + j) * 8 +: 8] = result_cells[i].col[j].result;
+            end
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_texture_writes_of
+            for (j = 0; j < 16; j = j + 1) begin : u_texture_writes_col
+                assign u_texture_writes[i * 16 + j] = writes_register_cells[i].col[j].u_texture_writes_and;
+            end
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_texture_result_of
+            for (j = 0; j < 16; j = j + 1) begin : u_texture_result_col
+                assign u_texture_result[(i * 16 + j) * 8 +: 8] = result_cells[i].col[j].result;
+            end
+        end
+    endgenerate
+endmodule
+`default_nettype wire
