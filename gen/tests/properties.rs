@@ -69,11 +69,9 @@ impl Stated {
 fn a_code_that_only_a_statement_names_is_declared() {
     let files = verilog(&elaborate(&Stated).unwrap());
     tools::lint(&files).unwrap_or_else(|problems| panic!("{problems}\n{}", files[0].text));
-    for part in [
-        "assume (way <= WAY_BOTH);",
-        "    localparam [1:0] WAY_BOTH  = 2'd2;",
-        "    // Not used here: WAY_LEFT = 0, WAY_RIGHT = 1.",
-    ] {
+    for part in
+        ["assume (way <= WAY_BOTH);", "    localparam [1:0] WAY_BOTH  = 2'd2;", "    // Not used here: WAY_LEFT = 0."]
+    {
         assert!(files[0].text.contains(part), "{}", files[0].text);
     }
 }

@@ -216,13 +216,18 @@ fn a_part_is_taken_of_what_has_it() {
         (|_, i| i.a.slice(2..7).slice(1..3), "a[4:3]"),
         (|_, i| i.a.zext(12).slice(2..8), "a[7:2]"),
         (|_, i| i.a.zext(12).slice(8..11), "3'd0"),
-        (|_, i| i.a.zext(12).slice(7..9), "y_extended[8:7]"),
+        (|_, i| i.a.zext(12).slice(7..9), "{1'd0, a[7]}"),
         (|_, i| i.a.sext(12).slice(0..8), "a"),
         (|_, i| i.a.sext(12).slice(8..10), "y_extended[9:8]"),
         (|_, i| cat![i.a, i.b].slice(8..16), "a"),
         (|_, i| cat![i.a, i.b].slice(0..8), "b"),
         (|_, i| cat![i.a, i.b].slice(9..12), "a[3:1]"),
-        (|_, i| cat![i.a, i.b].slice(4..12), "y_joined[11:4]"),
+        (|_, i| cat![i.a, i.b].slice(4..12), "{a[3:0], b[7:4]}"),
+        (|_, i| cat![i.a, i.b.bit(0), i.b].slice(4..12), "{a[2:0], b[0], b[7:4]}"),
+        (|_, i| i.a.zext(10).zext(12), "{4'd0, a}"),
+        (|_, i| cat![i.b.bit(0), i.a].zext(12), "{3'd0, b[0], a}"),
+        (|_, i| cat![i.a, cat![i.b, i.a.zext(9)]], "{a, b, 1'd0, a}"),
+        (|_, i| (i.a.zext(12) << 2).slice(1..12), "{2'd0, a, 1'b0}"),
         (|_, i| concat(&[i.a]), "a"),
         (|_, i| i.a.repeat(1), "a"),
         (|_, i| i.a.repeat(2), "{2{a}}"),
@@ -268,8 +273,8 @@ fn a_shift_by_a_constant_is_a_part() {
 fn an_amount_of_many_bits_is_cut() {
     check(&[
         (|_, i| i.a << cat![i.b, i.b], "a << {b, b}"),
-        (|_, i| i.a << cat![i.b, i.a, i.b], "(|b) ? 8'd0 : (a << y_joined[15:0])"),
-        (|_, i| i.a >> cat![i.b.bit(0), i.a, i.b], "b[0] ? 8'd0 : (a >> y_joined[15:0])"),
+        (|_, i| i.a << cat![i.b, i.a, i.b], "(|b) ? 8'd0 : (a << {a, b})"),
+        (|_, i| i.a >> cat![i.b.bit(0), i.a, i.b], "b[0] ? 8'd0 : (a >> {a, b})"),
     ]);
 }
 

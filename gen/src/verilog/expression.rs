@@ -47,15 +47,8 @@ impl Printer<'_> {
                 format!("{select} ? {on_true} : {on_false}")
             }
             Op::Slice { of, low } => self.slice(*of, *low, node.width),
-            Op::Concat(parts) => {
-                let parts: Vec<String> = parts.iter().map(|&part| self.value_as(part, Style::Pattern)).collect();
-                format!("{{{}}}", parts.join(", "))
-            }
+            Op::Concat(_) | Op::Extend { signed: false, .. } => format!("{{{}}}", self.joined(id).join(", ")),
             Op::Repeat(a, times) => format!("{{{times}{{{}}}}}", self.value_as(*a, Style::Pattern)),
-            Op::Extend { of, signed: false } => {
-                let zeros = node.width - module.width(*of);
-                format!("{{{zeros}'d0, {}}}", self.value_as(*of, Style::Pattern))
-            }
             Op::Extend { of, signed: true } => self.extend_signed(*of, node.width),
             Op::Wire(_) | Op::QuasiStatic(..) | Op::Broadcast { .. } | Op::Lane { .. } | Op::Map { edge: None, .. } => {
                 let (of, at) = self.operand_place(id).expect("it names a place");
@@ -69,6 +62,25 @@ impl Printer<'_> {
                 unreachable!("printed as a net of its own")
             }
         }
+    }
+
+    /// What is side by side in a value that is put together, also of parts that are put together themselves.
+    fn joined(&mut self, id: NodeId) -> Vec<String> {
+        let parts = match &self.module.node(id).op {
+            Op::Concat(parts) => parts.clone(),
+            Op::Extend { of, signed: false } => vec![*of],
+            _ => return vec![self.value_as(id, Style::Pattern)],
+        };
+        let zeros = self.module.width(id) - parts.iter().map(|&part| self.module.width(part)).sum::<u32>();
+        let zeros = (zeros > 0).then(|| format!("{zeros}'d0"));
+        let mut joined: Vec<String> = zeros.into_iter().collect();
+        for part in parts {
+            match self.plan.form(part) {
+                Form::Inline => joined.extend(self.joined(part)),
+                _ => joined.push(self.value_as(part, Style::Pattern)),
+            }
+        }
+        joined
     }
 
     /// The node whose operator is printed where `id` is.

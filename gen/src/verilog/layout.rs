@@ -4,6 +4,10 @@ use tilewright_hdl::Loc;
 
 /// Where a declaration's place in the source begins, if the declaration is shorter.
 const PLACE_COLUMN: usize = 60;
+/// A line of more columns than this is broken.
+const LONGEST: usize = 120;
+/// A list of fewer columns than this is not why a line is long.
+const SHORT_LIST: usize = 60;
 
 /// `[7:0] `, or nothing for a single bit.
 pub fn range(width: u32) -> String {
@@ -35,6 +39,71 @@ pub fn wrapped(items: &[String], indent: usize) -> String {
     out
 }
 
+/// The words of a text in lines of at most so many columns, however it was broken; a longer word has a line of its own.
+pub fn prose(text: &str, columns: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.len() + 1 + word.len() <= columns => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_string()),
+        }
+    }
+    lines
+}
+
+/// The line; if it is too long, the items of the longest `{..}` in it stand on lines of their own.
+pub fn broken(line: String) -> Vec<String> {
+    let (code, place) = match line.split_once(" // ") {
+        Some((code, place)) => (code.trim_end(), Some(place)),
+        None => (&line[..], None),
+    };
+    if code.len() <= LONGEST || code.contains(['"', '\n']) {
+        return vec![line];
+    }
+    let Some((begin, items, end)) = longest_list(code) else { return vec![line] };
+    let indent = code.len() - code.trim_start().len();
+    let head = &code[..begin];
+    let head = place.map_or(head.to_string(), |place| format!("{head:PLACE_COLUMN$} // {place}"));
+    let items = format!("{:inner$}{}", "", wrapped(&items, indent + 4), inner = indent + 4);
+    let mut out = vec![head];
+    out.extend(items.lines().map(str::to_string));
+    out.push(format!("{:indent$}{}", "", &code[end..]));
+    out
+}
+
+/// Where the items of the longest `{..}` begin, what they are, and where they end.
+fn longest_list(code: &str) -> Option<(usize, Vec<String>, usize)> {
+    let (mut depth, mut begin, mut commas) = (0, 0, Vec::new());
+    let mut longest: Option<(usize, Vec<usize>, usize)> = None;
+    // Brackets of other kinds within a list are no deeper lists, but their commas, if any, are not the list's.
+    let mut others = 0;
+    for (at, c) in code.char_indices() {
+        match c {
+            '{' if depth == 0 => (depth, begin, commas, others) = (1, at + 1, Vec::new(), 0),
+            '{' => depth += 1,
+            '}' => {
+                depth -= 1;
+                let most = longest.as_ref().map_or(SHORT_LIST, |(begin, _, end)| end - begin);
+                if depth == 0 && !commas.is_empty() && at - begin > most {
+                    longest = Some((begin, commas.clone(), at));
+                }
+            }
+            '(' | '[' if depth > 0 => others += 1,
+            ')' | ']' if depth > 0 => others -= 1,
+            ',' if depth == 1 && others == 0 => commas.push(at),
+            _ => {}
+        }
+    }
+    let (begin, commas, end) = longest?;
+    let ends = commas.iter().copied().chain([end]);
+    let begins = [begin].into_iter().chain(commas.iter().map(|comma| comma + 1));
+    let items = begins.zip(ends).map(|(begin, end)| code[begin..end].trim().to_string()).collect();
+    Some((begin, items, end))
+}
+
 /// An instance of `module` with its connections aligned.
 pub fn connect(module: &str, name: &str, connections: &[(String, String)]) -> Vec<String> {
     if connections.is_empty() {
@@ -62,6 +131,32 @@ pub fn generate(head: String, body: Vec<String>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_long_line_is_broken_in_its_longest_list() {
+        let short = "assign x = {a, b};".to_string();
+        assert_eq!(broken(short.clone()), [short]);
+        let [a, b, c] = ["a", "b", "c"].map(|name| name.repeat(50));
+        let list = format!("    assign {{x, y}} = {{{a}, ({b}), {{2{{c}}}}, {c}[1]}};");
+        let lines = ["    assign {x, y} = {", &format!("        {a},"), &format!("        ({b}), {{2{{c}}}},")];
+        let end = [format!("        {c}[1]"), "    };".to_string()];
+        assert_eq!(broken(list.clone()), [&lines.map(str::to_string)[..], &end].concat());
+        let with_place = broken(format!("{list} // a.rs:1"));
+        assert_eq!(with_place[0], format!("{:60} // a.rs:1", lines[0]));
+        assert_eq!(with_place[4], "    };");
+        // A text stays what it is, and so does an expression.
+        for line in [format!("$display(\"{list}\");"), format!("{a} + {b} + {c}"), format!("{a} + {b} + {{c, {c}}}")] {
+            assert_eq!(broken(line.clone()), [line]);
+        }
+    }
+
+    #[test]
+    fn words_fill_lines() {
+        assert_eq!(prose("one two\n three", 9), ["one two", "three"]);
+        assert_eq!(prose("one two three", 13), ["one two three"]);
+        assert_eq!(prose("longer than that", 5), ["longer", "than", "that"]);
+        assert_eq!(prose(" \n", 5), [""; 0]);
+    }
 
     #[test]
     fn a_line_of_items_ends_at_column_90() {

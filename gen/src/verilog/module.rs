@@ -2,7 +2,7 @@
 //! outputs, properties, and what nothing reads.
 
 use super::group::UNREAD;
-use super::layout::{range, with_place, wrapped};
+use super::layout::{broken, prose, range, with_place, wrapped};
 use super::plan::Form;
 use super::printer::Printer;
 use super::text::{attribute, mark};
@@ -66,16 +66,7 @@ fn header(module: &Module, latency: Option<&Latency>) -> String {
     let about = &module.about;
     if !about.summary.is_empty() {
         lines.push(String::new());
-        let words: Vec<&str> = about.summary.split_whitespace().collect();
-        let mut line = String::new();
-        for word in words {
-            if line.len() + word.len() > 90 {
-                lines.push(std::mem::take(&mut line));
-            }
-            line.push_str(if line.is_empty() { "" } else { " " });
-            line.push_str(word);
-        }
-        lines.push(line);
+        lines.extend(prose(&about.summary, 90));
     }
     lines.push(String::new());
     let latency = match latency {
@@ -212,11 +203,12 @@ impl Printer<'_> {
                     self.tie_lanes(group).map(|tie| format!("{:indent$}{tie}", ""))
                 }
             };
-            match line {
-                Some(line) if line.is_empty() => out.push('\n'),
-                Some(line) if line.starts_with('`') => out.push_str(&format!("{line}\n")),
-                Some(line) => out.push_str(&format!("    {line}\n")),
-                None => {}
+            for line in line.into_iter().flat_map(broken) {
+                match &line[..] {
+                    "" => out.push('\n'),
+                    line if line.starts_with('`') => out.push_str(&format!("{line}\n")),
+                    line => out.push_str(&format!("    {line}\n")),
+                }
             }
         }
         out

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::layout::range;
+use super::layout::{prose, range};
 use super::printer::Printer;
 
 /// What is said about a port stands behind it up to here, else above it.
@@ -37,12 +37,12 @@ pub fn print(printer: &Printer) -> String {
             else {
                 continue;
             };
-            // On one line: what comes after the next would be Verilog.
-            let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
-            if end == port.path.len() && longest + words.len() + 4 <= COLUMNS {
-                line = format!("{line:longest$} // {words}");
-            } else {
-                out.push_str(&format!("    // {words}\n"));
+            let above = prose(words, COLUMNS - "    // ".len());
+            match &above[..] {
+                [words] if end == port.path.len() && longest + words.len() + 4 <= COLUMNS => {
+                    line = format!("{line:longest$} // {words}");
+                }
+                lines => lines.iter().for_each(|words| out.push_str(&format!("    // {words}\n"))),
             }
         }
         out.push_str(&line);

@@ -4,7 +4,7 @@
 use super::branches::Target;
 use super::literal::{Style, literal};
 use super::printer::Printer;
-use super::statement::{Statement, lines};
+use super::statement::{Statement, lines, merged};
 use tilewright_hdl::ir::{ClockId, NodeId, Register};
 
 /// What the registers of one always block have in common.
@@ -70,7 +70,7 @@ impl Printer<'_> {
 
     fn register_block(&mut self, group: Group, members: &[usize]) -> Vec<String> {
         let enable = group.enable.map(|enable| self.value(enable));
-        let body: Vec<Statement> = members.iter().flat_map(|&register| self.next_value(register)).collect();
+        let body = merged(members.iter().flat_map(|&register| self.next_value(register)).collect());
         let resets: Vec<Statement> = members.iter().filter_map(|&register| self.reset_value(register)).collect();
         let body = match (group.has_reset, enable) {
             (false, None) => body,

@@ -16,6 +16,34 @@ pub enum Statement {
     },
 }
 
+/// The same statements, those that follow each other under the same conditions in one.
+pub fn merged(statements: Vec<Statement>) -> Vec<Statement> {
+    let mut out: Vec<Statement> = Vec::with_capacity(statements.len());
+    for statement in statements {
+        match (out.last_mut(), statement) {
+            (Some(Statement::If(arms, last)), Statement::If(more, more_last))
+                if have_same_conditions(arms, &more) && last.is_empty() == more_last.is_empty() =>
+            {
+                for ((_, body), (_, more)) in arms.iter_mut().zip(more) {
+                    body.extend(more);
+                }
+                last.extend(more_last);
+            }
+            (_, statement) => out.push(statement),
+        }
+    }
+    for statement in &mut out {
+        if let Statement::If(arms, last) = statement {
+            arms.iter_mut().map(|(_, body)| body).chain([last]).for_each(|body| *body = merged(std::mem::take(body)));
+        }
+    }
+    out
+}
+
+fn have_same_conditions(arms: &[(String, Vec<Statement>)], others: &[(String, Vec<Statement>)]) -> bool {
+    arms.iter().map(|(condition, _)| condition).eq(others.iter().map(|(condition, _)| condition))
+}
+
 /// The lines of the statements, indented by `indent` steps.
 pub fn lines(statements: &[Statement], indent: usize) -> Vec<String> {
     let mut out = Vec::new();
@@ -92,5 +120,42 @@ fn print_body(head: &str, body: &[Statement], short: bool, indent: usize, out: &
             out.push(format!("{head} begin"));
             out.extend(lines(body, indent + 1));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assign(text: &str) -> Statement {
+        Statement::Assign(text.to_string())
+    }
+
+    fn when(condition: &str, body: Vec<Statement>, last: Vec<Statement>) -> Statement {
+        Statement::If(vec![(condition.to_string(), body)], last)
+    }
+
+    #[test]
+    fn what_follows_under_the_same_conditions_is_under_one() {
+        let [one, two] = ["x", "y"].map(|name| {
+            let inner = when("b", vec![assign(&format!("{name} <= 1;"))], vec![assign(&format!("{name} <= 2;"))]);
+            when("a", vec![inner], vec![])
+        });
+        let other = when("a", vec![assign("z <= 1;")], vec![assign("z <= 2;")]);
+        let printed = lines(&merged(vec![one, two, other, when("c", vec![assign("w <= 1;")], vec![])]), 0);
+        let expected = "\
+if (a) begin
+    if (b) begin
+        x <= 1;
+        y <= 1;
+    end else begin
+        x <= 2;
+        y <= 2;
+    end
+end
+if (a) z <= 1;
+else z <= 2;
+if (c) w <= 1;";
+        assert_eq!(printed.join("\n"), expected);
     }
 }

@@ -180,7 +180,7 @@ impl Fold {
                 None if arms.iter().all(|&(_, value)| value == default) => Same(default),
                 None => Is(Op::Case { subject, arms, default }),
             },
-            Op::Slice { of, low } => self.slice(of, low, width),
+            Op::Slice { of, low } => self.slice(id, of, low, width),
             Op::Concat(parts) => self.concat(parts),
             Op::Repeat(a, 1) => Same(a),
             Op::Repeat(a, times) => match self.constant(a) {

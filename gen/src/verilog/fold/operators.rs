@@ -125,11 +125,17 @@ impl Fold {
             _ if self.width(of) == width => Same(of),
             Some(value) if signed => Is(Op::Const(value.sext(width))),
             Some(value) => Is(Op::Const(value.resize(width))),
-            None => Is(Op::Extend { of, signed }),
+            None => match self.module.node(of) {
+                Node { op: Op::Extend { of: inner, signed: false }, name: None, .. } if !signed => {
+                    Is(Op::Extend { of: *inner, signed })
+                }
+                _ => Is(Op::Extend { of, signed }),
+            },
         }
     }
 
-    pub(super) fn slice(&self, of: NodeId, low: u32, width: u32) -> Outcome {
+    /// Bits of what is put together are those of its parts: no name is needed for the whole.
+    pub(super) fn slice(&mut self, id: NodeId, of: NodeId, low: u32, width: u32) -> Outcome {
         if width == self.width(of) {
             return Same(of);
         }
@@ -141,22 +147,37 @@ impl Fold {
             return Is(Op::Slice { of, low });
         }
         match &node.op {
-            Op::Slice { of: inner, low: base } => self.slice(*inner, base + low, width),
-            Op::Extend { of: inner, .. } if low + width <= self.width(*inner) => self.slice(*inner, low, width),
-            Op::Extend { of: inner, signed: false } if low >= self.width(*inner) => Is(Op::Const(Bits::zero(width))),
-            Op::Concat(parts) => {
-                let mut base = 0;
-                for &part in parts.iter().rev() {
-                    let part_width = self.width(part);
-                    if low >= base && low + width <= base + part_width {
-                        return self.slice(part, low - base, width);
-                    }
-                    base += part_width;
+            &Op::Slice { of: inner, low: base } => self.slice(id, inner, base + low, width),
+            &Op::Extend { of: inner, .. } if low + width <= self.width(inner) => self.slice(id, inner, low, width),
+            &Op::Extend { of: inner, signed: false } => match self.width(inner) {
+                inner_width if low >= inner_width => Is(Op::Const(Bits::zero(width))),
+                inner_width => {
+                    let kept = self.add(id, inner_width - low, Op::Slice { of: inner, low });
+                    self.extend(kept, false, width)
                 }
-                Is(Op::Slice { of, low })
+            },
+            Op::Concat(parts) => {
+                let parts = parts.clone();
+                self.slice_of_parts(id, parts, low, width)
             }
             _ => Is(Op::Slice { of, low }),
         }
+    }
+
+    fn slice_of_parts(&mut self, id: NodeId, parts: Vec<NodeId>, low: u32, width: u32) -> Outcome {
+        let (mut base, mut taken) = (0, Vec::new());
+        for part in parts.into_iter().rev() {
+            let end = base + self.width(part);
+            let (from, to) = (low.max(base), (low + width).min(end));
+            if (from, to) == (low, low + width) {
+                return self.slice(id, part, low - base, width);
+            }
+            if from < to {
+                taken.insert(0, self.add(id, to - from, Op::Slice { of: part, low: from - base }));
+            }
+            base = end;
+        }
+        self.concat(taken)
     }
 
     pub(super) fn concat(&self, parts: Vec<NodeId>) -> Outcome {
