@@ -146,7 +146,7 @@ impl ImageGenerationController {
         m.assert(control.source.is_code() & control.enabling.is_code(), "what pixels choose by is a code");
 
         self.state_what_instructions_are(m, &next, &decoded);
-        let save = Save { claim: next.taken & decoded.saves, region: c.trunc(REGION_BITS), plane };
+        let save = Save { claim: next.taken & decoded.saves, region: c.bits().trunc(REGION_BITS), plane };
         ImageGenerationControllerOut {
             coefficients: Coefficients { a, b, c: tree.constant },
             curve,
@@ -172,8 +172,8 @@ impl ImageGenerationController {
         goes.when(comes, 0).when(expression, waits);
         let Coefficients { a: d, b: e, c: f } = next.coefficients;
         let [d, e, f] = [("d", d), ("e", e), ("f", f)].map(|(name, coefficient)| {
-            let bits = m.reg(name, coefficient.width());
-            bits.when(comes, coefficient).when(goes, (bits.signed() >> 1).bits());
+            let bits = m.reg(name, bits(coefficient.width()).signed());
+            bits.when(comes, coefficient).when(goes, bits >> 1);
             bits.bit(0) & goes
         });
         vec![Curve { d, e, f }]

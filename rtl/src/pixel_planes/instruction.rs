@@ -110,7 +110,7 @@ impl Instruction<u64> {
 impl Instruction<Width> {
     /// The widths of its fields.
     pub fn widths() -> Instruction<Width> {
-        let coefficient = bits(COEFFICIENT);
+        let coefficient = bits(COEFFICIENT).signed();
         Instruction {
             operation: one_of::<Operation>(),
             skip: below(LONGEST),

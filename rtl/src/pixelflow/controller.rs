@@ -112,7 +112,8 @@ impl Needs {
                 !i.enabling.is(Enabling::Keep) | i.mask.is(Mask::Enabled) | i.flagging.is(Flagging::EnabledCondition)
         );
         def!(on_evaluator = expression | on_enable);
-        Needs { on_evaluator, on_memory: !on_evaluator | !quiet, expression, by_sign }
+        def!(on_memory = !on_evaluator | !quiet);
+        Needs { on_evaluator, on_memory, expression, by_sign }
     }
 }
 

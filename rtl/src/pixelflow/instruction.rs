@@ -87,7 +87,7 @@ bundle! {
 impl Instruction<Width> {
     /// The widths of its fields.
     pub fn widths() -> Instruction<Width> {
-        let coefficient = bits(COEFFICIENT);
+        let coefficient = bits(COEFFICIENT).signed();
         Instruction {
             source: one_of::<Source>(),
             function: one_of::<Function>(),

@@ -74,7 +74,7 @@ impl Slot {
         self.left.when(begins, clocks).when(self.left.ne(0), self.left - 1);
         self.read.when(begins, order.read).when(self.is_word, self.read + 1);
         self.write.when(begins, order.write).when(self.is_word, self.write + 1);
-        shift(self.bits, begins, order.constant);
+        self.bits.when(begins, order.constant).otherwise(self.bits >> 1);
     }
 
     /// It needs the memory now, or will.
@@ -109,11 +109,7 @@ impl Slot {
 
 /// Sends the number that comes with `begins` bit by bit, from the least significant on, and then its sign for ever.
 pub fn bit_by_bit(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
-    let bits = m.reg(name, number.width());
-    shift(bits, begins, number);
+    let bits = m.reg(name, bits(number.width()).signed());
+    bits.when(begins, number).otherwise(bits >> 1);
     bits.bit(0)
-}
-
-fn shift(bits: Reg, begins: Signal, number: Signal) {
-    bits.when(begins, number).otherwise((bits.signed() >> 1).bits());
 }

@@ -109,7 +109,7 @@ impl Slot {
             read: m.reg(&named("read"), widths.read),
             write: m.reg(&named("write"), widths.write),
             bytes,
-            constant: bytes.slice(0..8),
+            constant: bytes.slice(0..8).bits(),
         }
     }
 
@@ -122,7 +122,7 @@ impl Slot {
         let following = |address: Reg| mux(descends, address - 1, address + 1);
         self.read.when(begins, order.read).when(self.is_word, following(self.read));
         self.write.when(begins, order.write).when(self.is_word, following(self.write));
-        shift(self.bytes, begins, order.constant);
+        self.bytes.when(begins, order.constant).otherwise(self.bytes >> 8);
     }
 
     /// It needs ALU or memory now, or will.
@@ -165,11 +165,7 @@ impl Slot {
 
 /// Sends the number that comes with `begins` byte by byte, from the least significant on, and then its sign for ever.
 pub fn byte_by_byte(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
-    let bytes = m.reg(name, number.width());
-    shift(bytes, begins, number);
-    bytes.slice(0..8)
-}
-
-fn shift(bytes: Reg, begins: Signal, number: Signal) {
-    bytes.when(begins, number).otherwise((bytes.signed() >> 8).bits());
+    let bytes = m.reg(name, bits(number.width()).signed());
+    bytes.when(begins, number).otherwise(bytes >> 8);
+    bytes.slice(0..8).bits()
 }
