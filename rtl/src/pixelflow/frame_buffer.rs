@@ -199,11 +199,11 @@ impl FrameBuffer {
 
     /// The word of a pixel in the memory of its chip: the lowest bits of `pair` are half of the chip's number.
     fn address(&self, slot: Signal, pair: Signal, pixel: Signal) -> Signal {
-        let pairs = self.chips() / 2;
-        // Of one pair there is no number.
-        let pair = if pairs == 1 { lit(1, 0) } else { pair.trunc(below(pairs)) };
-        let place = |number: Signal, above: u32| number.zext(below(self.words())) << above.trailing_zeros();
-        place(slot, pairs * self.pixels()) | place(pair, self.pixels()) | place(pixel, 1)
+        match self.chips() / 2 {
+            // Of one pair there is no number.
+            1 => concat(&[slot, pixel]),
+            pairs => concat(&[slot, pair.trunc(below(pairs)), pixel]),
+        }
     }
 
     fn build(&self, m: Module, i: FrameBufferIn) -> FrameBufferOut {
@@ -277,7 +277,7 @@ impl FrameBuffer {
         let [even, odd] = [even, odd].map(|memory| memory.read_when(*scans, scans_at));
         let [is_odd, first, last] = [("is_odd", chip.bit(0)), ("first", is_first), ("last", is_rightmost)]
             .map(|(name, mark)| m.pipe_when(*scans, name, mark));
-        let colour = mux(is_odd, odd, even);
+        def!(colour = mux(is_odd, odd, even));
         let channel = |number: u32| colour.part(8 * number, 8);
         let pixel = Shown { red: channel(2), green: channel(1), blue: channel(0), first, last };
         let (pixels, sent) = m.offer(*arrived, pixel);

@@ -132,15 +132,18 @@ impl Sent {
 fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
-    sum(m, name, parents.take(nodes, |node| node / 2), is_right & weighted, marks)
+    let adds = (is_right & weighted).named(&format!("{name}_adds"));
+    sum(m, name, parents.take(nodes, |node| node / 2), adds, marks)
 }
 
 /// The sum of words that come byte by byte, a clock later.
 fn sum(m: Module, name: &str, left: Signal, right: Signal, marks: Marks) -> Signal {
-    let register = |of: &str, width: Width| m.reg(&format!("{name}_{of}"), width.of(left.shape()));
-    let (carry, sum) = (register("carry", bit()), register("sum", bits(8)));
-    let total = left + right + (*carry & !marks.first).zext(8);
-    carry.enable(marks.sends).next(((left & right) | ((left | right) & !total)).msb());
+    let named = |what: &str| format!("{name}_{what}");
+    let sum = m.reg(&named("sum"), bits(8).of(left.shape()));
+    let carry = m.reg(&named("carry"), bit().of(left.shape()));
+    let total = (left + right + (*carry & !marks.first).zext(8)).named(&named("total"));
+    let carries = ((left & right) | ((left | right) & !total)).named(&named("carries"));
+    carry.enable(marks.sends).next(carries.msb());
     sum.enable(marks.sends).next(total);
     *sum
 }

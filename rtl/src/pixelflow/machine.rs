@@ -141,8 +141,7 @@ impl PixelFlow {
 
         let of_all = |of: &dyn Fn(&NodeOut) -> Signal| stack(nodes.iter().map(of).collect::<Vec<_>>());
         for (direction, go) in go.iter().enumerate() {
-            let ready: Vec<Signal> = nodes.iter().map(|node| node.network[direction].ready).collect();
-            go.drive(ready.into_iter().reduce(|all, ready| all & ready).expect("there are nodes"));
+            go.drive(of_all(&|node| node.network[direction].ready).and_all());
         }
         PixelFlowOut {
             textures_start: of_all(&|node| node.texture_starts),

@@ -85,7 +85,7 @@ impl VideoBuffer {
             let old = mux(passes, passed, read).named(&name("old"));
             let depth_of = |word: Signal| word.slice(24..WORD);
             let is_nearer = mux(i.strict, depth_of(word).lt(depth_of(old)), word.lt(old));
-            let written = mux(draws, word, !lit(WORD, 0));
+            let written = mux(draws, word, empty());
             let write = (writes & (!draws | is_nearer)).named(&name("write"));
             bank.write(write, place, written);
             passes.enable(reads).next(write & place.eq(at));

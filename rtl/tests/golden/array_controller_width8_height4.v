@@ -32,7 +32,8 @@ module array_controller_width8_height4 (
     input  wire [2:0]  instructions_sync,        // What it does besides, with the ports: a `Sync`.
     input  wire [39:0] instructions_a,           // Of the expression, in two's complement, relative to the region.
     input  wire [39:0] instructions_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
@@ -59,7 +60,8 @@ module array_controller_width8_height4 (
     output wire [1:0]  control_flagging,         // What becomes of the flag: a `Flagging`.
     output wire [8:0]  control_read,             // The address that is read.
     output wire [8:0]  control_write,            // The address that is written.
-    // To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have written.
+    // To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have
+    // written.
     output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
     output wire        given_texture,            // The texture unit begins.
     output wire        idle,                     // Nothing is under way but in the pixels.
@@ -138,106 +140,106 @@ module array_controller_width8_height4 (
     reg [39:0] memory_bytes;                                     // rtl/src/pixelflow/controller/slot.rs:103
     reg [8:0] memory_read;                                       // rtl/src/pixelflow/controller/slot.rs:109
     reg [8:0] memory_write;                                      // rtl/src/pixelflow/controller/slot.rs:110
-    reg waits;                                                   // rtl/src/pixelflow/controller.rs:126
-    reg [1:0] waiting_action_source;                             // rtl/src/pixelflow/controller.rs:127
-    reg [3:0] waiting_action_function;                           // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] waiting_action_begin;                              // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] waiting_action_mask;                               // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_accumulates;                              // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_stores;                                   // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] waiting_action_condition;                          // rtl/src/pixelflow/controller.rs:127
-    reg [2:0] waiting_action_enabling;                           // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_by_sign;                                  // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] waiting_action_flagging;                           // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_on_memory;                                // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_descends;                                 // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_gives;                                    // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] waiting_action_bank;                               // rtl/src/pixelflow/controller.rs:127
-    reg waiting_action_starts;                                   // rtl/src/pixelflow/controller.rs:127
-    reg [2:0] waiting_skip;                                      // rtl/src/pixelflow/controller.rs:127
-    reg [3:0] waiting_length;                                    // rtl/src/pixelflow/controller.rs:127
-    reg [8:0] waiting_read;                                      // rtl/src/pixelflow/controller.rs:127
-    reg [8:0] waiting_write;                                     // rtl/src/pixelflow/controller.rs:127
-    reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:127
-    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:211
-    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:212
+    reg waits;                                                   // rtl/src/pixelflow/controller.rs:127
+    reg [1:0] waiting_action_source;                             // rtl/src/pixelflow/controller.rs:128
+    reg [3:0] waiting_action_function;                           // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] waiting_action_begin;                              // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] waiting_action_mask;                               // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_accumulates;                              // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_stores;                                   // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] waiting_action_condition;                          // rtl/src/pixelflow/controller.rs:128
+    reg [2:0] waiting_action_enabling;                           // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_by_sign;                                  // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] waiting_action_flagging;                           // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_on_memory;                                // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_descends;                                 // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_gives;                                    // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] waiting_action_bank;                               // rtl/src/pixelflow/controller.rs:128
+    reg waiting_action_starts;                                   // rtl/src/pixelflow/controller.rs:128
+    reg [2:0] waiting_skip;                                      // rtl/src/pixelflow/controller.rs:128
+    reg [3:0] waiting_length;                                    // rtl/src/pixelflow/controller.rs:128
+    reg [8:0] waiting_read;                                      // rtl/src/pixelflow/controller.rs:128
+    reg [8:0] waiting_write;                                     // rtl/src/pixelflow/controller.rs:128
+    reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:128
+    reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:212
+    reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:213
     reg [39:0] a;                                                // rtl/src/pixelflow/controller/slot.rs:168
     reg [39:0] b;                                                // rtl/src/pixelflow/controller/slot.rs:168
-    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:193
-    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:193
-    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:193
-    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
-    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:193
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
-    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
-    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:193
-    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:193
-    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:193
-    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
-    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:193
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
-    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
-    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:193
-    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:193
-    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:193
-    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
-    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:193
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
-    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
-    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:193
-    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:193
-    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:193
-    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
-    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:193
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
-    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
-    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:193
-    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:193
-    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:193
-    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:193
-    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:193
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:193
-    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:193
-    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:193
-    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:193
-    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:193
+    reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:194
+    reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:194
+    reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent1_control_begin;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixelflow/controller.rs:194
+    reg sent1_control_accumulates;                               // rtl/src/pixelflow/controller.rs:194
+    reg sent1_control_stores;                                    // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent1_control_condition;                           // rtl/src/pixelflow/controller.rs:194
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixelflow/controller.rs:194
+    reg sent1_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent1_control_flagging;                            // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent1_control_read;                                // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent1_control_write;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent1_given_banks;                                 // rtl/src/pixelflow/controller.rs:194
+    reg sent1_given_texture;                                     // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_control_source;                              // rtl/src/pixelflow/controller.rs:194
+    reg [7:0] sent2_control_constant;                            // rtl/src/pixelflow/controller.rs:194
+    reg [3:0] sent2_control_function;                            // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_control_begin;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixelflow/controller.rs:194
+    reg sent2_control_accumulates;                               // rtl/src/pixelflow/controller.rs:194
+    reg sent2_control_stores;                                    // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_control_condition;                           // rtl/src/pixelflow/controller.rs:194
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixelflow/controller.rs:194
+    reg sent2_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_control_flagging;                            // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent2_control_read;                                // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent2_control_write;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent2_given_banks;                                 // rtl/src/pixelflow/controller.rs:194
+    reg sent2_given_texture;                                     // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_control_source;                              // rtl/src/pixelflow/controller.rs:194
+    reg [7:0] sent3_control_constant;                            // rtl/src/pixelflow/controller.rs:194
+    reg [3:0] sent3_control_function;                            // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_control_begin;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixelflow/controller.rs:194
+    reg sent3_control_accumulates;                               // rtl/src/pixelflow/controller.rs:194
+    reg sent3_control_stores;                                    // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_control_condition;                           // rtl/src/pixelflow/controller.rs:194
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixelflow/controller.rs:194
+    reg sent3_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_control_flagging;                            // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent3_control_read;                                // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent3_control_write;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent3_given_banks;                                 // rtl/src/pixelflow/controller.rs:194
+    reg sent3_given_texture;                                     // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_control_source;                              // rtl/src/pixelflow/controller.rs:194
+    reg [7:0] sent4_control_constant;                            // rtl/src/pixelflow/controller.rs:194
+    reg [3:0] sent4_control_function;                            // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_control_begin;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixelflow/controller.rs:194
+    reg sent4_control_accumulates;                               // rtl/src/pixelflow/controller.rs:194
+    reg sent4_control_stores;                                    // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_control_condition;                           // rtl/src/pixelflow/controller.rs:194
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixelflow/controller.rs:194
+    reg sent4_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_control_flagging;                            // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent4_control_read;                                // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent4_control_write;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent4_given_banks;                                 // rtl/src/pixelflow/controller.rs:194
+    reg sent4_given_texture;                                     // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_control_source;                              // rtl/src/pixelflow/controller.rs:194
+    reg [7:0] sent5_control_constant;                            // rtl/src/pixelflow/controller.rs:194
+    reg [3:0] sent5_control_function;                            // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_control_begin;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixelflow/controller.rs:194
+    reg sent5_control_accumulates;                               // rtl/src/pixelflow/controller.rs:194
+    reg sent5_control_stores;                                    // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_control_condition;                           // rtl/src/pixelflow/controller.rs:194
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixelflow/controller.rs:194
+    reg sent5_control_by_sign;                                   // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_control_flagging;                            // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent5_control_read;                                // rtl/src/pixelflow/controller.rs:194
+    reg [8:0] sent5_control_write;                               // rtl/src/pixelflow/controller.rs:194
+    reg [1:0] sent5_given_banks;                                 // rtl/src/pixelflow/controller.rs:194
+    reg sent5_given_texture;                                     // rtl/src/pixelflow/controller.rs:194
 
     wire expression = instructions_source == SOURCE_EXPRESSION;  // rtl/src/pixelflow/controller.rs:101
     wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:112
@@ -252,40 +254,40 @@ module array_controller_width8_height4 (
     wire looks = looks_or | (instructions_enabling == ENABLING_PUSH); // rtl/src/pixelflow/controller.rs:106
     wire by_sign = looks & expression & (instructions_condition == CONDITION_POSITIVE); // rtl/src/pixelflow/controller.rs:107
     wire quiet = quiet_and & (!looks | by_sign);                 // rtl/src/pixelflow/controller.rs:109
-    wire evaluator_may_or = !on_evaluator | !quiet;              // rtl/src/pixelflow/controller.rs:115
-    wire [4:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 5'd0); // rtl/src/pixelflow/controller.rs:131
-    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 5'd1); // rtl/src/pixelflow/controller.rs:132
-    wire evaluator_may = evaluator_ends & (!evaluator_may_or | ends_in_time); // rtl/src/pixelflow/controller.rs:133
+    wire on_memory = !on_evaluator | !quiet;                     // rtl/src/pixelflow/controller.rs:115
+    wire [4:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 5'd0); // rtl/src/pixelflow/controller.rs:132
+    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 5'd1); // rtl/src/pixelflow/controller.rs:133
+    wire evaluator_may = evaluator_ends & (!on_memory | ends_in_time); // rtl/src/pixelflow/controller.rs:134
     wire memory_ends = memory_left <= 5'd1;                      // rtl/src/pixelflow/controller/slot.rs:107
-    wire memory_may_inverse = !((evaluator_left != 5'd0) & evaluator_action_on_memory); // rtl/src/pixelflow/controller.rs:134
-    wire memory_may = (!waits | memory_ends) & (evaluator_ends | memory_may_inverse); // rtl/src/pixelflow/controller.rs:134
-    wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:135
-    wire in_turn = (side_by_side & (instructions_sync == SYNC_NOTHING)) | both_end; // rtl/src/pixelflow/controller.rs:137
-    wire may_and = (on_evaluator ? evaluator_may : memory_may) & in_turn; // rtl/src/pixelflow/controller.rs:138
-    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:220
-    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:220
-    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:221
-    wire may_inverse = !(waits_for_bank | ((instructions_sync == SYNC_AWAIT_TEXTURE) & texture_under_way)); // rtl/src/pixelflow/controller.rs:138
-    wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:138
-    assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:139
+    wire memory_may_inverse = !((evaluator_left != 5'd0) & evaluator_action_on_memory); // rtl/src/pixelflow/controller.rs:135
+    wire memory_may = (!waits | memory_ends) & (evaluator_ends | memory_may_inverse); // rtl/src/pixelflow/controller.rs:135
+    wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:136
+    wire in_turn = (side_by_side & (instructions_sync == SYNC_NOTHING)) | both_end; // rtl/src/pixelflow/controller.rs:138
+    wire may_and = (on_evaluator ? evaluator_may : memory_may) & in_turn; // rtl/src/pixelflow/controller.rs:139
+    wire [1:0] bank_is_out_and = banks_under_way & {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller.rs:221
+    wire bank_is_out = bank_is_out_and != 2'd0;                  // rtl/src/pixelflow/controller.rs:221
+    wire waits_for_bank = (instructions_sync == SYNC_AWAIT_BANK) & bank_is_out; // rtl/src/pixelflow/controller.rs:222
+    wire may_inverse = !(waits_for_bank | ((instructions_sync == SYNC_AWAIT_TEXTURE) & texture_under_way)); // rtl/src/pixelflow/controller.rs:139
+    wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:139
+    assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:140
     wire evaluator_is_word_at_most = evaluator_left <= {1'd0, evaluator_length}; // rtl/src/pixelflow/controller/slot.rs:102
     wire evaluator_is_word = (evaluator_left != 5'd0) & evaluator_is_word_at_most; // rtl/src/pixelflow/controller/slot.rs:108
     assign coefficients_c = evaluator_bytes[7:0];                // rtl/src/pixelflow/controller/slot.rs:112
     wire memory_is_word = (memory_left != 5'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixelflow/controller/slot.rs:108
-    wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:139
+    wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:140
     wire [1:0] banks_under_way_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:77
-    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:229
-    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:229
-    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:232
-    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:233
+    wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:230
+    wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:230
+    wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:233
+    wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:234
     wire evaluator_action_gives_equal = instructions_sync == SYNC_GIVE_BANK; // rtl/src/pixelflow/controller/slot.rs:61
     wire [1:0] evaluator_action_bank_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:77
     wire evaluator_action_starts_equal = instructions_sync == SYNC_START_TEXTURE; // rtl/src/pixelflow/controller/slot.rs:63
-    wire evaluator_begins = instructions_taken & on_evaluator;   // rtl/src/pixelflow/controller.rs:144
-    wire for_memory = instructions_taken & !on_evaluator;        // rtl/src/pixelflow/controller.rs:145
-    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixelflow/controller.rs:146
-    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixelflow/controller.rs:149
-    wire [3:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixelflow/controller.rs:151
+    wire evaluator_begins = instructions_taken & on_evaluator;   // rtl/src/pixelflow/controller.rs:145
+    wire for_memory = instructions_taken & !on_evaluator;        // rtl/src/pixelflow/controller.rs:146
+    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixelflow/controller.rs:147
+    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixelflow/controller.rs:150
+    wire [3:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixelflow/controller.rs:152
     wire [4:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixelflow/controller/slot.rs:70
     assign coefficients_a = a[7:0];                              // rtl/src/pixelflow/controller/slot.rs:170
     assign coefficients_b = b[7:0];                              // rtl/src/pixelflow/controller/slot.rs:170
@@ -295,22 +297,22 @@ module array_controller_width8_height4 (
     wire sent1_given_texture_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
     wire sent1_given_banks_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_gives; // rtl/src/pixelflow/controller/slot.rs:162
     wire sent1_given_texture_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
-    wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:254
-    wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:254
-    wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:254
-    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:239
-    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:244
-    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:254
-    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:254
-    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:254
-    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:254
-    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:185
-    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:185
+    wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:255
+    wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:255
+    wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:255
+    wire assumed_and = (instructions_length != 4'd0) & (instructions_length <= 4'd8); // rtl/src/pixelflow/controller.rs:240
+    wire assumed_at_least = ({1'd0, instructions_read} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_at_most = ({1'd0, instructions_read} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_choice = instructions_descends ? assumed_at_least : assumed_at_most; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_at_least_2 = ({1'd0, instructions_write} + 10'd1) >= {6'd0, instructions_length}; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {6'd0, instructions_length}) <= 10'd384; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_choice_2 = instructions_descends ? assumed_at_least_2 : assumed_at_most_2; // rtl/src/pixelflow/controller.rs:245
+    wire assumed_and_5 = (instructions_function <= FUNCTION_ADD_HALVED) & (instructions_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:255
+    wire assumed_and_4 = assumed_and_5 & (instructions_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:255
+    wire assumed_and_3 = assumed_and_4 & (instructions_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:255
+    wire assumed_and_2 = assumed_and_3 & (instructions_flagging <= FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:255
+    wire idle_and = !instructions_valid & (evaluator_left == 5'd0); // rtl/src/pixelflow/controller.rs:186
+    assign idle = idle_and & (memory_left == 5'd0);              // rtl/src/pixelflow/controller.rs:186
 
     always @(posedge clk) begin
         if (evaluator_begins) begin
@@ -320,15 +322,15 @@ module array_controller_width8_height4 (
         end
         if (evaluator_begins) begin
             evaluator_read <= instructions_read;
-        end else if (evaluator_is_word) begin
-            if (evaluator_action_descends) evaluator_read <= evaluator_read - 9'd1;
-            else evaluator_read <= evaluator_read + 9'd1;
-        end
-        if (evaluator_begins) begin
             evaluator_write <= instructions_write;
         end else if (evaluator_is_word) begin
-            if (evaluator_action_descends) evaluator_write <= evaluator_write - 9'd1;
-            else evaluator_write <= evaluator_write + 9'd1;
+            if (evaluator_action_descends) begin
+                evaluator_read <= evaluator_read - 9'd1;
+                evaluator_write <= evaluator_write - 9'd1;
+            end else begin
+                evaluator_read <= evaluator_read + 9'd1;
+                evaluator_write <= evaluator_write + 9'd1;
+            end
         end
         if (memory_begins) begin
             if (waits) memory_bytes <= waiting_constant;
@@ -337,43 +339,51 @@ module array_controller_width8_height4 (
             memory_bytes <= {{8{memory_bytes[39]}}, memory_bytes[39:8]};
         end
         if (memory_begins) begin
-            if (waits) memory_read <= waiting_read;
-            else memory_read <= instructions_read;
+            if (waits) begin
+                memory_read <= waiting_read;
+                memory_write <= waiting_write;
+            end else begin
+                memory_read <= instructions_read;
+                memory_write <= instructions_write;
+            end
         end else if (memory_is_word) begin
-            if (memory_action_descends) memory_read <= memory_read - 9'd1;
-            else memory_read <= memory_read + 9'd1;
+            if (memory_action_descends) begin
+                memory_read <= memory_read - 9'd1;
+                memory_write <= memory_write - 9'd1;
+            end else begin
+                memory_read <= memory_read + 9'd1;
+                memory_write <= memory_write + 9'd1;
+            end
         end
-        if (memory_begins) begin
-            if (waits) memory_write <= waiting_write;
-            else memory_write <= instructions_write;
-        end else if (memory_is_word) begin
-            if (memory_action_descends) memory_write <= memory_write - 9'd1;
-            else memory_write <= memory_write + 9'd1;
+        if (must_wait) begin
+            waiting_action_source <= instructions_source;
+            waiting_action_function <= instructions_function;
+            waiting_action_begin <= instructions_begin;
+            waiting_action_mask <= instructions_mask;
+            waiting_action_accumulates <= instructions_accumulates;
+            waiting_action_stores <= instructions_stores;
+            waiting_action_condition <= instructions_condition;
+            waiting_action_enabling <= instructions_enabling;
+            waiting_action_by_sign <= by_sign;
+            waiting_action_flagging <= instructions_flagging;
+            waiting_action_on_memory <= on_memory;
+            waiting_action_descends <= instructions_descends;
+            waiting_action_gives <= evaluator_action_gives_equal;
+            waiting_action_bank <= evaluator_action_bank_joined;
+            waiting_action_starts <= evaluator_action_starts_equal;
+            waiting_skip <= instructions_skip;
+            waiting_length <= instructions_length;
+            waiting_read <= instructions_read;
+            waiting_write <= instructions_write;
+            waiting_constant <= instructions_c;
         end
-        if (must_wait) waiting_action_source <= instructions_source;
-        if (must_wait) waiting_action_function <= instructions_function;
-        if (must_wait) waiting_action_begin <= instructions_begin;
-        if (must_wait) waiting_action_mask <= instructions_mask;
-        if (must_wait) waiting_action_accumulates <= instructions_accumulates;
-        if (must_wait) waiting_action_stores <= instructions_stores;
-        if (must_wait) waiting_action_condition <= instructions_condition;
-        if (must_wait) waiting_action_enabling <= instructions_enabling;
-        if (must_wait) waiting_action_by_sign <= by_sign;
-        if (must_wait) waiting_action_flagging <= instructions_flagging;
-        if (must_wait) waiting_action_on_memory <= evaluator_may_or;
-        if (must_wait) waiting_action_descends <= instructions_descends;
-        if (must_wait) waiting_action_gives <= evaluator_action_gives_equal;
-        if (must_wait) waiting_action_bank <= evaluator_action_bank_joined;
-        if (must_wait) waiting_action_starts <= evaluator_action_starts_equal;
-        if (must_wait) waiting_skip <= instructions_skip;
-        if (must_wait) waiting_length <= instructions_length;
-        if (must_wait) waiting_read <= instructions_read;
-        if (must_wait) waiting_write <= instructions_write;
-        if (must_wait) waiting_constant <= instructions_c;
-        if (evaluator_begins) a <= instructions_a;
-        else a <= {{8{a[39]}}, a[39:8]};
-        if (evaluator_begins) b <= instructions_b;
-        else b <= {{8{b[39]}}, b[39:8]};
+        if (evaluator_begins) begin
+            a <= instructions_a;
+            b <= instructions_b;
+        end else begin
+            a <= {{8{a[39]}}, a[39:8]};
+            b <= {{8{b[39]}}, b[39:8]};
+        end
     end
 
     always @(posedge clk) begin
@@ -493,88 +503,65 @@ module array_controller_width8_height4 (
             sent5_given_banks <= 2'd0;
             sent5_given_texture <= 1'b0;
         end else begin
-            if (evaluator_begins) evaluator_action_source <= instructions_source;
-            if (evaluator_begins) evaluator_action_function <= instructions_function;
-            if (evaluator_begins) evaluator_action_begin <= instructions_begin;
-            if (evaluator_begins) evaluator_action_mask <= instructions_mask;
-            if (evaluator_begins) evaluator_action_accumulates <= instructions_accumulates;
-            if (evaluator_begins) evaluator_action_stores <= instructions_stores;
-            if (evaluator_begins) evaluator_action_condition <= instructions_condition;
-            if (evaluator_begins) evaluator_action_enabling <= instructions_enabling;
-            if (evaluator_begins) evaluator_action_by_sign <= by_sign;
-            if (evaluator_begins) evaluator_action_flagging <= instructions_flagging;
-            if (evaluator_begins) evaluator_action_on_memory <= evaluator_may_or;
-            if (evaluator_begins) evaluator_action_descends <= instructions_descends;
-            if (evaluator_begins) evaluator_action_gives <= evaluator_action_gives_equal;
-            if (evaluator_begins) evaluator_action_bank <= evaluator_action_bank_joined;
-            if (evaluator_begins) evaluator_action_starts <= evaluator_action_starts_equal;
-            if (evaluator_begins) evaluator_length <= instructions_length;
+            if (evaluator_begins) begin
+                evaluator_action_source <= instructions_source;
+                evaluator_action_function <= instructions_function;
+                evaluator_action_begin <= instructions_begin;
+                evaluator_action_mask <= instructions_mask;
+                evaluator_action_accumulates <= instructions_accumulates;
+                evaluator_action_stores <= instructions_stores;
+                evaluator_action_condition <= instructions_condition;
+                evaluator_action_enabling <= instructions_enabling;
+                evaluator_action_by_sign <= by_sign;
+                evaluator_action_flagging <= instructions_flagging;
+                evaluator_action_on_memory <= on_memory;
+                evaluator_action_descends <= instructions_descends;
+                evaluator_action_gives <= evaluator_action_gives_equal;
+                evaluator_action_bank <= evaluator_action_bank_joined;
+                evaluator_action_starts <= evaluator_action_starts_equal;
+                evaluator_length <= instructions_length;
+            end
             if (evaluator_begins) begin
                 evaluator_left <= {2'd0, instructions_skip} + {1'd0, instructions_length};
             end else if (evaluator_left != 5'd0) begin
                 evaluator_left <= evaluator_left - 5'd1;
             end
             if (memory_begins) begin
-                if (waits) memory_action_source <= waiting_action_source;
-                else memory_action_source <= instructions_source;
+                if (waits) begin
+                    memory_action_source <= waiting_action_source;
+                    memory_action_function <= waiting_action_function;
+                    memory_action_begin <= waiting_action_begin;
+                    memory_action_mask <= waiting_action_mask;
+                    memory_action_accumulates <= waiting_action_accumulates;
+                    memory_action_stores <= waiting_action_stores;
+                    memory_action_condition <= waiting_action_condition;
+                    memory_action_enabling <= waiting_action_enabling;
+                    memory_action_by_sign <= waiting_action_by_sign;
+                    memory_action_flagging <= waiting_action_flagging;
+                    memory_action_on_memory <= waiting_action_on_memory;
+                    memory_action_descends <= waiting_action_descends;
+                    memory_action_gives <= waiting_action_gives;
+                    memory_action_bank <= waiting_action_bank;
+                    memory_action_starts <= waiting_action_starts;
+                end else begin
+                    memory_action_source <= instructions_source;
+                    memory_action_function <= instructions_function;
+                    memory_action_begin <= instructions_begin;
+                    memory_action_mask <= instructions_mask;
+                    memory_action_accumulates <= instructions_accumulates;
+                    memory_action_stores <= instructions_stores;
+                    memory_action_condition <= instructions_condition;
+                    memory_action_enabling <= instructions_enabling;
+                    memory_action_by_sign <= by_sign;
+                    memory_action_flagging <= instructions_flagging;
+                    memory_action_on_memory <= on_memory;
+                    memory_action_descends <= instructions_descends;
+                    memory_action_gives <= evaluator_action_gives_equal;
+                    memory_action_bank <= evaluator_action_bank_joined;
+                    memory_action_starts <= evaluator_action_starts_equal;
+                end
+                memory_length <= memory_length_choice;
             end
-            if (memory_begins) begin
-                if (waits) memory_action_function <= waiting_action_function;
-                else memory_action_function <= instructions_function;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_begin <= waiting_action_begin;
-                else memory_action_begin <= instructions_begin;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_mask <= waiting_action_mask;
-                else memory_action_mask <= instructions_mask;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_accumulates <= waiting_action_accumulates;
-                else memory_action_accumulates <= instructions_accumulates;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_stores <= waiting_action_stores;
-                else memory_action_stores <= instructions_stores;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_condition <= waiting_action_condition;
-                else memory_action_condition <= instructions_condition;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_enabling <= waiting_action_enabling;
-                else memory_action_enabling <= instructions_enabling;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_by_sign <= waiting_action_by_sign;
-                else memory_action_by_sign <= by_sign;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_flagging <= waiting_action_flagging;
-                else memory_action_flagging <= instructions_flagging;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_on_memory <= waiting_action_on_memory;
-                else memory_action_on_memory <= evaluator_may_or;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_descends <= waiting_action_descends;
-                else memory_action_descends <= instructions_descends;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_gives <= waiting_action_gives;
-                else memory_action_gives <= evaluator_action_gives_equal;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_bank <= waiting_action_bank;
-                else memory_action_bank <= evaluator_action_bank_joined;
-            end
-            if (memory_begins) begin
-                if (waits) memory_action_starts <= waiting_action_starts;
-                else memory_action_starts <= evaluator_action_starts_equal;
-            end
-            if (memory_begins) memory_length <= memory_length_choice;
             if (memory_begins) begin
                 memory_left <= memory_left_extended + {1'd0, memory_length_choice};
             end else if (memory_left != 5'd0) begin
@@ -588,10 +575,13 @@ module array_controller_width8_height4 (
             first <= evaluator_begins & expression;
             if (evaluator_begins) sends <= expression;
             else if (evaluator_ends) sends <= 1'b0;
-            if (memory_is_word) sent1_control_source <= memory_action_source;
-            else sent1_control_source <= evaluator_action_source;
-            if (memory_is_word) sent1_control_constant <= memory_bytes[7:0];
-            else sent1_control_constant <= coefficients_c;
+            if (memory_is_word) begin
+                sent1_control_source <= memory_action_source;
+                sent1_control_constant <= memory_bytes[7:0];
+            end else begin
+                sent1_control_source <= evaluator_action_source;
+                sent1_control_constant <= coefficients_c;
+            end
             if (memory_is_word) begin
                 if (memory_is_word) sent1_control_function <= memory_action_function;
                 else sent1_control_function <= FUNCTION_OPERAND;
@@ -616,12 +606,15 @@ module array_controller_width8_height4 (
             end else begin
                 sent1_control_mask <= MASK_NOBODY;
             end
-            if (memory_is_word) sent1_control_accumulates <= memory_action_accumulates;
-            else sent1_control_accumulates <= evaluator_action_accumulates;
-            if (memory_is_word) sent1_control_stores <= memory_action_stores;
-            else sent1_control_stores <= evaluator_action_stores;
-            if (memory_is_word) sent1_control_condition <= memory_action_condition;
-            else sent1_control_condition <= evaluator_action_condition;
+            if (memory_is_word) begin
+                sent1_control_accumulates <= memory_action_accumulates;
+                sent1_control_stores <= memory_action_stores;
+                sent1_control_condition <= memory_action_condition;
+            end else begin
+                sent1_control_accumulates <= evaluator_action_accumulates;
+                sent1_control_stores <= evaluator_action_stores;
+                sent1_control_condition <= evaluator_action_condition;
+            end
             if (evaluator_is_word & (evaluator_left == 5'd1)) sent1_control_enabling <= evaluator_action_enabling;
             else sent1_control_enabling <= ENABLING_KEEP;
             sent1_control_by_sign <= evaluator_action_by_sign;
@@ -633,10 +626,13 @@ module array_controller_width8_height4 (
             end else begin
                 sent1_control_flagging <= FLAGGING_KEEP;
             end
-            if (memory_is_word) sent1_control_read <= memory_read;
-            else sent1_control_read <= evaluator_read;
-            if (memory_is_word) sent1_control_write <= memory_write;
-            else sent1_control_write <= evaluator_write;
+            if (memory_is_word) begin
+                sent1_control_read <= memory_read;
+                sent1_control_write <= memory_write;
+            end else begin
+                sent1_control_read <= evaluator_read;
+                sent1_control_write <= evaluator_write;
+            end
             sent1_given_banks <= sent1_given_banks_choice | (sent1_given_banks_and_2 ? memory_action_bank : 2'd0);
             sent1_given_texture <= sent1_given_texture_and | sent1_given_texture_and_2;
             sent2_control_source <= sent1_control_source;
@@ -721,46 +717,46 @@ module array_controller_width8_height4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:231
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:231
-        if (!rst) assert (!(asserted_and & evaluator_is_word & memory_is_word)); // rtl/src/pixelflow/controller.rs:162
-        if (!rst) assert (asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION)); // rtl/src/pixelflow/controller.rs:173
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:238
-        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:238
-        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:238
-        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:238
+        if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:232
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixelflow/controller.rs:232
+        if (!rst) assert (!(asserted_and & evaluator_is_word & memory_is_word)); // rtl/src/pixelflow/controller.rs:163
+        if (!rst) assert (asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION)); // rtl/src/pixelflow/controller.rs:174
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixelflow/controller.rs:239
+        if (!rst) assume (!instructions_taken | (expression | (instructions_skip == 3'd0))); // rtl/src/pixelflow/controller.rs:239
+        if (!rst) assume (!instructions_taken | (assumed_choice & assumed_choice_2)); // rtl/src/pixelflow/controller.rs:239
+        if (!rst) assume (!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE))); // rtl/src/pixelflow/controller.rs:239
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:231
+        if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:232
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given when the network has done with it", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:231
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:232
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
             $stop;
         end
-        if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:162
+        if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:163
             $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
             $stop;
         end
-        if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:173
+        if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:174
             $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:238
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 8 bytes", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:238
+        if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bytes are skipped", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:238
+        if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 384 bytes", $time);
             $stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:238
+        if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a code that there is", $time);
             $stop;
         end

@@ -36,7 +36,8 @@ module command_dma_words16 (
     input  wire [2:0]  store_instruction_sync,        // What it does besides, with the ports: a `Sync`.
     input  wire [39:0] store_instruction_a,           // Of the expression, in two's complement, relative to the region.
     input  wire [39:0] store_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     input  wire [39:0] store_instruction_c,
     // Frames, one after another.
     input  wire        frames_valid,
@@ -67,7 +68,8 @@ module command_dma_words16 (
     output wire [2:0]  instructions_sync,             // What it does besides, with the ports: a `Sync`.
     output wire [39:0] instructions_a,                // Of the expression, in two's complement, relative to the region.
     output wire [39:0] instructions_b,                // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     output wire [39:0] instructions_c,
     output wire        idle,                          // There is nothing to fetch, and nothing on its way.
     output wire        frames_ready
@@ -120,7 +122,16 @@ module command_dma_words16 (
 
     always @(posedge clk) begin
         if (store_writes) begin
-            memory[store_address] <= {store_instruction_source, store_instruction_function, store_instruction_begin, store_instruction_mask, store_instruction_accumulates, store_instruction_stores, store_instruction_condition, store_instruction_enabling, store_instruction_flagging, store_instruction_skip, store_instruction_length, store_instruction_descends, store_instruction_read, store_instruction_write, store_instruction_sync, store_instruction_a, store_instruction_b, store_instruction_c};
+            memory[store_address] <= {
+                store_instruction_source, store_instruction_function,
+                store_instruction_begin, store_instruction_mask,
+                store_instruction_accumulates, store_instruction_stores,
+                store_instruction_condition, store_instruction_enabling,
+                store_instruction_flagging, store_instruction_skip, store_instruction_length,
+                store_instruction_descends, store_instruction_read, store_instruction_write,
+                store_instruction_sync, store_instruction_a, store_instruction_b,
+                store_instruction_c
+            };
         end
         if (reads) memory_read <= memory[next];
     end

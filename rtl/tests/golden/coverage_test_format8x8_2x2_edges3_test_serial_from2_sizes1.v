@@ -97,12 +97,10 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     wire [39:0] plane_picked_3;                                  // rtl/src/quadtree/coverage_test.rs:93
     wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:83
     wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:131
-    wire value_equal = value_picked_2 == number[0];              // rtl/src/quadtree/coverage_test.rs:155
-    wire [31:0] value_extended = {15'd0, value_picked_3};        // rtl/src/quadtree/coverage_test.rs:155
-    wire [31:0] value_choice = value_equal ? 32'd0 : {value_extended[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:155
-    wire value_equal_2 = value_picked_4 == number[1];            // rtl/src/quadtree/coverage_test.rs:155
-    wire [31:0] value_extended_2 = {15'd0, value_picked_5};      // rtl/src/quadtree/coverage_test.rs:155
-    wire [31:0] value_choice_2 = value_equal_2 ? 32'd0 : {value_extended_2[30:0], 1'b0}; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_joined = {14'd0, value_picked_3, 1'b0};    // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice = (value_picked_2 == number[0]) ? 32'd0 : value_joined; // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_joined_2 = {14'd0, value_picked_5, 1'b0};  // rtl/src/quadtree/coverage_test.rs:155
+    wire [31:0] value_choice_2 = (value_picked_4 == number[1]) ? 32'd0 : value_joined_2; // rtl/src/quadtree/coverage_test.rs:155
     wire [31:0] value = value_picked - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:129
     wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:133
     assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:316
@@ -337,14 +335,16 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     endgenerate
 
     always @(posedge clk) begin
-        if (works_taken) held_polygon_last_edge <= works_polygon_last_edge;
-        if (works_taken) held_window_size <= works_window_size;
-        if (works_taken) held_window_x <= works_window_x;
-        if (works_taken) held_window_y <= works_window_y;
-        if (works_taken) held_window_bounds_left <= works_window_bounds_left;
-        if (works_taken) held_window_bounds_top <= works_window_bounds_top;
-        if (works_taken) held_window_bounds_right <= works_window_bounds_right;
-        if (works_taken) held_window_bounds_bottom <= works_window_bounds_bottom;
+        if (works_taken) begin
+            held_polygon_last_edge <= works_polygon_last_edge;
+            held_window_size <= works_window_size;
+            held_window_x <= works_window_x;
+            held_window_y <= works_window_y;
+            held_window_bounds_left <= works_window_bounds_left;
+            held_window_bounds_top <= works_window_bounds_top;
+            held_window_bounds_right <= works_window_bounds_right;
+            held_window_bounds_bottom <= works_window_bounds_bottom;
+        end
     end
 
     always @(posedge clk) begin
@@ -379,7 +379,6 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     assign tally_0_stalled = size2_stalled;
     assign tally_0_results = size2_results;
 
-    wire _unused_ok = &{1'b0, held_window_size, value_extended[31], value_extended_2[31],
-            plane_picked_2[39], plane_picked_3[39]};
+    wire _unused_ok = &{1'b0, held_window_size, plane_picked_2[39], plane_picked_3[39]};
 endmodule
 `default_nettype wire

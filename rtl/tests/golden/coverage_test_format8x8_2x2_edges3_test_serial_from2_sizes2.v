@@ -348,14 +348,16 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 (
     endgenerate
 
     always @(posedge clk) begin
-        if (works_taken) held_polygon_last_edge <= works_polygon_last_edge;
-        if (works_taken) held_window_size <= works_window_size;
-        if (works_taken) held_window_x <= works_window_x;
-        if (works_taken) held_window_y <= works_window_y;
-        if (works_taken) held_window_bounds_left <= works_window_bounds_left;
-        if (works_taken) held_window_bounds_top <= works_window_bounds_top;
-        if (works_taken) held_window_bounds_right <= works_window_bounds_right;
-        if (works_taken) held_window_bounds_bottom <= works_window_bounds_bottom;
+        if (works_taken) begin
+            held_polygon_last_edge <= works_polygon_last_edge;
+            held_window_size <= works_window_size;
+            held_window_x <= works_window_x;
+            held_window_y <= works_window_y;
+            held_window_bounds_left <= works_window_bounds_left;
+            held_window_bounds_top <= works_window_bounds_top;
+            held_window_bounds_right <= works_window_bounds_right;
+            held_window_bounds_bottom <= works_window_bounds_bottom;
+        end
     end
 
     always @(posedge clk) begin

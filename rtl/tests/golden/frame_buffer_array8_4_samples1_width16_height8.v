@@ -58,8 +58,8 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     wire reads = runs & (clock < 3'd3) & (pixel < 5'd16);        // rtl/src/pixelflow/frame_buffer.rs:235
     wire stores = runs & (pixel != 5'd0) & (clock < 3'd1);       // rtl/src/pixelflow/frame_buffer.rs:239
     wire [4:0] stores_at_difference = pixel - 5'd1;              // rtl/src/pixelflow/frame_buffer.rs:240
-    wire [6:0] stores_at_joined = {!shown ? ({1'd0, region} + 3'd4) : {1'd0, region}, 4'h0}; // rtl/src/pixelflow/frame_buffer.rs:205
-    wire [6:0] stores_at = stores_at_joined | {3'd0, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
+    wire [2:0] stores_at_choice = !shown ? ({1'd0, region} + 3'd4) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:217
+    wire [6:0] stores_at = {stores_at_choice, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
     wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:253
     wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:254
     wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:283
@@ -68,17 +68,15 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     wire line_ends = scans & is_rightmost;                       // rtl/src/pixelflow/frame_buffer.rs:262
     wire frame_ends = line_ends & (y == 3'd7);                   // rtl/src/pixelflow/frame_buffer.rs:263
     wire region_ends = line_ends & (y[1:0] == 2'd3);             // rtl/src/pixelflow/frame_buffer.rs:264
-    wire [3:0] scanned_extended = {3'd0, x[3]};                  // rtl/src/pixelflow/frame_buffer.rs:269
-    wire [2:0] scanned_sum = left + scanned_extended[2:0];       // rtl/src/pixelflow/frame_buffer.rs:270
+    wire [2:0] scanned_sum = left + {2'd0, x[3]};                // rtl/src/pixelflow/frame_buffer.rs:270
     wire [2:0] scanned = shown ? (scanned_sum + 3'd4) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:270
-    wire [6:0] scans_at = {scanned, 4'h0} | {3'd0, {y[0], x[2:0]}}; // rtl/src/pixelflow/frame_buffer.rs:276
-    wire [23:0] pixels_red_choice = is_odd ? odd_read : even_read; // rtl/src/pixelflow/frame_buffer.rs:280
-    assign pixels_red = pixels_red_choice[23:16];                // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_green = pixels_red_choice[15:8];               // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_blue = pixels_red_choice[7:0];                 // rtl/src/pixelflow/frame_buffer.rs:281
+    wire [6:0] scans_at = {scanned, y[0], x[2:0]};               // rtl/src/pixelflow/frame_buffer.rs:276
+    wire [23:0] colour = is_odd ? odd_read : even_read;          // rtl/src/pixelflow/frame_buffer.rs:280
+    assign pixels_red = colour[23:16];                           // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_green = colour[15:8];                          // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_blue = colour[7:0];                            // rtl/src/pixelflow/frame_buffer.rs:281
     assign port_pixel = pixel[3:0];                              // rtl/src/pixelflow/frame_buffer.rs:287
-    wire [7:0] port_address_extended = {5'd0, clock};            // rtl/src/pixelflow/frame_buffer.rs:289
-    assign port_address = port_address_extended[5:0];            // rtl/src/pixelflow/frame_buffer.rs:289
+    assign port_address = {3'd0, clock};                         // rtl/src/pixelflow/frame_buffer.rs:289
 
     genvar i;
 
@@ -176,6 +174,6 @@ module frame_buffer_array8_4_samples1_width16_height8 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, stores_at_difference[4], scanned_extended[3], port_address_extended[7:6]};
+    wire _unused_ok = &{1'b0, stores_at_difference[4]};
 endmodule
 `default_nettype wire

@@ -60,10 +60,8 @@ module frame_buffer_array8_8_samples8_width16_height8 (
     wire reads = runs & (clock < 5'd24) & (pixel < 3'd4);        // rtl/src/pixelflow/frame_buffer.rs:235
     wire stores = runs & (pixel != 3'd0) & (clock < 5'd2);       // rtl/src/pixelflow/frame_buffer.rs:239
     wire [2:0] stores_at_difference = pixel - 3'd1;              // rtl/src/pixelflow/frame_buffer.rs:240
-    wire [6:0] stores_at_joined = {!shown ? ({1'd0, region} + 4'd8) : {1'd0, region}, 3'd0}; // rtl/src/pixelflow/frame_buffer.rs:205
-    wire [6:0] stores_at_extended = {6'd0, clock[0]};            // rtl/src/pixelflow/frame_buffer.rs:205
-    wire [6:0] stores_at_or = stores_at_joined | {stores_at_extended[4:0], 2'd0}; // rtl/src/pixelflow/frame_buffer.rs:206
-    wire [6:0] stores_at = stores_at_or | {5'd0, stores_at_difference[1:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
+    wire [3:0] stores_at_choice = !shown ? ({1'd0, region} + 4'd8) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:217
+    wire [6:0] stores_at = {stores_at_choice, clock[0], stores_at_difference[1:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
     wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:253
     wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:254
     wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:283
@@ -74,13 +72,11 @@ module frame_buffer_array8_8_samples8_width16_height8 (
     wire region_ends = line_ends & (y[1:0] == 2'd3);             // rtl/src/pixelflow/frame_buffer.rs:264
     wire [3:0] scanned_sum = left + {2'd0, x[3:2]};              // rtl/src/pixelflow/frame_buffer.rs:270
     wire [3:0] scanned = shown ? (scanned_sum + 4'd8) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:270
-    wire [6:0] scans_at_extended = {6'd0, y[1]};                 // rtl/src/pixelflow/frame_buffer.rs:205
-    wire [6:0] scans_at_or = {scanned, 3'd0} | {scans_at_extended[4:0], 2'd0}; // rtl/src/pixelflow/frame_buffer.rs:206
-    wire [6:0] scans_at = scans_at_or | {5'd0, x[1:0]};          // rtl/src/pixelflow/frame_buffer.rs:276
-    wire [23:0] pixels_red_choice = is_odd ? odd_read : even_read; // rtl/src/pixelflow/frame_buffer.rs:280
-    assign pixels_red = pixels_red_choice[23:16];                // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_green = pixels_red_choice[15:8];               // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_blue = pixels_red_choice[7:0];                 // rtl/src/pixelflow/frame_buffer.rs:281
+    wire [6:0] scans_at = {scanned, y[1], x[1:0]};               // rtl/src/pixelflow/frame_buffer.rs:276
+    wire [23:0] colour = is_odd ? odd_read : even_read;          // rtl/src/pixelflow/frame_buffer.rs:280
+    assign pixels_red = colour[23:16];                           // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_green = colour[15:8];                          // rtl/src/pixelflow/frame_buffer.rs:281
+    assign pixels_blue = colour[7:0];                            // rtl/src/pixelflow/frame_buffer.rs:281
     wire register_or = start | turn_ends;                        // rtl/src/pixelflow/frame_buffer.rs:290
     wire sample_ends = runs & (register == 3'd5);                // rtl/src/pixelflow/frame_buffer.rs:320
     assign port_pixel = {sample[1], pixel[1:0], sample[0]};      // rtl/src/pixelflow/frame_buffer.rs:323
@@ -194,6 +190,6 @@ module frame_buffer_array8_8_samples8_width16_height8 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, stores_at_difference[2], stores_at_extended[6:5], scans_at_extended[6:5]};
+    wire _unused_ok = &{1'b0, stores_at_difference[2]};
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // gfb_unit_width16_height8_units4_overhead20
 //
-// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units
-// and keeps what comes out of it.
+// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging
+// units and keeps what comes out of it.
 //
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks

@@ -18,7 +18,8 @@ module image_generation_controller_side8 (
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // Where the word that is read begins.
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
+    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Of what is added from a column to the next.
     input  wire [39:0] instructions_coefficients_b, // Of what is added from a line to the next.
     input  wire [39:0] instructions_coefficients_c, // Of the value at column 0 of line 0.
@@ -268,10 +269,13 @@ module image_generation_controller_side8 (
     always @(posedge clk) begin
         if (tree_begins) tree_bits <= instructions_coefficients_c;
         else tree_bits <= {tree_bits[39], tree_bits[39:1]};
-        if (tree_begins) tree_read <= instructions_read;
-        else if (tree_is_word) tree_read <= tree_read + 8'd1;
-        if (tree_begins) tree_write <= instructions_write;
-        else if (tree_is_word) tree_write <= tree_write + 8'd1;
+        if (tree_begins) begin
+            tree_read <= instructions_read;
+            tree_write <= instructions_write;
+        end else if (tree_is_word) begin
+            tree_read <= tree_read + 8'd1;
+            tree_write <= tree_write + 8'd1;
+        end
         if (memory_begins) begin
             if (waits) memory_bits <= waiting_constant;
             else memory_bits <= instructions_coefficients_c;
@@ -279,37 +283,42 @@ module image_generation_controller_side8 (
             memory_bits <= {memory_bits[39], memory_bits[39:1]};
         end
         if (memory_begins) begin
-            if (waits) memory_read <= waiting_read;
-            else memory_read <= instructions_read;
+            if (waits) begin
+                memory_read <= waiting_read;
+                memory_write <= waiting_write;
+            end else begin
+                memory_read <= instructions_read;
+                memory_write <= instructions_write;
+            end
         end else if (memory_is_word) begin
             memory_read <= memory_read + 8'd1;
-        end
-        if (memory_begins) begin
-            if (waits) memory_write <= waiting_write;
-            else memory_write <= instructions_write;
-        end else if (memory_is_word) begin
             memory_write <= memory_write + 8'd1;
         end
-        if (must_wait) waiting_microcode_on_tree <= decoded_on_tree;
-        if (must_wait) waiting_microcode_on_memory <= decoded_on_memory;
-        if (must_wait) waiting_microcode_source <= decoded_source;
-        if (must_wait) waiting_microcode_adds <= decoded_adds;
-        if (must_wait) waiting_microcode_begins <= decoded_begins;
-        if (must_wait) waiting_microcode_mask <= decoded_mask;
-        if (must_wait) waiting_microcode_compares <= decoded_compares;
-        if (must_wait) waiting_microcode_gates <= decoded_gates;
-        if (must_wait) waiting_microcode_enabling <= decoded_enabling;
-        if (must_wait) waiting_microcode_captures <= decoded_captures;
-        if (must_wait) waiting_microcode_saves <= decoded_saves;
-        if (must_wait) waiting_skip <= instructions_skip;
-        if (must_wait) waiting_length <= instructions_length;
-        if (must_wait) waiting_read <= instructions_read;
-        if (must_wait) waiting_write <= instructions_write;
-        if (must_wait) waiting_constant <= instructions_coefficients_c;
-        if (tree_begins) a <= instructions_coefficients_a;
-        else a <= {a[39], a[39:1]};
-        if (tree_begins) b <= instructions_coefficients_b;
-        else b <= {b[39], b[39:1]};
+        if (must_wait) begin
+            waiting_microcode_on_tree <= decoded_on_tree;
+            waiting_microcode_on_memory <= decoded_on_memory;
+            waiting_microcode_source <= decoded_source;
+            waiting_microcode_adds <= decoded_adds;
+            waiting_microcode_begins <= decoded_begins;
+            waiting_microcode_mask <= decoded_mask;
+            waiting_microcode_compares <= decoded_compares;
+            waiting_microcode_gates <= decoded_gates;
+            waiting_microcode_enabling <= decoded_enabling;
+            waiting_microcode_captures <= decoded_captures;
+            waiting_microcode_saves <= decoded_saves;
+            waiting_skip <= instructions_skip;
+            waiting_length <= instructions_length;
+            waiting_read <= instructions_read;
+            waiting_write <= instructions_write;
+            waiting_constant <= instructions_coefficients_c;
+        end
+        if (tree_begins) begin
+            a <= instructions_coefficients_a;
+            b <= instructions_coefficients_b;
+        end else begin
+            a <= {a[39], a[39:1]};
+            b <= {b[39], b[39:1]};
+        end
     end
 
     always @(posedge clk) begin
@@ -415,68 +424,53 @@ module image_generation_controller_side8 (
             sent6_control_write <= 8'd0;
             sent6_plane <= 1'b0;
         end else begin
-            if (tree_begins) tree_microcode_on_tree <= decoded_on_tree;
-            if (tree_begins) tree_microcode_on_memory <= decoded_on_memory;
-            if (tree_begins) tree_microcode_source <= decoded_source;
-            if (tree_begins) tree_microcode_adds <= decoded_adds;
-            if (tree_begins) tree_microcode_begins <= decoded_begins;
-            if (tree_begins) tree_microcode_mask <= decoded_mask;
-            if (tree_begins) tree_microcode_compares <= decoded_compares;
-            if (tree_begins) tree_microcode_gates <= decoded_gates;
-            if (tree_begins) tree_microcode_enabling <= decoded_enabling;
-            if (tree_begins) tree_microcode_captures <= decoded_captures;
-            if (tree_begins) tree_microcode_saves <= decoded_saves;
-            if (tree_begins) tree_length <= instructions_length;
+            if (tree_begins) begin
+                tree_microcode_on_tree <= decoded_on_tree;
+                tree_microcode_on_memory <= decoded_on_memory;
+                tree_microcode_source <= decoded_source;
+                tree_microcode_adds <= decoded_adds;
+                tree_microcode_begins <= decoded_begins;
+                tree_microcode_mask <= decoded_mask;
+                tree_microcode_compares <= decoded_compares;
+                tree_microcode_gates <= decoded_gates;
+                tree_microcode_enabling <= decoded_enabling;
+                tree_microcode_captures <= decoded_captures;
+                tree_microcode_saves <= decoded_saves;
+                tree_length <= instructions_length;
+            end
             if (tree_begins) begin
                 tree_left <= {2'd0, instructions_skip} + {1'd0, instructions_length};
             end else if (tree_left != 8'd0) begin
                 tree_left <= tree_left - 8'd1;
             end
             if (memory_begins) begin
-                if (waits) memory_microcode_on_tree <= waiting_microcode_on_tree;
-                else memory_microcode_on_tree <= decoded_on_tree;
+                if (waits) begin
+                    memory_microcode_on_tree <= waiting_microcode_on_tree;
+                    memory_microcode_on_memory <= waiting_microcode_on_memory;
+                    memory_microcode_source <= waiting_microcode_source;
+                    memory_microcode_adds <= waiting_microcode_adds;
+                    memory_microcode_begins <= waiting_microcode_begins;
+                    memory_microcode_mask <= waiting_microcode_mask;
+                    memory_microcode_compares <= waiting_microcode_compares;
+                    memory_microcode_gates <= waiting_microcode_gates;
+                    memory_microcode_enabling <= waiting_microcode_enabling;
+                    memory_microcode_captures <= waiting_microcode_captures;
+                    memory_microcode_saves <= waiting_microcode_saves;
+                end else begin
+                    memory_microcode_on_tree <= decoded_on_tree;
+                    memory_microcode_on_memory <= decoded_on_memory;
+                    memory_microcode_source <= decoded_source;
+                    memory_microcode_adds <= decoded_adds;
+                    memory_microcode_begins <= decoded_begins;
+                    memory_microcode_mask <= decoded_mask;
+                    memory_microcode_compares <= decoded_compares;
+                    memory_microcode_gates <= decoded_gates;
+                    memory_microcode_enabling <= decoded_enabling;
+                    memory_microcode_captures <= decoded_captures;
+                    memory_microcode_saves <= decoded_saves;
+                end
+                memory_length <= memory_length_choice;
             end
-            if (memory_begins) begin
-                if (waits) memory_microcode_on_memory <= waiting_microcode_on_memory;
-                else memory_microcode_on_memory <= decoded_on_memory;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_source <= waiting_microcode_source;
-                else memory_microcode_source <= decoded_source;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_adds <= waiting_microcode_adds;
-                else memory_microcode_adds <= decoded_adds;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_begins <= waiting_microcode_begins;
-                else memory_microcode_begins <= decoded_begins;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_mask <= waiting_microcode_mask;
-                else memory_microcode_mask <= decoded_mask;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_compares <= waiting_microcode_compares;
-                else memory_microcode_compares <= decoded_compares;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_gates <= waiting_microcode_gates;
-                else memory_microcode_gates <= decoded_gates;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_enabling <= waiting_microcode_enabling;
-                else memory_microcode_enabling <= decoded_enabling;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_captures <= waiting_microcode_captures;
-                else memory_microcode_captures <= decoded_captures;
-            end
-            if (memory_begins) begin
-                if (waits) memory_microcode_saves <= waiting_microcode_saves;
-                else memory_microcode_saves <= decoded_saves;
-            end
-            if (memory_begins) memory_length <= memory_length_choice;
             if (memory_begins) begin
                 memory_left <= memory_left_extended + {1'd0, memory_length_choice};
             end else if (memory_left != 8'd0) begin
@@ -485,18 +479,15 @@ module image_generation_controller_side8 (
             if (must_wait) waits <= 1'b1;
             else if (memory_ends) waits <= 1'b0;
             first <= tree_begins & (decoded_source == SOURCE_EXPRESSION);
-            if (memory_is_word) sent1_control_source <= memory_microcode_source;
-            else sent1_control_source <= tree_microcode_source;
-            if (memory_is_word) sent1_control_constant <= memory_bits[0];
-            else sent1_control_constant <= coefficients_c;
             if (memory_is_word) begin
+                sent1_control_source <= memory_microcode_source;
+                sent1_control_constant <= memory_bits[0];
                 sent1_control_adds <= memory_is_word & memory_microcode_adds;
-            end else begin
-                sent1_control_adds <= tree_is_word & tree_microcode_adds;
-            end
-            if (memory_is_word) begin
                 sent1_control_first <= memory_microcode_begins & (memory_left == {1'd0, memory_length});
             end else begin
+                sent1_control_source <= tree_microcode_source;
+                sent1_control_constant <= coefficients_c;
+                sent1_control_adds <= tree_is_word & tree_microcode_adds;
                 sent1_control_first <= tree_microcode_begins & (tree_left == {1'd0, tree_length});
             end
             if (memory_is_word) begin
@@ -509,18 +500,21 @@ module image_generation_controller_side8 (
             end
             if (memory_is_word) begin
                 sent1_control_compares <= memory_is_word & memory_microcode_compares;
+                sent1_control_gates <= memory_microcode_gates;
             end else begin
                 sent1_control_compares <= tree_is_word & tree_microcode_compares;
+                sent1_control_gates <= tree_microcode_gates;
             end
-            if (memory_is_word) sent1_control_gates <= memory_microcode_gates;
-            else sent1_control_gates <= tree_microcode_gates;
             if (sent1_control_enabling_and) sent1_control_enabling <= tree_microcode_enabling;
             else sent1_control_enabling <= ENABLING_KEEP;
             sent1_control_captures <= sent1_control_enabling_and & tree_microcode_captures;
-            if (memory_is_word) sent1_control_read <= memory_read;
-            else sent1_control_read <= tree_read;
-            if (memory_is_word) sent1_control_write <= memory_write;
-            else sent1_control_write <= tree_write;
+            if (memory_is_word) begin
+                sent1_control_read <= memory_read;
+                sent1_control_write <= memory_write;
+            end else begin
+                sent1_control_read <= tree_read;
+                sent1_control_write <= tree_write;
+            end
             sent1_plane <= memory_is_word & memory_microcode_saves;
             sent2_control_source <= sent1_control_source;
             sent2_control_constant <= sent1_control_constant;

@@ -1,7 +1,7 @@
 // image_memory_pages4_page_pixels16
 //
-// Holds two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and clears
-// what it sends.
+// Holds two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and
+// clears what it sends.
 //
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send

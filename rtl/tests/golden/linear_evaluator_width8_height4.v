@@ -48,133 +48,133 @@ module linear_evaluator_width8_height4 (
     genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : pixel0_carry_row
-            reg pixel0_carry;
+        for (i = 0; i < 2; i = i + 1) begin : pixel0_sum_row
             reg [7:0] pixel0_sum;
-            localparam [31:0] pixel0_carry_listed = 255 * i;
-            wire [7:0] pixel0_carry_and = pixel0_carry_listed[7:0] & coefficients_b;
-            wire [7:0] pixel0_carry_extended = {7'd0, pixel0_carry & !first};
-            wire [7:0] pixel0_carry_sum = coefficients_c + pixel0_carry_and + pixel0_carry_extended;
-            wire [7:0] pixel0_carry_and_2 = (coefficients_c | pixel0_carry_and) & ~pixel0_carry_sum;
-            wire [7:0] pixel0_carry_or = (coefficients_c & pixel0_carry_and) | pixel0_carry_and_2;
+            reg pixel0_carry;
+            localparam [31:0] pixel0_adds_listed = 255 * i;
+            wire [7:0] pixel0_adds = pixel0_adds_listed[7:0] & coefficients_b;
+            wire [7:0] pixel0_total_extended = {7'd0, pixel0_carry & !first};
+            wire [7:0] pixel0_total = coefficients_c + pixel0_adds + pixel0_total_extended;
+            wire [7:0] pixel0_carries_and = (coefficients_c | pixel0_adds) & ~pixel0_total;
+            wire [7:0] pixel0_carries = (coefficients_c & pixel0_adds) | pixel0_carries_and;
 
             always @(posedge clk) begin
-                if (sends) pixel0_carry <= pixel0_carry_or[7];
+                if (sends) pixel0_sum <= pixel0_total;
             end
 
             always @(posedge clk) begin
-                if (sends) pixel0_sum <= pixel0_carry_sum;
+                if (sends) pixel0_carry <= pixel0_carries[7];
             end
-            wire _unused_lane = &{1'b0, pixel0_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel0_carries[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : pixel1_carry_row
-            reg pixel1_carry;
+        for (i = 0; i < 4; i = i + 1) begin : pixel1_sum_row
             reg [7:0] pixel1_sum;
-            localparam [31:0] pixel1_carry_listed = 255 * (i % 2);
-            wire [7:0] pixel1_carry_and = pixel1_carry_listed[7:0] & {a1[5:0], first1 ? 2'd0 : a2[7:6]};
-            wire [7:0] pixel1_carry_extended = {7'd0, pixel1_carry & !first1};
-            wire [7:0] pixel1_carry_sum = pixel0_carry_row[i / 2].pixel0_sum + pixel1_carry_and + pixel1_carry_extended;
-            wire [7:0] pixel1_carry_and_2 = (pixel0_carry_row[i / 2].pixel0_sum | pixel1_carry_and) & ~pixel1_carry_sum;
-            wire [7:0] pixel1_carry_or = (pixel0_carry_row[i / 2].pixel0_sum & pixel1_carry_and) | pixel1_carry_and_2;
+            reg pixel1_carry;
+            localparam [31:0] pixel1_adds_listed = 255 * (i % 2);
+            wire [7:0] pixel1_adds = pixel1_adds_listed[7:0] & {a1[5:0], first1 ? 2'd0 : a2[7:6]};
+            wire [7:0] pixel1_total_extended = {7'd0, pixel1_carry & !first1};
+            wire [7:0] pixel1_total = pixel0_sum_row[i / 2].pixel0_sum + pixel1_adds + pixel1_total_extended;
+            wire [7:0] pixel1_carries_and = (pixel0_sum_row[i / 2].pixel0_sum | pixel1_adds) & ~pixel1_total;
+            wire [7:0] pixel1_carries = (pixel0_sum_row[i / 2].pixel0_sum & pixel1_adds) | pixel1_carries_and;
 
             always @(posedge clk) begin
-                if (sends1) pixel1_carry <= pixel1_carry_or[7];
+                if (sends1) pixel1_sum <= pixel1_total;
             end
 
             always @(posedge clk) begin
-                if (sends1) pixel1_sum <= pixel1_carry_sum;
+                if (sends1) pixel1_carry <= pixel1_carries[7];
             end
-            wire _unused_lane = &{1'b0, pixel1_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel1_carries[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : pixel2_carry_row
-            reg pixel2_carry;
+        for (i = 0; i < 8; i = i + 1) begin : pixel2_sum_row
             reg [7:0] pixel2_sum;
-            localparam [31:0] pixel2_carry_listed = 255 * (i % 2);
-            wire [7:0] pixel2_carry_and = pixel2_carry_listed[7:0] & {a2[6:0], first2 ? 1'b0 : a3[7]};
-            wire [7:0] pixel2_carry_extended = {7'd0, pixel2_carry & !first2};
-            wire [7:0] pixel2_carry_sum = pixel1_carry_row[i / 2].pixel1_sum + pixel2_carry_and + pixel2_carry_extended;
-            wire [7:0] pixel2_carry_and_2 = (pixel1_carry_row[i / 2].pixel1_sum | pixel2_carry_and) & ~pixel2_carry_sum;
-            wire [7:0] pixel2_carry_or = (pixel1_carry_row[i / 2].pixel1_sum & pixel2_carry_and) | pixel2_carry_and_2;
+            reg pixel2_carry;
+            localparam [31:0] pixel2_adds_listed = 255 * (i % 2);
+            wire [7:0] pixel2_adds = pixel2_adds_listed[7:0] & {a2[6:0], first2 ? 1'b0 : a3[7]};
+            wire [7:0] pixel2_total_extended = {7'd0, pixel2_carry & !first2};
+            wire [7:0] pixel2_total = pixel1_sum_row[i / 2].pixel1_sum + pixel2_adds + pixel2_total_extended;
+            wire [7:0] pixel2_carries_and = (pixel1_sum_row[i / 2].pixel1_sum | pixel2_adds) & ~pixel2_total;
+            wire [7:0] pixel2_carries = (pixel1_sum_row[i / 2].pixel1_sum & pixel2_adds) | pixel2_carries_and;
 
             always @(posedge clk) begin
-                if (sends2) pixel2_carry <= pixel2_carry_or[7];
+                if (sends2) pixel2_sum <= pixel2_total;
             end
 
             always @(posedge clk) begin
-                if (sends2) pixel2_sum <= pixel2_carry_sum;
+                if (sends2) pixel2_carry <= pixel2_carries[7];
             end
-            wire _unused_lane = &{1'b0, pixel2_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel2_carries[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 16; i = i + 1) begin : pixel3_carry_row
-            reg pixel3_carry;
+        for (i = 0; i < 16; i = i + 1) begin : pixel3_sum_row
             reg [7:0] pixel3_sum;
-            localparam [31:0] pixel3_carry_listed = 255 * (i % 2);
-            wire [7:0] pixel3_carry_and = pixel3_carry_listed[7:0] & a3;
-            wire [7:0] pixel3_carry_extended = {7'd0, pixel3_carry & !first3};
-            wire [7:0] pixel3_carry_sum = pixel2_carry_row[i / 2].pixel2_sum + pixel3_carry_and + pixel3_carry_extended;
-            wire [7:0] pixel3_carry_and_2 = (pixel2_carry_row[i / 2].pixel2_sum | pixel3_carry_and) & ~pixel3_carry_sum;
-            wire [7:0] pixel3_carry_or = (pixel2_carry_row[i / 2].pixel2_sum & pixel3_carry_and) | pixel3_carry_and_2;
+            reg pixel3_carry;
+            localparam [31:0] pixel3_adds_listed = 255 * (i % 2);
+            wire [7:0] pixel3_adds = pixel3_adds_listed[7:0] & a3;
+            wire [7:0] pixel3_total_extended = {7'd0, pixel3_carry & !first3};
+            wire [7:0] pixel3_total = pixel2_sum_row[i / 2].pixel2_sum + pixel3_adds + pixel3_total_extended;
+            wire [7:0] pixel3_carries_and = (pixel2_sum_row[i / 2].pixel2_sum | pixel3_adds) & ~pixel3_total;
+            wire [7:0] pixel3_carries = (pixel2_sum_row[i / 2].pixel2_sum & pixel3_adds) | pixel3_carries_and;
 
             always @(posedge clk) begin
-                if (sends3) pixel3_carry <= pixel3_carry_or[7];
+                if (sends3) pixel3_sum <= pixel3_total;
             end
 
             always @(posedge clk) begin
-                if (sends3) pixel3_sum <= pixel3_carry_sum;
+                if (sends3) pixel3_carry <= pixel3_carries[7];
             end
-            wire _unused_lane = &{1'b0, pixel3_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, pixel3_carries[6:0]};
         end
     endgenerate
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : chip0_carry_row
-            reg chip0_carry;
+        for (i = 0; i < 2; i = i + 1) begin : chip0_sum_row
             reg [7:0] chip0_sum;
-            localparam [31:0] chip0_carry_listed = 255 * i;
-            wire [7:0] chip0_carry_and = chip0_carry_listed[7:0] & {b3[6:0], first3 ? 1'b0 : b4[7]};
-            wire [7:0] chip0_carry_extended = {7'd0, chip0_carry & !first3};
-            wire [7:0] chip0_carry_sum = chip_root3 + chip0_carry_and + chip0_carry_extended;
-            wire [7:0] chip0_carry_and_2 = (chip_root3 | chip0_carry_and) & ~chip0_carry_sum;
-            wire [7:0] chip0_carry_or = (chip_root3 & chip0_carry_and) | chip0_carry_and_2;
+            reg chip0_carry;
+            localparam [31:0] chip0_adds_listed = 255 * i;
+            wire [7:0] chip0_adds = chip0_adds_listed[7:0] & {b3[6:0], first3 ? 1'b0 : b4[7]};
+            wire [7:0] chip0_total_extended = {7'd0, chip0_carry & !first3};
+            wire [7:0] chip0_total = chip_root3 + chip0_adds + chip0_total_extended;
+            wire [7:0] chip0_carries_and = (chip_root3 | chip0_adds) & ~chip0_total;
+            wire [7:0] chip0_carries = (chip_root3 & chip0_adds) | chip0_carries_and;
 
             always @(posedge clk) begin
-                if (sends3) chip0_carry <= chip0_carry_or[7];
+                if (sends3) chip0_sum <= chip0_total;
             end
 
             always @(posedge clk) begin
-                if (sends3) chip0_sum <= chip0_carry_sum;
+                if (sends3) chip0_carry <= chip0_carries[7];
             end
-            wire _unused_lane = &{1'b0, chip0_carry_or[6:0]};
+            wire _unused_lane = &{1'b0, chip0_carries[6:0]};
         end
     endgenerate
 
     generate
         for (i = 0; i < 2; i = i + 1) begin : cells
             for (j = 0; j < 16; j = j + 1) begin : col
-                reg value_carry;
                 reg [7:0] value_sum;
-                wire [7:0] value_carry_extended = {7'd0, value_carry & !first4};
-                wire [7:0] value_carry_sum = pixel3_carry_row[j].pixel3_sum + chip0_carry_row[i].chip0_sum + value_carry_extended;
-                wire [7:0] value_carry_and = (pixel3_carry_row[j].pixel3_sum | chip0_carry_row[i].chip0_sum) & ~value_carry_sum;
-                wire [7:0] value_carry_or = (pixel3_carry_row[j].pixel3_sum & chip0_carry_row[i].chip0_sum) | value_carry_and;
+                reg value_carry;
+                wire [7:0] value_total_extended = {7'd0, value_carry & !first4};
+                wire [7:0] value_total = pixel3_sum_row[j].pixel3_sum + chip0_sum_row[i].chip0_sum + value_total_extended;
+                wire [7:0] value_carries_and = (pixel3_sum_row[j].pixel3_sum | chip0_sum_row[i].chip0_sum) & ~value_total;
+                wire [7:0] value_carries = (pixel3_sum_row[j].pixel3_sum & chip0_sum_row[i].chip0_sum) | value_carries_and;
 
                 always @(posedge clk) begin
-                    if (sends4) value_carry <= value_carry_or[7];
+                    if (sends4) value_sum <= value_total;
                 end
 
                 always @(posedge clk) begin
-                    if (sends4) value_sum <= value_carry_sum;
+                    if (sends4) value_carry <= value_carries[7];
                 end
-                wire _unused_lane = &{1'b0, value_carry_or[6:0]};
+                wire _unused_lane = &{1'b0, value_carries[6:0]};
             end
         end
     endgenerate

@@ -64,10 +64,13 @@ module network_sequencer_pixels16_setup2 (
     assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:157
 
     always @(posedge clk) begin
-        if (jobs_taken) address <= address_difference[4:0];
-        else if (byte_ends) address <= address - 5'd1;
-        if (jobs_taken) first <= 1'b1;
-        else if (byte_ends) first <= 1'b0;
+        if (jobs_taken) begin
+            address <= address_difference[4:0];
+            first <= 1'b1;
+        end else if (byte_ends) begin
+            address <= address - 5'd1;
+            first <= 1'b0;
+        end
         if (jobs_taken) empty <= jobs_bytes == 6'd0;
         if (phase == PHASE_BANK) waited <= 2'd0;
         else waited <= waited + 2'd1;
@@ -92,10 +95,13 @@ module network_sequencer_pixels16_setup2 (
                     else phase <= PHASE_SENDS;
                 end
             endcase
-            if (jobs_taken) job_mode <= jobs_mode;
-            else if (ends) job_mode <= MODE_FORWARD;
-            if (jobs_taken) bank <= needs;
-            else if (ends) bank <= 2'd0;
+            if (jobs_taken) begin
+                job_mode <= jobs_mode;
+                bank <= needs;
+            end else if (ends) begin
+                job_mode <= MODE_FORWARD;
+                bank <= 2'd0;
+            end
         end
     end
 

@@ -38,7 +38,8 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [2:0]  store_instruction_sync,        // What it does besides, with the ports: a `Sync`.
     input  wire [39:0] store_instruction_a,           // Of the expression, in two's complement, relative to the region.
     input  wire [39:0] store_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     input  wire [39:0] store_instruction_c,
     // Frames of them that are to be done.
     input  wire        frames_valid,

@@ -106,7 +106,13 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .clk          (clk),
         .rst          (rst),
         .into_valid   (works_valid),
-        .into_payload ({works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y, works_polygon_right, works_polygon_lower, works_polygon_plane_x, works_polygon_plane_y, works_window_size, works_window_x, works_window_y, works_window_edges, works_window_bounds_left, works_window_bounds_top, works_window_bounds_right, works_window_bounds_bottom, works_window_planes}),
+        .into_payload ({
+            works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y,
+            works_polygon_right, works_polygon_lower, works_polygon_plane_x,
+            works_polygon_plane_y, works_window_size, works_window_x, works_window_y,
+            works_window_edges, works_window_bounds_left, works_window_bounds_top,
+            works_window_bounds_right, works_window_bounds_bottom, works_window_planes
+        }),
         .out_ready    (u_test0_works_ready),
         .out_valid    (u_queue0_out_valid),
         .out_payload  (u_queue0_out_payload),
@@ -162,7 +168,16 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .clk          (clk),
         .rst          (rst),
         .into_valid   (u_test0_parts_valid),
-        .into_payload ({u_test0_parts_polygon_last_edge, u_test0_parts_polygon_fall_x, u_test0_parts_polygon_fall_y, u_test0_parts_polygon_right, u_test0_parts_polygon_lower, u_test0_parts_polygon_plane_x, u_test0_parts_polygon_plane_y, u_test0_parts_window_size, u_test0_parts_window_x, u_test0_parts_window_y, u_test0_parts_window_edges, u_test0_parts_window_bounds_left, u_test0_parts_window_bounds_top, u_test0_parts_window_bounds_right, u_test0_parts_window_bounds_bottom, u_test0_parts_window_planes}),
+        .into_payload ({
+            u_test0_parts_polygon_last_edge, u_test0_parts_polygon_fall_x,
+            u_test0_parts_polygon_fall_y, u_test0_parts_polygon_right,
+            u_test0_parts_polygon_lower, u_test0_parts_polygon_plane_x,
+            u_test0_parts_polygon_plane_y, u_test0_parts_window_size, u_test0_parts_window_x,
+            u_test0_parts_window_y, u_test0_parts_window_edges,
+            u_test0_parts_window_bounds_left, u_test0_parts_window_bounds_top,
+            u_test0_parts_window_bounds_right, u_test0_parts_window_bounds_bottom,
+            u_test0_parts_window_planes
+        }),
         .out_ready    (u_test1_works_ready),
         .out_valid    (u_queue1_out_valid),
         .out_payload  (u_queue1_out_payload),

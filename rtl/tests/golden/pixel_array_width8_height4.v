@@ -33,7 +33,8 @@ module pixel_array_width8_height4 (
     input  wire [2:0]  instructions_sync,        // What it does besides, with the ports: a `Sync`.
     input  wire [39:0] instructions_a,           // Of the expression, in two's complement, relative to the region.
     input  wire [39:0] instructions_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,

@@ -39,7 +39,8 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     // Of the expression, in two's complement, relative to the region.
     input  wire [39:0] stores_0_instruction_a,
     input  wire [39:0] stores_0_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
+    // sign.
     input  wire [39:0] stores_0_instruction_c,
     input  wire        stores_1_writes,
     input  wire [3:0]  stores_1_address,

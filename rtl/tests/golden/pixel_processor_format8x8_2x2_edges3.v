@@ -49,7 +49,10 @@ module pixel_processor_format8x8_2x2_edges3 (
     assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:48
     wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:53
 
-    assign word = {leaves_window_planes[39:16], leaves_window_planes[63:56], leaves_window_planes[103:96], leaves_window_planes[143:136]}; // rtl/src/quadtree/pixel.rs:52
+    assign word = {                                              // rtl/src/quadtree/pixel.rs:52
+        leaves_window_planes[39:16], leaves_window_planes[63:56],
+        leaves_window_planes[103:96], leaves_window_planes[143:136]
+    };
 
     always @(posedge clk) begin
         if (leaves_valid) begin

@@ -294,16 +294,22 @@ module quadratic_tree_side4 (
             first5 <= first4;
             first6 <= first5;
             first7 <= first6;
-            if (first1) x_curve_has_come0 <= 1'b0;
-            else if (first2) x_curve_has_come0 <= 1'b1;
-            if (first1) x_middle_has_come0 <= 1'b0;
-            else if (first2) x_middle_has_come0 <= 1'b1;
+            if (first1) begin
+                x_curve_has_come0 <= 1'b0;
+                x_middle_has_come0 <= 1'b0;
+            end else if (first2) begin
+                x_curve_has_come0 <= 1'b1;
+                x_middle_has_come0 <= 1'b1;
+            end
             if (first3) e_has_come0 <= 1'b0;
             else if (first4) e_has_come0 <= 1'b1;
-            if (first5) y_curve_has_come0 <= 1'b0;
-            else if (first6) y_curve_has_come0 <= 1'b1;
-            if (first5) y_middle_has_come0 <= 1'b0;
-            else if (first6) y_middle_has_come0 <= 1'b1;
+            if (first5) begin
+                y_curve_has_come0 <= 1'b0;
+                y_middle_has_come0 <= 1'b0;
+            end else if (first6) begin
+                y_curve_has_come0 <= 1'b1;
+                y_middle_has_come0 <= 1'b1;
+            end
         end
     end
 endmodule

@@ -432,10 +432,13 @@ module quadratic_tree_side8 (
             else if (first4) x_curve_has_come0 <= 1'b1;
             if (first1) x_middle_has_come0 <= 1'b0;
             else if (first3) x_middle_has_come0 <= 1'b1;
-            if (first3) x_curve_has_come1 <= 1'b0;
-            else if (first4) x_curve_has_come1 <= 1'b1;
-            if (first3) x_middle_has_come1 <= 1'b0;
-            else if (first4) x_middle_has_come1 <= 1'b1;
+            if (first3) begin
+                x_curve_has_come1 <= 1'b0;
+                x_middle_has_come1 <= 1'b0;
+            end else if (first4) begin
+                x_curve_has_come1 <= 1'b1;
+                x_middle_has_come1 <= 1'b1;
+            end
             if (first5) e_has_come0 <= 1'b0;
             else if (first7) e_has_come0 <= 1'b1;
             if (first6) e_has_come1 <= 1'b0;
@@ -444,10 +447,13 @@ module quadratic_tree_side8 (
             else if (first10) y_curve_has_come0 <= 1'b1;
             if (first7) y_middle_has_come0 <= 1'b0;
             else if (first9) y_middle_has_come0 <= 1'b1;
-            if (first9) y_curve_has_come1 <= 1'b0;
-            else if (first10) y_curve_has_come1 <= 1'b1;
-            if (first9) y_middle_has_come1 <= 1'b0;
-            else if (first10) y_middle_has_come1 <= 1'b1;
+            if (first9) begin
+                y_curve_has_come1 <= 1'b0;
+                y_middle_has_come1 <= 1'b0;
+            end else if (first10) begin
+                y_curve_has_come1 <= 1'b1;
+                y_middle_has_come1 <= 1'b1;
+            end
         end
     end
 endmodule

@@ -216,7 +216,11 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
-        .into_payload ({packets_last_edge, packets_edges_a, packets_edges_b, packets_edges_c, packets_planes_x, packets_planes_y, packets_planes_origin, packets_bounds_left, packets_bounds_top, packets_bounds_right, packets_bounds_bottom}),
+        .into_payload ({
+            packets_last_edge, packets_edges_a, packets_edges_b, packets_edges_c,
+            packets_planes_x, packets_planes_y, packets_planes_origin, packets_bounds_left,
+            packets_bounds_top, packets_bounds_right, packets_bounds_bottom
+        }),
         .out_ready    (all_have),
         .out_valid    (u_queue_out_valid),
         .out_payload  (u_queue_out_payload),

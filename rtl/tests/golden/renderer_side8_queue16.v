@@ -18,7 +18,8 @@ module renderer_side8_queue16 (
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // Where the word that is read begins.
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
+    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Of what is added from a column to the next.
     input  wire [39:0] instructions_coefficients_b, // Of what is added from a line to the next.
     input  wire [39:0] instructions_coefficients_c, // Of the value at column 0 of line 0.
@@ -34,7 +35,8 @@ module renderer_side8_queue16 (
     // Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
     output wire        room,
     output wire        takes,                       // Its controller takes an instruction from the queue in this clock.
-    // Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given another region.
+    // Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given
+    // another region.
     output wire        idle,
     output wire        instructions_ready
 );
@@ -98,7 +100,11 @@ module renderer_side8_queue16 (
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
-        .into_payload ({instructions_operation, instructions_skip, instructions_length, instructions_read, instructions_write, instructions_coefficients_a, instructions_coefficients_b, instructions_coefficients_c}),
+        .into_payload ({
+            instructions_operation, instructions_skip, instructions_length,
+            instructions_read, instructions_write, instructions_coefficients_a,
+            instructions_coefficients_b, instructions_coefficients_c
+        }),
         .out_ready    (u_controller_instructions_ready),
         .out_valid    (u_queue_out_valid),
         .out_payload  (u_queue_out_payload),

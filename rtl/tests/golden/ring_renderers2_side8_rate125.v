@@ -20,7 +20,8 @@ module ring_renderers2_side8_rate125 (
     input  wire [6:0]  bins_0_length,                 // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  bins_0_read,                   // Where the word that is read begins.
     input  wire [7:0]  bins_0_write,                  // Where the word that is written begins.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
+    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] bins_0_coefficients_a,         // Of what is added from a column to the next.
     input  wire [39:0] bins_0_coefficients_b,         // Of what is added from a line to the next.
     input  wire [39:0] bins_0_coefficients_c,         // Of the value at column 0 of line 0.
@@ -56,7 +57,8 @@ module ring_renderers2_side8_rate125 (
     output wire [6:0]  instructions_0_length,         // Bits of the word: 1 to `LONGEST`.
     output wire [7:0]  instructions_0_read,           // Where the word that is read begins.
     output wire [7:0]  instructions_0_write,          // Where the word that is written begins.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
+    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     output wire [39:0] instructions_0_coefficients_a, // Of what is added from a column to the next.
     output wire [39:0] instructions_0_coefficients_b, // Of what is added from a line to the next.
     output wire [39:0] instructions_0_coefficients_c, // Of the value at column 0 of line 0.

@@ -263,7 +263,11 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 
     always @(posedge clk) begin
         if (pushes) begin
-            windows[used] <= {parts_window_size, parts_window_x, parts_window_y, parts_window_edges, parts_window_bounds_left, parts_window_bounds_top, parts_window_bounds_right, parts_window_bounds_bottom, parts_window_planes};
+            windows[used] <= {
+                parts_window_size, parts_window_x, parts_window_y, parts_window_edges,
+                parts_window_bounds_left, parts_window_bounds_top, parts_window_bounds_right,
+                parts_window_bounds_bottom, parts_window_planes
+            };
         end
     end
 

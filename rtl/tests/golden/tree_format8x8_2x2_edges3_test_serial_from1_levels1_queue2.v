@@ -78,7 +78,13 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
         .clk          (clk),
         .rst          (rst),
         .into_valid   (works_valid),
-        .into_payload ({works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y, works_polygon_right, works_polygon_lower, works_polygon_plane_x, works_polygon_plane_y, works_window_size, works_window_x, works_window_y, works_window_edges, works_window_bounds_left, works_window_bounds_top, works_window_bounds_right, works_window_bounds_bottom, works_window_planes}),
+        .into_payload ({
+            works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y,
+            works_polygon_right, works_polygon_lower, works_polygon_plane_x,
+            works_polygon_plane_y, works_window_size, works_window_x, works_window_y,
+            works_window_edges, works_window_bounds_left, works_window_bounds_top,
+            works_window_bounds_right, works_window_bounds_bottom, works_window_planes
+        }),
         .out_ready    (u_test_works_ready),
         .out_valid    (u_queue_out_valid),
         .out_payload  (u_queue_out_payload),

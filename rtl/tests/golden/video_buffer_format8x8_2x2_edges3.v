@@ -1,7 +1,7 @@
 // video_buffer_format8x8_2x2_edges3
 //
-// Holds the pixels of a video processor in two banks: keeps the nearer word in one, and sends
-// those of the other.
+// Holds the pixels of a video processor in two banks: keeps the nearer word in one, and
+// sends those of the other.
 //
 // Parameters  VideoBuffer { format: "8x8_2x2_edges3" }
 // Latency     2 clocks to draw, 1 clock to send
