@@ -203,7 +203,8 @@ impl Ring {
     fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
         let is_plane = station >= self.renderers;
         let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };
-        let wants = request & !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
+        let may = !turn.waits & if is_plane { !turn.plane_goes } else { lit(1, 1) };
+        let wants = (request & may).named(&format!("wants{place}"));
         let pays = turn.credit.ge(bits);
         let goes = (wants & pays).named(&format!("goes{place}"));
         turn.waits |= wants & !pays;

@@ -89,8 +89,10 @@ impl CoverageTest {
 
         // The planes of one that passes; it goes with the last of them.
         let moved = |plane: Signal, is_beside: Signal, add: Signal| plane + mux(is_beside, add << size, 0);
-        let right = moved(window.planes.pick(*step), number.bit(0), polygon.plane_x.pick(*step));
-        def!(plane = moved(right, number.bit(1), polygon.plane_y.pick(*step)));
+        def!(plane_of_window = window.planes.pick(*step));
+        def!(plane_x = polygon.plane_x.pick(*step));
+        def!(plane_y = polygon.plane_y.pick(*step));
+        def!(plane = moved(moved(plane_of_window, number.bit(0), plane_x), number.bit(1), plane_y));
         let planes = lane_by_lane(m, "planes", PLANES, *moves, *step, plane).row;
         def!(ready = moves & step.eq(PLANES - 1));
         let place = |at: Signal, is_beside: Signal| at | (is_beside.zext(self.format.levels()) << size);
@@ -126,7 +128,13 @@ impl CoverageTest {
                 Tested { edges, is_outside: edges.is_negative().or_all(), is_last: lit(1, 1) }
             }
             Test::Serial => {
-                def!(value = greatest(all.map(|row| row.pick(step)), number, size));
+                let [edge, fall_x, fall_y, right, lower] = all.map(|row| row.pick(step));
+                def!(edge = edge);
+                def!(fall_x = fall_x);
+                def!(fall_y = fall_y);
+                def!(right = right);
+                def!(lower = lower);
+                def!(value = greatest([edge, fall_x, fall_y, right, lower], number, size));
                 let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, value.bits()).kept.signed();
                 def!(is_last = step.eq(polygon.last_edge));
                 def!(outside = m.reg(bit()).reset(0));
