@@ -3,12 +3,13 @@
 
 use super::branches::Target;
 use super::literal::{Style, literal};
+use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
-use tilewright_hdl::ir::{ClockId, NodeId, Register};
+use tilewright_hdl::ir::{ClockId, NodeId, Op, Register};
 
 /// What the registers of one always block have in common.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 struct Group {
     clock: ClockId,
     has_reset: bool,
@@ -58,7 +59,7 @@ impl Printer<'_> {
         let mut groups: Vec<(Group, Vec<usize>)> = Vec::new();
         for &register in registers {
             let key = group(&module.registers[register]);
-            match groups.iter_mut().find(|(known, _)| *known == key) {
+            match groups.iter_mut().find(|(known, _)| self.is_same_group(*known, key)) {
                 Some((_, members)) => members.push(register),
                 None => groups.push((key, vec![register])),
             }
@@ -66,6 +67,21 @@ impl Printer<'_> {
         groups.sort_by_key(|(group, _)| group.has_reset);
         out.extend(groups.into_iter().flat_map(|(group, members)| self.register_block(group, &members)));
         out
+    }
+
+    fn is_same_group(&self, a: Group, b: Group) -> bool {
+        let enable = |group: Group| group.enable.map(|enable| self.spread(enable));
+        (a.clock, a.has_reset, enable(a)) == (b.clock, b.has_reset, enable(b))
+    }
+
+    /// What is the same in all lanes along these axes: each register has a broadcast of its own.
+    fn spread(&self, mut id: NodeId) -> (NodeId, Vec<u32>) {
+        let mut axes = Vec::new();
+        while let (Form::Inline, &Op::Broadcast { of, axis }) = (self.plan.form(id), &self.module.node(id).op) {
+            axes.push(axis);
+            id = of;
+        }
+        (id, axes)
     }
 
     fn register_block(&mut self, group: Group, members: &[usize]) -> Vec<String> {

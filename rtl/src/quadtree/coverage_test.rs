@@ -129,12 +129,12 @@ impl CoverageTest {
             }
             Test::Serial => {
                 let [edge, fall_x, fall_y, right, lower] = all.map(|row| row.pick(step));
-                def!(edge = edge);
+                def!(edge_of_window = edge);
                 def!(fall_x = fall_x);
                 def!(fall_y = fall_y);
                 def!(right = right);
                 def!(lower = lower);
-                def!(value = greatest([edge, fall_x, fall_y, right, lower], number, size));
+                def!(value = greatest([edge_of_window, fall_x, fall_y, right, lower], number, size));
                 let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, value.bits()).kept.signed();
                 def!(is_last = step.eq(polygon.last_edge));
                 def!(outside = m.reg(bit()).reset(0));

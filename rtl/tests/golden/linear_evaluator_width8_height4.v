@@ -59,11 +59,10 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel0_carries = (coefficients_c & pixel0_adds) | pixel0_carries_and;
 
             always @(posedge clk) begin
-                if (sends) pixel0_sum <= pixel0_total;
-            end
-
-            always @(posedge clk) begin
-                if (sends) pixel0_carry <= pixel0_carries[7];
+                if (sends) begin
+                    pixel0_sum <= pixel0_total;
+                    pixel0_carry <= pixel0_carries[7];
+                end
             end
             wire _unused_lane = &{1'b0, pixel0_carries[6:0]};
         end
@@ -81,11 +80,10 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel1_carries = (pixel0_sum_row[i / 2].pixel0_sum & pixel1_adds) | pixel1_carries_and;
 
             always @(posedge clk) begin
-                if (sends1) pixel1_sum <= pixel1_total;
-            end
-
-            always @(posedge clk) begin
-                if (sends1) pixel1_carry <= pixel1_carries[7];
+                if (sends1) begin
+                    pixel1_sum <= pixel1_total;
+                    pixel1_carry <= pixel1_carries[7];
+                end
             end
             wire _unused_lane = &{1'b0, pixel1_carries[6:0]};
         end
@@ -103,11 +101,10 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel2_carries = (pixel1_sum_row[i / 2].pixel1_sum & pixel2_adds) | pixel2_carries_and;
 
             always @(posedge clk) begin
-                if (sends2) pixel2_sum <= pixel2_total;
-            end
-
-            always @(posedge clk) begin
-                if (sends2) pixel2_carry <= pixel2_carries[7];
+                if (sends2) begin
+                    pixel2_sum <= pixel2_total;
+                    pixel2_carry <= pixel2_carries[7];
+                end
             end
             wire _unused_lane = &{1'b0, pixel2_carries[6:0]};
         end
@@ -125,11 +122,10 @@ module linear_evaluator_width8_height4 (
             wire [7:0] pixel3_carries = (pixel2_sum_row[i / 2].pixel2_sum & pixel3_adds) | pixel3_carries_and;
 
             always @(posedge clk) begin
-                if (sends3) pixel3_sum <= pixel3_total;
-            end
-
-            always @(posedge clk) begin
-                if (sends3) pixel3_carry <= pixel3_carries[7];
+                if (sends3) begin
+                    pixel3_sum <= pixel3_total;
+                    pixel3_carry <= pixel3_carries[7];
+                end
             end
             wire _unused_lane = &{1'b0, pixel3_carries[6:0]};
         end
@@ -147,11 +143,10 @@ module linear_evaluator_width8_height4 (
             wire [7:0] chip0_carries = (chip_root3 & chip0_adds) | chip0_carries_and;
 
             always @(posedge clk) begin
-                if (sends3) chip0_sum <= chip0_total;
-            end
-
-            always @(posedge clk) begin
-                if (sends3) chip0_carry <= chip0_carries[7];
+                if (sends3) begin
+                    chip0_sum <= chip0_total;
+                    chip0_carry <= chip0_carries[7];
+                end
             end
             wire _unused_lane = &{1'b0, chip0_carries[6:0]};
         end
@@ -168,11 +163,10 @@ module linear_evaluator_width8_height4 (
                 wire [7:0] value_carries = (pixel3_sum_row[j].pixel3_sum & chip0_sum_row[i].chip0_sum) | value_carries_and;
 
                 always @(posedge clk) begin
-                    if (sends4) value_sum <= value_total;
-                end
-
-                always @(posedge clk) begin
-                    if (sends4) value_carry <= value_carries[7];
+                    if (sends4) begin
+                        value_sum <= value_total;
+                        value_carry <= value_carries[7];
+                    end
                 end
                 wire _unused_lane = &{1'b0, value_carries[6:0]};
             end

@@ -93,37 +93,38 @@ module ring_renderers2_side8_rate125 (
     wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:163
     wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:174
     wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:185
-    wire goes1_and_2 = behind_last[0] & (credit < 9'd154);       // rtl/src/pixel_planes/ring.rs:209
-    wire goes1_and = behind_last[1] & !goes1_and_2;              // rtl/src/pixel_planes/ring.rs:206
-    wire goes0 = behind_last[0] & (credit >= 9'd154);            // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:210
-    wire goes2_or = goes1_and_2 | (goes1_and & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire goes2_and = behind_last[2] & !goes2_or;                 // rtl/src/pixel_planes/ring.rs:206
-    wire goes1 = goes1_and & (credit0 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:210
-    wire goes3_or = goes2_or | (goes2_and & (credit1 < 9'd8));   // rtl/src/pixel_planes/ring.rs:209
-    wire goes2 = goes2_and & (credit1 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
-    wire goes3_and = behind_last[3] & !goes3_or & !goes2;        // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:210
-    wire goes3 = goes3_and & (credit2 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:207
+    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:210
+    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:207
+    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:209
+    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:211
+    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:210
+    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:207
+    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
+    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:211
+    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:210
+    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
+    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:207
+    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:211
+    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
     wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:186
-    wire goes4_or = goes3_or | (goes3_and & (credit2 < 9'd8));   // rtl/src/pixel_planes/ring.rs:209
-    wire goes4_and = up_to_last[0] & !goes4_or;                  // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:210
-    wire goes5_or = goes4_or | (goes4_and & (credit3 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire goes5_and = up_to_last[1] & !goes5_or;                  // rtl/src/pixel_planes/ring.rs:206
-    wire goes4 = goes4_and & (credit3 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:210
-    wire goes6_or = goes5_or | (goes5_and & (credit4 < 9'd154)); // rtl/src/pixel_planes/ring.rs:209
-    wire goes6_or_2 = goes2 | goes3;                             // rtl/src/pixel_planes/ring.rs:213
-    wire goes6_and = up_to_last[2] & !goes6_or & !goes6_or_2;    // rtl/src/pixel_planes/ring.rs:206
-    wire goes5 = goes5_and & (credit4 >= 9'd154);                // rtl/src/pixel_planes/ring.rs:208
-    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:210
-    wire goes7_inverse = !(goes6_or | (goes6_and & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
-    wire goes6 = goes6_and & (credit5 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
-    wire goes7_and = up_to_last[3] & goes7_inverse & !(goes6_or_2 | goes6); // rtl/src/pixel_planes/ring.rs:206
-    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:210
-    wire goes7 = goes7_and & (credit6 >= 9'd8);                  // rtl/src/pixel_planes/ring.rs:208
+    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:210
+    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:207
+    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:211
+    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:210
+    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:207
+    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
+    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:211
+    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:210
+    wire wants6_or_2 = goes2 | goes3;                            // rtl/src/pixel_planes/ring.rs:214
+    wire wants6 = up_to_last[2] & (!wants6_or & !wants6_or_2);   // rtl/src/pixel_planes/ring.rs:207
+    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
+    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:211
+    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
+    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
+    wire wants7 = up_to_last[3] & (wants7_inverse & !(wants6_or_2 | goes6)); // rtl/src/pixel_planes/ring.rs:207
+    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:211
+    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
     wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:148
     assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:153
     assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:153
@@ -137,7 +138,7 @@ module ring_renderers2_side8_rate125 (
     assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:167
     assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:168
     wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:170
-    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:210
+    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:211
     wire [8:0] credit_sum = credit7 + 9'd125;                    // rtl/src/pixel_planes/ring.rs:196
 
     genvar i;

@@ -127,23 +127,13 @@ module set_up_format8x8_2x2_edges3 (
             wire [31:0] roots_window_edges_choice = is_edge ? roots_window_edges_choice_2 : 32'd0;
 
             always @(posedge clk) begin
-                if (packets_valid) fall_x <= roots_polygon_fall_x_choice_2;
-            end
-
-            always @(posedge clk) begin
-                if (packets_valid) fall_y <= roots_polygon_fall_y_choice_2;
-            end
-
-            always @(posedge clk) begin
-                if (packets_valid) rights <= roots_polygon_right_choice_2;
-            end
-
-            always @(posedge clk) begin
-                if (packets_valid) lowers <= roots_polygon_lower_choice_2;
-            end
-
-            always @(posedge clk) begin
-                if (packets_valid) edges <= roots_window_edges_choice_2;
+                if (packets_valid) begin
+                    fall_x <= roots_polygon_fall_x_choice_2;
+                    fall_y <= roots_polygon_fall_y_choice_2;
+                    rights <= roots_polygon_right_choice_2;
+                    lowers <= roots_polygon_lower_choice_2;
+                    edges <= roots_window_edges_choice_2;
+                end
             end
         end
     endgenerate
