@@ -24,8 +24,9 @@ pub(super) fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal
 /// The sums of two numbers that begin with `first`, a clock later; their names, and those of their carries.
 #[track_caller]
 pub(super) fn sum(m: Module, [name, carry]: [&str; 2], first: Signal, number: Signal, adds: Signal) -> Signal {
+    let carried = format!("{carry}_in");
     let carry = m.reg(carry, bit().of(number.shape()));
-    let carried = carry & !first;
+    let carried = (carry & !first).named(&carried);
     carry.next((number & adds) | (carried & (number | adds)));
     m.pipe(name, number ^ adds ^ carried)
 }

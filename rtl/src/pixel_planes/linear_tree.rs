@@ -93,7 +93,8 @@ impl Axis<'_> {
     fn children(&self, m: Module, level: u32, parents: Signal, is_right: Signal) -> Signal {
         let named = |what: &str| format!("{}_{what}{level}", self.name);
         let lowest = self.first.len() as u32 - 1;
-        let adds = is_right & shifted(m, &named("has_come"), self.first, [level, lowest], self.coefficient);
+        let coefficient = shifted(m, &named("has_come"), self.first, [level, lowest], self.coefficient);
+        let adds = (is_right & coefficient).named(&named("adds"));
         sum(m, [&named("sum"), &named("carry")], self.first[level as usize], parents, adds)
     }
 }

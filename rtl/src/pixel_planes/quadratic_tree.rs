@@ -102,6 +102,7 @@ impl QuadraticTree {
             let parents = parents.take(2 << level, |column| column / 2);
             let has_come = format!("e_has_come{level}");
             let adds = is_right(2 << level) & shifted(m, &has_come, &first, [from, 3 * levels - 2], e);
+            let adds = adds.named(&format!("x_downward_adds{level}"));
             sum(
                 m,
                 [&format!("x_downward{level}"), &format!("x_downward_carry{level}")],
@@ -155,11 +156,12 @@ impl Axis<'_> {
         let middle = sum(m, [&named("middle"), &named("middle_carry")], first(grows), growth, bends);
         let step = shifted("middle_has_come", [steps, grows + 1], middle);
         let value = by_child(m.pipe(&named("waiting"), value));
-        let value = sum(m, [&named("sum"), &named("carry")], first(steps), value, is_right & by_child(step));
+        let adds = (is_right & by_child(step)).named(&named("adds"));
+        let value = sum(m, [&named("sum"), &named("carry")], first(steps), value, adds);
         if level + 1 == self.levels {
             return Span { value, growth };
         }
-        let bends = is_right & doubled(m, &named("bent"), first(grows), bends);
+        let bends = (is_right & doubled(m, &named("bent"), first(grows), bends)).named(&named("bends"));
         let names = [&*named("growth"), &named("growth_carry")];
         Span { value, growth: sum(m, names, first(grows), by_child(growth), bends) }
     }

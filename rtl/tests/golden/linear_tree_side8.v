@@ -43,14 +43,14 @@ module linear_tree_side8 (
         for (i = 0; i < 2; i = i + 1) begin : x_carry0_row
             reg x_carry0;
             reg x_sum0;
-            localparam [31:0] x_carry0_listed = i;
-            wire x_carry0_and = x_carry0_listed[0] & (a2 & (first2 | (x_has_come0 & !first)));
-            wire x_carry0_and_3 = x_carry0 & !first;
-            wire x_carry0_and_2 = x_carry0_and_3 & (coefficients_c | x_carry0_and);
+            localparam [31:0] x_adds0_listed = i;
+            wire x_adds0 = x_adds0_listed[0] & (a2 & (first2 | (x_has_come0 & !first)));
+            wire x_carry0_in = x_carry0 & !first;
+            wire x_carry0_and = x_carry0_in & (coefficients_c | x_adds0);
 
             always @(posedge clk) begin
-                x_carry0 <= (coefficients_c & x_carry0_and) | x_carry0_and_2;
-                x_sum0 <= coefficients_c ^ x_carry0_and ^ x_carry0_and_3;
+                x_carry0 <= (coefficients_c & x_adds0) | x_carry0_and;
+                x_sum0 <= coefficients_c ^ x_adds0 ^ x_carry0_in;
             end
         end
     endgenerate
@@ -59,14 +59,13 @@ module linear_tree_side8 (
         for (i = 0; i < 4; i = i + 1) begin : x_carry1_row
             reg x_carry1;
             reg x_sum1;
-            localparam [31:0] x_carry1_listed = i % 2;
-            wire x_carry1_and = x_carry1_listed[0] & (a2 & (first2 | (x_has_come1 & !first1)));
-            wire x_carry1_and_3 = x_carry1 & !first1;
-            wire x_carry1_and_2 = x_carry1_and_3 & (x_carry0_row[i / 2].x_sum0 | x_carry1_and);
+            localparam [31:0] x_adds1_listed = i % 2;
+            wire x_adds1 = x_adds1_listed[0] & (a2 & (first2 | (x_has_come1 & !first1)));
+            wire x_carry1_in = x_carry1 & !first1;
 
             always @(posedge clk) begin
-                x_carry1 <= (x_carry0_row[i / 2].x_sum0 & x_carry1_and) | x_carry1_and_2;
-                x_sum1 <= x_carry0_row[i / 2].x_sum0 ^ x_carry1_and ^ x_carry1_and_3;
+                x_carry1 <= (x_carry0_row[i / 2].x_sum0 & x_adds1) | (x_carry1_in & (x_carry0_row[i / 2].x_sum0 | x_adds1));
+                x_sum1 <= x_carry0_row[i / 2].x_sum0 ^ x_adds1 ^ x_carry1_in;
             end
         end
     endgenerate
@@ -75,14 +74,13 @@ module linear_tree_side8 (
         for (i = 0; i < 8; i = i + 1) begin : x_carry2_row
             reg x_carry2;
             reg x_sum2;
-            localparam [31:0] x_carry2_listed = i % 2;
-            wire x_carry2_and = x_carry2_listed[0] & a2;
-            wire x_carry2_and_3 = x_carry2 & !first2;
-            wire x_carry2_and_2 = x_carry2_and_3 & (x_carry1_row[i / 2].x_sum1 | x_carry2_and);
+            localparam [31:0] x_adds2_listed = i % 2;
+            wire x_adds2 = x_adds2_listed[0] & a2;
+            wire x_carry2_in = x_carry2 & !first2;
 
             always @(posedge clk) begin
-                x_carry2 <= (x_carry1_row[i / 2].x_sum1 & x_carry2_and) | x_carry2_and_2;
-                x_sum2 <= x_carry1_row[i / 2].x_sum1 ^ x_carry2_and ^ x_carry2_and_3;
+                x_carry2 <= (x_carry1_row[i / 2].x_sum1 & x_adds2) | (x_carry2_in & (x_carry1_row[i / 2].x_sum1 | x_adds2));
+                x_sum2 <= x_carry1_row[i / 2].x_sum1 ^ x_adds2 ^ x_carry2_in;
             end
         end
     endgenerate
@@ -92,14 +90,13 @@ module linear_tree_side8 (
             for (j = 0; j < 8; j = j + 1) begin : col
                 reg y_carry0;
                 reg y_sum0;
-                localparam [31:0] y_carry0_lane = i;
-                wire y_carry0_and = y_carry0_lane[0] & (b5 & (first5 | (y_has_come0 & !first3)));
-                wire y_carry0_and_3 = y_carry0 & !first3;
-                wire y_carry0_and_2 = y_carry0_and_3 & (x_carry2_row[j].x_sum2 | y_carry0_and);
+                localparam [31:0] y_adds0_lane = i;
+                wire y_adds0 = y_adds0_lane[0] & (b5 & (first5 | (y_has_come0 & !first3)));
+                wire y_carry0_in = y_carry0 & !first3;
 
                 always @(posedge clk) begin
-                    y_carry0 <= (x_carry2_row[j].x_sum2 & y_carry0_and) | y_carry0_and_2;
-                    y_sum0 <= x_carry2_row[j].x_sum2 ^ y_carry0_and ^ y_carry0_and_3;
+                    y_carry0 <= (x_carry2_row[j].x_sum2 & y_adds0) | (y_carry0_in & (x_carry2_row[j].x_sum2 | y_adds0));
+                    y_sum0 <= x_carry2_row[j].x_sum2 ^ y_adds0 ^ y_carry0_in;
                 end
             end
         end
@@ -110,14 +107,13 @@ module linear_tree_side8 (
             for (j = 0; j < 8; j = j + 1) begin : col
                 reg y_carry1;
                 reg y_sum1;
-                localparam [31:0] y_carry1_lane = i % 2;
-                wire y_carry1_and = y_carry1_lane[0] & (b5 & (first5 | (y_has_come1 & !first4)));
-                wire y_carry1_and_3 = y_carry1 & !first4;
-                wire y_carry1_and_2 = y_carry1_and_3 & (y_carry0_cells[i / 2].col[j].y_sum0 | y_carry1_and);
+                localparam [31:0] y_adds1_lane = i % 2;
+                wire y_adds1 = y_adds1_lane[0] & (b5 & (first5 | (y_has_come1 & !first4)));
+                wire y_carry1_in = y_carry1 & !first4;
 
                 always @(posedge clk) begin
-                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_sum0 & y_carry1_and) | y_carry1_and_2;
-                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_sum0 ^ y_carry1_and ^ y_carry1_and_3;
+                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_sum0 & y_adds1) | (y_carry1_in & (y_carry0_cells[i / 2].col[j].y_sum0 | y_adds1));
+                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_sum0 ^ y_adds1 ^ y_carry1_in;
                 end
             end
         end
@@ -128,14 +124,13 @@ module linear_tree_side8 (
             for (j = 0; j < 8; j = j + 1) begin : col
                 reg y_carry2;
                 reg y_sum2;
-                localparam [31:0] y_carry2_lane = i % 2;
-                wire y_carry2_and = y_carry2_lane[0] & b5;
-                wire y_carry2_and_3 = y_carry2 & !first5;
-                wire y_carry2_and_2 = y_carry2_and_3 & (y_carry1_cells[i / 2].col[j].y_sum1 | y_carry2_and);
+                localparam [31:0] y_adds2_lane = i % 2;
+                wire y_adds2 = y_adds2_lane[0] & b5;
+                wire y_carry2_in = y_carry2 & !first5;
 
                 always @(posedge clk) begin
-                    y_carry2 <= (y_carry1_cells[i / 2].col[j].y_sum1 & y_carry2_and) | y_carry2_and_2;
-                    y_sum2 <= y_carry1_cells[i / 2].col[j].y_sum1 ^ y_carry2_and ^ y_carry2_and_3;
+                    y_carry2 <= (y_carry1_cells[i / 2].col[j].y_sum1 & y_adds2) | (y_carry2_in & (y_carry1_cells[i / 2].col[j].y_sum1 | y_adds2));
+                    y_sum2 <= y_carry1_cells[i / 2].col[j].y_sum1 ^ y_adds2 ^ y_carry2_in;
                 end
             end
         end

@@ -39,9 +39,9 @@ module quadratic_tree_side4 (
     reg f5;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg f6;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
     reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
@@ -50,12 +50,12 @@ module quadratic_tree_side4 (
     reg e3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
 
-    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:151
-    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:151
+    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:152
 
     genvar i;
     genvar j;
@@ -64,13 +64,13 @@ module quadratic_tree_side4 (
         for (i = 0; i < 1; i = i + 1) begin : x_middle_carry0_row
             reg x_middle_carry0;
             reg x_middle0;
-            wire x_middle_carry0_and_3 = x_middle_carry0 & !first1;
-            wire x_middle_carry0_and_2 = x_middle_carry0_and_3 & (a1 | x_middle_carry0_and);
-            wire x_carry0_and_2 = x_middle0 & (first2 | (x_middle_has_come0 & !first1));
+            wire x_middle_carry0_in = x_middle_carry0 & !first1;
+            wire x_middle_carry0_and_2 = x_middle_carry0_in & (a1 | x_middle_carry0_and);
+            wire x_adds0_and = x_middle0 & (first2 | (x_middle_has_come0 & !first1));
 
             always @(posedge clk) begin
                 x_middle_carry0 <= (a1 & x_middle_carry0_and) | x_middle_carry0_and_2;
-                x_middle0 <= a1 ^ x_middle_carry0_and ^ x_middle_carry0_and_3;
+                x_middle0 <= a1 ^ x_middle_carry0_and ^ x_middle_carry0_in;
             end
         end
     endgenerate
@@ -79,14 +79,14 @@ module quadratic_tree_side4 (
         for (i = 0; i < 2; i = i + 1) begin : x_downward_carry0_row
             reg x_downward_carry0;
             reg x_downward0;
-            localparam [31:0] x_downward_carry0_listed = i;
-            wire x_downward_carry0_and = x_downward_carry0_listed[0] & (e4 & (first4 | (e_has_come0 & !first3)));
-            wire x_downward_carry0_and_3 = x_downward_carry0 & !first3;
-            wire x_downward_carry0_and_2 = x_downward_carry0_and_3 & (b3 | x_downward_carry0_and);
+            localparam [31:0] x_downward_adds0_listed = i;
+            wire x_downward_adds0 = x_downward_adds0_listed[0] & (e4 & (first4 | (e_has_come0 & !first3)));
+            wire x_downward_carry0_in = x_downward_carry0 & !first3;
+            wire x_downward_carry0_and = x_downward_carry0_in & (b3 | x_downward_adds0);
 
             always @(posedge clk) begin
-                x_downward_carry0 <= (b3 & x_downward_carry0_and) | x_downward_carry0_and_2;
-                x_downward0 <= b3 ^ x_downward_carry0_and ^ x_downward_carry0_and_3;
+                x_downward_carry0 <= (b3 & x_downward_adds0) | x_downward_carry0_and;
+                x_downward0 <= b3 ^ x_downward_adds0 ^ x_downward_carry0_in;
             end
         end
     endgenerate
@@ -95,14 +95,14 @@ module quadratic_tree_side4 (
         for (i = 0; i < 4; i = i + 1) begin : x_downward_carry1_row
             reg x_downward_carry1;
             reg x_downward1;
-            localparam [31:0] x_downward_carry1_listed = i % 2;
-            wire x_downward_carry1_and = x_downward_carry1_listed[0] & e4;
-            wire x_downward_carry1_and_3 = x_downward_carry1 & !first4;
-            wire x_downward_carry1_and_2 = x_downward_carry1_and_3 & (x_downward_carry0_row[i / 2].x_downward0 | x_downward_carry1_and);
+            localparam [31:0] x_downward_adds1_listed = i % 2;
+            wire x_downward_adds1 = x_downward_adds1_listed[0] & e4;
+            wire x_downward_carry1_in = x_downward_carry1 & !first4;
+            wire x_downward_carry1_and = x_downward_carry1_in & (x_downward_carry0_row[i / 2].x_downward0 | x_downward_adds1);
 
             always @(posedge clk) begin
-                x_downward_carry1 <= (x_downward_carry0_row[i / 2].x_downward0 & x_downward_carry1_and) | x_downward_carry1_and_2;
-                x_downward1 <= x_downward_carry0_row[i / 2].x_downward0 ^ x_downward_carry1_and ^ x_downward_carry1_and_3;
+                x_downward_carry1 <= (x_downward_carry0_row[i / 2].x_downward0 & x_downward_adds1) | x_downward_carry1_and;
+                x_downward1 <= x_downward_carry0_row[i / 2].x_downward0 ^ x_downward_adds1 ^ x_downward_carry1_in;
             end
         end
     endgenerate
@@ -112,13 +112,13 @@ module quadratic_tree_side4 (
             for (j = 0; j < 4; j = j + 1) begin : col
                 reg y_middle_carry0;
                 reg y_middle0;
-                wire y_middle_carry0_and_3 = y_middle_carry0 & !first5;
-                wire y_middle_carry0_and_2 = y_middle_carry0_and_3 & (x_downward_carry1_row[j].x_downward1 | y_middle_carry0_and);
-                wire y_carry0_and_2 = y_middle0 & (first6 | (y_middle_has_come0 & !first5));
+                wire y_middle_carry0_in = y_middle_carry0 & !first5;
+                wire y_middle_carry0_and_2 = y_middle_carry0_in & (x_downward_carry1_row[j].x_downward1 | y_middle_carry0_and);
+                wire y_adds0_and = y_middle0 & (first6 | (y_middle_has_come0 & !first5));
 
                 always @(posedge clk) begin
                     y_middle_carry0 <= (x_downward_carry1_row[j].x_downward1 & y_middle_carry0_and) | y_middle_carry0_and_2;
-                    y_middle0 <= x_downward_carry1_row[j].x_downward1 ^ y_middle_carry0_and ^ y_middle_carry0_and_3;
+                    y_middle0 <= x_downward_carry1_row[j].x_downward1 ^ y_middle_carry0_and ^ y_middle_carry0_in;
                 end
             end
         end
@@ -143,22 +143,21 @@ module quadratic_tree_side4 (
             reg x_middle_carry1;
             reg x_middle1;
             reg x_waiting1;
-            localparam [31:0] x_carry0_listed = i;
-            wire x_carry0_and = x_carry0_listed[0] & x_middle_carry0_row[i / 2].x_carry0_and_2;
-            wire x_carry0_and_4 = x_carry0 & !first1;
-            wire x_carry0_and_3 = x_carry0_and_4 & (x_waiting0_row[i / 2].x_waiting0 | x_carry0_and);
-            wire x_growth_carry0_and = x_carry0_listed[0] & (x_bent0 & !first1);
-            wire x_growth_carry0_and_3 = x_growth_carry0 & !first1;
-            wire x_growth_carry0_and_2 = x_growth_carry0_and_3 & (a1 | x_growth_carry0_and);
-            wire x_middle_carry1_and = x_middle_carry1 & !first2;
+            localparam [31:0] x_adds0_listed = i;
+            wire x_adds0 = x_adds0_listed[0] & x_middle_carry0_row[i / 2].x_adds0_and;
+            wire x_carry0_in = x_carry0 & !first1;
+            wire x_carry0_and = x_carry0_in & (x_waiting0_row[i / 2].x_waiting0 | x_adds0);
+            wire x_bends0 = x_adds0_listed[0] & (x_bent0 & !first1);
+            wire x_growth_carry0_in = x_growth_carry0 & !first1;
+            wire x_middle_carry1_in = x_middle_carry1 & !first2;
 
             always @(posedge clk) begin
-                x_carry0 <= (x_waiting0_row[i / 2].x_waiting0 & x_carry0_and) | x_carry0_and_3;
-                x_sum0 <= x_waiting0_row[i / 2].x_waiting0 ^ x_carry0_and ^ x_carry0_and_4;
-                x_growth_carry0 <= (a1 & x_growth_carry0_and) | x_growth_carry0_and_2;
-                x_growth0 <= a1 ^ x_growth_carry0_and ^ x_growth_carry0_and_3;
-                x_middle_carry1 <= (x_growth0 & d2) | (x_middle_carry1_and & (x_growth0 | d2));
-                x_middle1 <= x_growth0 ^ d2 ^ x_middle_carry1_and;
+                x_carry0 <= (x_waiting0_row[i / 2].x_waiting0 & x_adds0) | x_carry0_and;
+                x_sum0 <= x_waiting0_row[i / 2].x_waiting0 ^ x_adds0 ^ x_carry0_in;
+                x_growth_carry0 <= (a1 & x_bends0) | (x_growth_carry0_in & (a1 | x_bends0));
+                x_growth0 <= a1 ^ x_bends0 ^ x_growth_carry0_in;
+                x_middle_carry1 <= (x_growth0 & d2) | (x_middle_carry1_in & (x_growth0 | d2));
+                x_middle1 <= x_growth0 ^ d2 ^ x_middle_carry1_in;
                 x_waiting1 <= x_sum0;
             end
         end
@@ -168,14 +167,14 @@ module quadratic_tree_side4 (
         for (i = 0; i < 4; i = i + 1) begin : x_carry1_row
             reg x_carry1;
             reg x_sum1;
-            localparam [31:0] x_carry1_listed = i % 2;
-            wire x_carry1_and = x_carry1_listed[0] & x_carry0_row[i / 2].x_middle1;
-            wire x_carry1_and_3 = x_carry1 & !first3;
-            wire x_carry1_and_2 = x_carry1_and_3 & (x_carry0_row[i / 2].x_waiting1 | x_carry1_and);
+            localparam [31:0] x_adds1_listed = i % 2;
+            wire x_adds1 = x_adds1_listed[0] & x_carry0_row[i / 2].x_middle1;
+            wire x_carry1_in = x_carry1 & !first3;
+            wire x_carry1_and = x_carry1_in & (x_carry0_row[i / 2].x_waiting1 | x_adds1);
 
             always @(posedge clk) begin
-                x_carry1 <= (x_carry0_row[i / 2].x_waiting1 & x_carry1_and) | x_carry1_and_2;
-                x_sum1 <= x_carry0_row[i / 2].x_waiting1 ^ x_carry1_and ^ x_carry1_and_3;
+                x_carry1 <= (x_carry0_row[i / 2].x_waiting1 & x_adds1) | x_carry1_and;
+                x_sum1 <= x_carry0_row[i / 2].x_waiting1 ^ x_adds1 ^ x_carry1_in;
             end
         end
     endgenerate
@@ -202,23 +201,23 @@ module quadratic_tree_side4 (
                 reg y_middle_carry1;
                 reg y_middle1;
                 reg y_waiting1;
-                localparam [31:0] y_carry0_lane = i;
-                wire y_carry0_and = y_carry0_lane[0] & y_middle_carry0_cells[i / 2].col[j].y_carry0_and_2;
-                wire y_carry0_and_4 = y_carry0 & !first5;
-                wire y_carry0_and_3 = y_carry0_and_4 & (y_waiting0_cells[i / 2].col[j].y_waiting0 | y_carry0_and);
-                wire y_growth_carry0_and = y_carry0_lane[0] & (y_bent0 & !first5);
-                wire y_growth_carry0_and_3 = y_growth_carry0 & !first5;
-                wire y_growth_carry0_and_2 = y_growth_carry0_and_3 & (x_downward_carry1_row[j].x_downward1 | y_growth_carry0_and);
-                wire y_middle_carry1_and_2 = y_middle_carry1 & !first6;
-                wire y_middle_carry1_and = y_middle_carry1_and_2 & (y_growth0 | f6);
+                localparam [31:0] y_adds0_lane = i;
+                wire y_adds0 = y_adds0_lane[0] & y_middle_carry0_cells[i / 2].col[j].y_adds0_and;
+                wire y_carry0_in = y_carry0 & !first5;
+                wire y_carry0_and = y_carry0_in & (y_waiting0_cells[i / 2].col[j].y_waiting0 | y_adds0);
+                wire y_bends0 = y_adds0_lane[0] & (y_bent0 & !first5);
+                wire y_growth_carry0_in = y_growth_carry0 & !first5;
+                wire y_growth_carry0_and = y_growth_carry0_in & (x_downward_carry1_row[j].x_downward1 | y_bends0);
+                wire y_middle_carry1_in = y_middle_carry1 & !first6;
+                wire y_middle_carry1_and = y_middle_carry1_in & (y_growth0 | f6);
 
                 always @(posedge clk) begin
-                    y_carry0 <= (y_waiting0_cells[i / 2].col[j].y_waiting0 & y_carry0_and) | y_carry0_and_3;
-                    y_sum0 <= y_waiting0_cells[i / 2].col[j].y_waiting0 ^ y_carry0_and ^ y_carry0_and_4;
-                    y_growth_carry0 <= (x_downward_carry1_row[j].x_downward1 & y_growth_carry0_and) | y_growth_carry0_and_2;
-                    y_growth0 <= x_downward_carry1_row[j].x_downward1 ^ y_growth_carry0_and ^ y_growth_carry0_and_3;
+                    y_carry0 <= (y_waiting0_cells[i / 2].col[j].y_waiting0 & y_adds0) | y_carry0_and;
+                    y_sum0 <= y_waiting0_cells[i / 2].col[j].y_waiting0 ^ y_adds0 ^ y_carry0_in;
+                    y_growth_carry0 <= (x_downward_carry1_row[j].x_downward1 & y_bends0) | y_growth_carry0_and;
+                    y_growth0 <= x_downward_carry1_row[j].x_downward1 ^ y_bends0 ^ y_growth_carry0_in;
                     y_middle_carry1 <= (y_growth0 & f6) | y_middle_carry1_and;
-                    y_middle1 <= y_growth0 ^ f6 ^ y_middle_carry1_and_2;
+                    y_middle1 <= y_growth0 ^ f6 ^ y_middle_carry1_in;
                     y_waiting1 <= y_sum0;
                 end
             end
@@ -230,14 +229,14 @@ module quadratic_tree_side4 (
             for (j = 0; j < 4; j = j + 1) begin : col
                 reg y_carry1;
                 reg y_sum1;
-                localparam [31:0] y_carry1_lane = i % 2;
-                wire y_carry1_and = y_carry1_lane[0] & y_carry0_cells[i / 2].col[j].y_middle1;
-                wire y_carry1_and_3 = y_carry1 & !first7;
-                wire y_carry1_and_2 = y_carry1_and_3 & (y_carry0_cells[i / 2].col[j].y_waiting1 | y_carry1_and);
+                localparam [31:0] y_adds1_lane = i % 2;
+                wire y_adds1 = y_adds1_lane[0] & y_carry0_cells[i / 2].col[j].y_middle1;
+                wire y_carry1_in = y_carry1 & !first7;
+                wire y_carry1_and = y_carry1_in & (y_carry0_cells[i / 2].col[j].y_waiting1 | y_adds1);
 
                 always @(posedge clk) begin
-                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_waiting1 & y_carry1_and) | y_carry1_and_2;
-                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_waiting1 ^ y_carry1_and ^ y_carry1_and_3;
+                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_waiting1 & y_adds1) | y_carry1_and;
+                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_waiting1 ^ y_adds1 ^ y_carry1_in;
                 end
             end
         end

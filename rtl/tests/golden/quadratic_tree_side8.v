@@ -50,12 +50,12 @@ module quadratic_tree_side8 (
     reg f10;                                                     // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
-    reg x_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg x_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg x_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg x_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
     reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
@@ -70,17 +70,17 @@ module quadratic_tree_side8 (
     reg e7;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
     reg e_has_come1;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
-    reg y_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:151
-    reg y_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:162
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg y_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
+    reg y_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
 
-    wire x_middle_carry0_and = d4 & (first4 | (x_curve_has_come0 & !first2)); // rtl/src/pixel_planes/quadratic_tree.rs:151
-    wire x_middle_carry1_and = d4 & (first4 | (x_curve_has_come1 & !first3)); // rtl/src/pixel_planes/quadratic_tree.rs:151
-    wire y_middle_carry0_and = f10 & (first10 | (y_curve_has_come0 & !first8)); // rtl/src/pixel_planes/quadratic_tree.rs:151
-    wire y_middle_carry1_and = f10 & (first10 | (y_curve_has_come1 & !first9)); // rtl/src/pixel_planes/quadratic_tree.rs:151
+    wire x_middle_carry0_and = d4 & (first4 | (x_curve_has_come0 & !first2)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire x_middle_carry1_and = d4 & (first4 | (x_curve_has_come1 & !first3)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire y_middle_carry0_and = f10 & (first10 | (y_curve_has_come0 & !first8)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire y_middle_carry1_and = f10 & (first10 | (y_curve_has_come1 & !first9)); // rtl/src/pixel_planes/quadratic_tree.rs:152
 
     genvar i;
     genvar j;
@@ -89,13 +89,13 @@ module quadratic_tree_side8 (
         for (i = 0; i < 1; i = i + 1) begin : x_middle_carry0_row
             reg x_middle_carry0;
             reg x_middle0;
-            wire x_middle_carry0_and_3 = x_middle_carry0 & !first2;
-            wire x_middle_carry0_and_2 = x_middle_carry0_and_3 & (a2 | x_middle_carry0_and);
-            wire x_carry0_and_2 = x_middle0 & (first3 | (x_middle_has_come0 & !first1));
+            wire x_middle_carry0_in = x_middle_carry0 & !first2;
+            wire x_middle_carry0_and_2 = x_middle_carry0_in & (a2 | x_middle_carry0_and);
+            wire x_adds0_and = x_middle0 & (first3 | (x_middle_has_come0 & !first1));
 
             always @(posedge clk) begin
                 x_middle_carry0 <= (a2 & x_middle_carry0_and) | x_middle_carry0_and_2;
-                x_middle0 <= a2 ^ x_middle_carry0_and ^ x_middle_carry0_and_3;
+                x_middle0 <= a2 ^ x_middle_carry0_and ^ x_middle_carry0_in;
             end
         end
     endgenerate
@@ -104,14 +104,14 @@ module quadratic_tree_side8 (
         for (i = 0; i < 2; i = i + 1) begin : x_downward_carry0_row
             reg x_downward_carry0;
             reg x_downward0;
-            localparam [31:0] x_downward_carry0_listed = i;
-            wire x_downward_carry0_and = x_downward_carry0_listed[0] & (e7 & (first7 | (e_has_come0 & !first5)));
-            wire x_downward_carry0_and_3 = x_downward_carry0 & !first5;
-            wire x_downward_carry0_and_2 = x_downward_carry0_and_3 & (b5 | x_downward_carry0_and);
+            localparam [31:0] x_downward_adds0_listed = i;
+            wire x_downward_adds0 = x_downward_adds0_listed[0] & (e7 & (first7 | (e_has_come0 & !first5)));
+            wire x_downward_carry0_in = x_downward_carry0 & !first5;
+            wire x_downward_carry0_and = x_downward_carry0_in & (b5 | x_downward_adds0);
 
             always @(posedge clk) begin
-                x_downward_carry0 <= (b5 & x_downward_carry0_and) | x_downward_carry0_and_2;
-                x_downward0 <= b5 ^ x_downward_carry0_and ^ x_downward_carry0_and_3;
+                x_downward_carry0 <= (b5 & x_downward_adds0) | x_downward_carry0_and;
+                x_downward0 <= b5 ^ x_downward_adds0 ^ x_downward_carry0_in;
             end
         end
     endgenerate
@@ -120,14 +120,14 @@ module quadratic_tree_side8 (
         for (i = 0; i < 4; i = i + 1) begin : x_downward_carry1_row
             reg x_downward_carry1;
             reg x_downward1;
-            localparam [31:0] x_downward_carry1_listed = i % 2;
-            wire x_downward_carry1_and = x_downward_carry1_listed[0] & (e7 & (first7 | (e_has_come1 & !first6)));
-            wire x_downward_carry1_and_3 = x_downward_carry1 & !first6;
-            wire x_downward_carry1_and_2 = x_downward_carry1_and_3 & (x_downward_carry0_row[i / 2].x_downward0 | x_downward_carry1_and);
+            localparam [31:0] x_downward_adds1_listed = i % 2;
+            wire x_downward_adds1 = x_downward_adds1_listed[0] & (e7 & (first7 | (e_has_come1 & !first6)));
+            wire x_downward_carry1_in = x_downward_carry1 & !first6;
+            wire x_downward_carry1_and = x_downward_carry1_in & (x_downward_carry0_row[i / 2].x_downward0 | x_downward_adds1);
 
             always @(posedge clk) begin
-                x_downward_carry1 <= (x_downward_carry0_row[i / 2].x_downward0 & x_downward_carry1_and) | x_downward_carry1_and_2;
-                x_downward1 <= x_downward_carry0_row[i / 2].x_downward0 ^ x_downward_carry1_and ^ x_downward_carry1_and_3;
+                x_downward_carry1 <= (x_downward_carry0_row[i / 2].x_downward0 & x_downward_adds1) | x_downward_carry1_and;
+                x_downward1 <= x_downward_carry0_row[i / 2].x_downward0 ^ x_downward_adds1 ^ x_downward_carry1_in;
             end
         end
     endgenerate
@@ -136,14 +136,14 @@ module quadratic_tree_side8 (
         for (i = 0; i < 8; i = i + 1) begin : x_downward_carry2_row
             reg x_downward_carry2;
             reg x_downward2;
-            localparam [31:0] x_downward_carry2_listed = i % 2;
-            wire x_downward_carry2_and = x_downward_carry2_listed[0] & e7;
-            wire x_downward_carry2_and_3 = x_downward_carry2 & !first7;
-            wire x_downward_carry2_and_2 = x_downward_carry2_and_3 & (x_downward_carry1_row[i / 2].x_downward1 | x_downward_carry2_and);
+            localparam [31:0] x_downward_adds2_listed = i % 2;
+            wire x_downward_adds2 = x_downward_adds2_listed[0] & e7;
+            wire x_downward_carry2_in = x_downward_carry2 & !first7;
+            wire x_downward_carry2_and = x_downward_carry2_in & (x_downward_carry1_row[i / 2].x_downward1 | x_downward_adds2);
 
             always @(posedge clk) begin
-                x_downward_carry2 <= (x_downward_carry1_row[i / 2].x_downward1 & x_downward_carry2_and) | x_downward_carry2_and_2;
-                x_downward2 <= x_downward_carry1_row[i / 2].x_downward1 ^ x_downward_carry2_and ^ x_downward_carry2_and_3;
+                x_downward_carry2 <= (x_downward_carry1_row[i / 2].x_downward1 & x_downward_adds2) | x_downward_carry2_and;
+                x_downward2 <= x_downward_carry1_row[i / 2].x_downward1 ^ x_downward_adds2 ^ x_downward_carry2_in;
             end
         end
     endgenerate
@@ -153,13 +153,13 @@ module quadratic_tree_side8 (
             for (j = 0; j < 8; j = j + 1) begin : col
                 reg y_middle_carry0;
                 reg y_middle0;
-                wire y_middle_carry0_and_3 = y_middle_carry0 & !first8;
-                wire y_middle_carry0_and_2 = y_middle_carry0_and_3 & (x_downward_carry2_row[j].x_downward2 | y_middle_carry0_and);
-                wire y_carry0_and_2 = y_middle0 & (first9 | (y_middle_has_come0 & !first7));
+                wire y_middle_carry0_in = y_middle_carry0 & !first8;
+                wire y_middle_carry0_and_2 = y_middle_carry0_in & (x_downward_carry2_row[j].x_downward2 | y_middle_carry0_and);
+                wire y_adds0_and = y_middle0 & (first9 | (y_middle_has_come0 & !first7));
 
                 always @(posedge clk) begin
                     y_middle_carry0 <= (x_downward_carry2_row[j].x_downward2 & y_middle_carry0_and) | y_middle_carry0_and_2;
-                    y_middle0 <= x_downward_carry2_row[j].x_downward2 ^ y_middle_carry0_and ^ y_middle_carry0_and_3;
+                    y_middle0 <= x_downward_carry2_row[j].x_downward2 ^ y_middle_carry0_and ^ y_middle_carry0_in;
                 end
             end
         end
@@ -184,24 +184,23 @@ module quadratic_tree_side8 (
             reg x_middle_carry1;
             reg x_middle1;
             reg x_waiting1;
-            localparam [31:0] x_carry0_listed = i;
-            wire x_carry0_and = x_carry0_listed[0] & x_middle_carry0_row[i / 2].x_carry0_and_2;
-            wire x_carry0_and_4 = x_carry0 & !first1;
-            wire x_carry0_and_3 = x_carry0_and_4 & (x_waiting0_row[i / 2].x_waiting0 | x_carry0_and);
-            wire x_growth_carry0_and = x_carry0_listed[0] & (x_bent0 & !first2);
-            wire x_growth_carry0_and_3 = x_growth_carry0 & !first2;
-            wire x_growth_carry0_and_2 = x_growth_carry0_and_3 & (a2 | x_growth_carry0_and);
-            wire x_middle_carry1_and_3 = x_middle_carry1 & !first3;
-            wire x_middle_carry1_and_2 = x_middle_carry1_and_3 & (x_growth0 | x_middle_carry1_and);
-            wire x_carry1_and_2 = x_middle1 & (first4 | (x_middle_has_come1 & !first3));
+            localparam [31:0] x_adds0_listed = i;
+            wire x_adds0 = x_adds0_listed[0] & x_middle_carry0_row[i / 2].x_adds0_and;
+            wire x_carry0_in = x_carry0 & !first1;
+            wire x_carry0_and = x_carry0_in & (x_waiting0_row[i / 2].x_waiting0 | x_adds0);
+            wire x_bends0 = x_adds0_listed[0] & (x_bent0 & !first2);
+            wire x_growth_carry0_in = x_growth_carry0 & !first2;
+            wire x_middle_carry1_in = x_middle_carry1 & !first3;
+            wire x_middle_carry1_and_2 = x_middle_carry1_in & (x_growth0 | x_middle_carry1_and);
+            wire x_adds1_and = x_middle1 & (first4 | (x_middle_has_come1 & !first3));
 
             always @(posedge clk) begin
-                x_carry0 <= (x_waiting0_row[i / 2].x_waiting0 & x_carry0_and) | x_carry0_and_3;
-                x_sum0 <= x_waiting0_row[i / 2].x_waiting0 ^ x_carry0_and ^ x_carry0_and_4;
-                x_growth_carry0 <= (a2 & x_growth_carry0_and) | x_growth_carry0_and_2;
-                x_growth0 <= a2 ^ x_growth_carry0_and ^ x_growth_carry0_and_3;
+                x_carry0 <= (x_waiting0_row[i / 2].x_waiting0 & x_adds0) | x_carry0_and;
+                x_sum0 <= x_waiting0_row[i / 2].x_waiting0 ^ x_adds0 ^ x_carry0_in;
+                x_growth_carry0 <= (a2 & x_bends0) | (x_growth_carry0_in & (a2 | x_bends0));
+                x_growth0 <= a2 ^ x_bends0 ^ x_growth_carry0_in;
                 x_middle_carry1 <= (x_growth0 & x_middle_carry1_and) | x_middle_carry1_and_2;
-                x_middle1 <= x_growth0 ^ x_middle_carry1_and ^ x_middle_carry1_and_3;
+                x_middle1 <= x_growth0 ^ x_middle_carry1_and ^ x_middle_carry1_in;
                 x_waiting1 <= x_sum0;
             end
         end
@@ -216,22 +215,22 @@ module quadratic_tree_side8 (
             reg x_middle_carry2;
             reg x_middle2;
             reg x_waiting2;
-            localparam [31:0] x_carry1_listed = i % 2;
-            wire x_carry1_and = x_carry1_listed[0] & x_carry0_row[i / 2].x_carry1_and_2;
-            wire x_carry1_and_4 = x_carry1 & !first3;
-            wire x_carry1_and_3 = x_carry1_and_4 & (x_carry0_row[i / 2].x_waiting1 | x_carry1_and);
-            wire x_growth_carry1_and = x_carry1_listed[0] & (x_bent1 & !first3);
-            wire x_growth_carry1_and_3 = x_growth_carry1 & !first3;
-            wire x_growth_carry1_and_2 = x_growth_carry1_and_3 & (x_carry0_row[i / 2].x_growth0 | x_growth_carry1_and);
-            wire x_middle_carry2_and = x_middle_carry2 & !first4;
+            localparam [31:0] x_adds1_listed = i % 2;
+            wire x_adds1 = x_adds1_listed[0] & x_carry0_row[i / 2].x_adds1_and;
+            wire x_carry1_in = x_carry1 & !first3;
+            wire x_carry1_and = x_carry1_in & (x_carry0_row[i / 2].x_waiting1 | x_adds1);
+            wire x_bends1 = x_adds1_listed[0] & (x_bent1 & !first3);
+            wire x_growth_carry1_in = x_growth_carry1 & !first3;
+            wire x_growth_carry1_and = x_growth_carry1_in & (x_carry0_row[i / 2].x_growth0 | x_bends1);
+            wire x_middle_carry2_in = x_middle_carry2 & !first4;
 
             always @(posedge clk) begin
-                x_carry1 <= (x_carry0_row[i / 2].x_waiting1 & x_carry1_and) | x_carry1_and_3;
-                x_sum1 <= x_carry0_row[i / 2].x_waiting1 ^ x_carry1_and ^ x_carry1_and_4;
-                x_growth_carry1 <= (x_carry0_row[i / 2].x_growth0 & x_growth_carry1_and) | x_growth_carry1_and_2;
-                x_growth1 <= x_carry0_row[i / 2].x_growth0 ^ x_growth_carry1_and ^ x_growth_carry1_and_3;
-                x_middle_carry2 <= (x_growth1 & d4) | (x_middle_carry2_and & (x_growth1 | d4));
-                x_middle2 <= x_growth1 ^ d4 ^ x_middle_carry2_and;
+                x_carry1 <= (x_carry0_row[i / 2].x_waiting1 & x_adds1) | x_carry1_and;
+                x_sum1 <= x_carry0_row[i / 2].x_waiting1 ^ x_adds1 ^ x_carry1_in;
+                x_growth_carry1 <= (x_carry0_row[i / 2].x_growth0 & x_bends1) | x_growth_carry1_and;
+                x_growth1 <= x_carry0_row[i / 2].x_growth0 ^ x_bends1 ^ x_growth_carry1_in;
+                x_middle_carry2 <= (x_growth1 & d4) | (x_middle_carry2_in & (x_growth1 | d4));
+                x_middle2 <= x_growth1 ^ d4 ^ x_middle_carry2_in;
                 x_waiting2 <= x_sum1;
             end
         end
@@ -241,14 +240,14 @@ module quadratic_tree_side8 (
         for (i = 0; i < 8; i = i + 1) begin : x_carry2_row
             reg x_carry2;
             reg x_sum2;
-            localparam [31:0] x_carry2_listed = i % 2;
-            wire x_carry2_and = x_carry2_listed[0] & x_carry1_row[i / 2].x_middle2;
-            wire x_carry2_and_3 = x_carry2 & !first5;
-            wire x_carry2_and_2 = x_carry2_and_3 & (x_carry1_row[i / 2].x_waiting2 | x_carry2_and);
+            localparam [31:0] x_adds2_listed = i % 2;
+            wire x_adds2 = x_adds2_listed[0] & x_carry1_row[i / 2].x_middle2;
+            wire x_carry2_in = x_carry2 & !first5;
+            wire x_carry2_and = x_carry2_in & (x_carry1_row[i / 2].x_waiting2 | x_adds2);
 
             always @(posedge clk) begin
-                x_carry2 <= (x_carry1_row[i / 2].x_waiting2 & x_carry2_and) | x_carry2_and_2;
-                x_sum2 <= x_carry1_row[i / 2].x_waiting2 ^ x_carry2_and ^ x_carry2_and_3;
+                x_carry2 <= (x_carry1_row[i / 2].x_waiting2 & x_adds2) | x_carry2_and;
+                x_sum2 <= x_carry1_row[i / 2].x_waiting2 ^ x_adds2 ^ x_carry2_in;
             end
         end
     endgenerate
@@ -275,24 +274,24 @@ module quadratic_tree_side8 (
                 reg y_middle_carry1;
                 reg y_middle1;
                 reg y_waiting1;
-                localparam [31:0] y_carry0_lane = i;
-                wire y_carry0_and = y_carry0_lane[0] & y_middle_carry0_cells[i / 2].col[j].y_carry0_and_2;
-                wire y_carry0_and_4 = y_carry0 & !first7;
-                wire y_carry0_and_3 = y_carry0_and_4 & (y_waiting0_cells[i / 2].col[j].y_waiting0 | y_carry0_and);
-                wire y_growth_carry0_and = y_carry0_lane[0] & (y_bent0 & !first8);
-                wire y_growth_carry0_and_3 = y_growth_carry0 & !first8;
-                wire y_growth_carry0_and_2 = y_growth_carry0_and_3 & (x_downward_carry2_row[j].x_downward2 | y_growth_carry0_and);
-                wire y_middle_carry1_and_3 = y_middle_carry1 & !first9;
-                wire y_middle_carry1_and_2 = y_middle_carry1_and_3 & (y_growth0 | y_middle_carry1_and);
-                wire y_carry1_and_2 = y_middle1 & (first10 | (y_middle_has_come1 & !first9));
+                localparam [31:0] y_adds0_lane = i;
+                wire y_adds0 = y_adds0_lane[0] & y_middle_carry0_cells[i / 2].col[j].y_adds0_and;
+                wire y_carry0_in = y_carry0 & !first7;
+                wire y_carry0_and = y_carry0_in & (y_waiting0_cells[i / 2].col[j].y_waiting0 | y_adds0);
+                wire y_bends0 = y_adds0_lane[0] & (y_bent0 & !first8);
+                wire y_growth_carry0_in = y_growth_carry0 & !first8;
+                wire y_growth_carry0_and = y_growth_carry0_in & (x_downward_carry2_row[j].x_downward2 | y_bends0);
+                wire y_middle_carry1_in = y_middle_carry1 & !first9;
+                wire y_middle_carry1_and_2 = y_middle_carry1_in & (y_growth0 | y_middle_carry1_and);
+                wire y_adds1_and = y_middle1 & (first10 | (y_middle_has_come1 & !first9));
 
                 always @(posedge clk) begin
-                    y_carry0 <= (y_waiting0_cells[i / 2].col[j].y_waiting0 & y_carry0_and) | y_carry0_and_3;
-                    y_sum0 <= y_waiting0_cells[i / 2].col[j].y_waiting0 ^ y_carry0_and ^ y_carry0_and_4;
-                    y_growth_carry0 <= (x_downward_carry2_row[j].x_downward2 & y_growth_carry0_and) | y_growth_carry0_and_2;
-                    y_growth0 <= x_downward_carry2_row[j].x_downward2 ^ y_growth_carry0_and ^ y_growth_carry0_and_3;
+                    y_carry0 <= (y_waiting0_cells[i / 2].col[j].y_waiting0 & y_adds0) | y_carry0_and;
+                    y_sum0 <= y_waiting0_cells[i / 2].col[j].y_waiting0 ^ y_adds0 ^ y_carry0_in;
+                    y_growth_carry0 <= (x_downward_carry2_row[j].x_downward2 & y_bends0) | y_growth_carry0_and;
+                    y_growth0 <= x_downward_carry2_row[j].x_downward2 ^ y_bends0 ^ y_growth_carry0_in;
                     y_middle_carry1 <= (y_growth0 & y_middle_carry1_and) | y_middle_carry1_and_2;
-                    y_middle1 <= y_growth0 ^ y_middle_carry1_and ^ y_middle_carry1_and_3;
+                    y_middle1 <= y_growth0 ^ y_middle_carry1_and ^ y_middle_carry1_in;
                     y_waiting1 <= y_sum0;
                 end
             end
@@ -309,23 +308,23 @@ module quadratic_tree_side8 (
                 reg y_middle_carry2;
                 reg y_middle2;
                 reg y_waiting2;
-                localparam [31:0] y_carry1_lane = i % 2;
-                wire y_carry1_and = y_carry1_lane[0] & y_carry0_cells[i / 2].col[j].y_carry1_and_2;
-                wire y_carry1_and_4 = y_carry1 & !first9;
-                wire y_carry1_and_3 = y_carry1_and_4 & (y_carry0_cells[i / 2].col[j].y_waiting1 | y_carry1_and);
-                wire y_growth_carry1_and = y_carry1_lane[0] & (y_bent1 & !first9);
-                wire y_growth_carry1_and_3 = y_growth_carry1 & !first9;
-                wire y_growth_carry1_and_2 = y_growth_carry1_and_3 & (y_carry0_cells[i / 2].col[j].y_growth0 | y_growth_carry1_and);
-                wire y_middle_carry2_and_2 = y_middle_carry2 & !first10;
-                wire y_middle_carry2_and = y_middle_carry2_and_2 & (y_growth1 | f10);
+                localparam [31:0] y_adds1_lane = i % 2;
+                wire y_adds1 = y_adds1_lane[0] & y_carry0_cells[i / 2].col[j].y_adds1_and;
+                wire y_carry1_in = y_carry1 & !first9;
+                wire y_carry1_and = y_carry1_in & (y_carry0_cells[i / 2].col[j].y_waiting1 | y_adds1);
+                wire y_bends1 = y_adds1_lane[0] & (y_bent1 & !first9);
+                wire y_growth_carry1_in = y_growth_carry1 & !first9;
+                wire y_growth_carry1_and = y_growth_carry1_in & (y_carry0_cells[i / 2].col[j].y_growth0 | y_bends1);
+                wire y_middle_carry2_in = y_middle_carry2 & !first10;
+                wire y_middle_carry2_and = y_middle_carry2_in & (y_growth1 | f10);
 
                 always @(posedge clk) begin
-                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_waiting1 & y_carry1_and) | y_carry1_and_3;
-                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_waiting1 ^ y_carry1_and ^ y_carry1_and_4;
-                    y_growth_carry1 <= (y_carry0_cells[i / 2].col[j].y_growth0 & y_growth_carry1_and) | y_growth_carry1_and_2;
-                    y_growth1 <= y_carry0_cells[i / 2].col[j].y_growth0 ^ y_growth_carry1_and ^ y_growth_carry1_and_3;
+                    y_carry1 <= (y_carry0_cells[i / 2].col[j].y_waiting1 & y_adds1) | y_carry1_and;
+                    y_sum1 <= y_carry0_cells[i / 2].col[j].y_waiting1 ^ y_adds1 ^ y_carry1_in;
+                    y_growth_carry1 <= (y_carry0_cells[i / 2].col[j].y_growth0 & y_bends1) | y_growth_carry1_and;
+                    y_growth1 <= y_carry0_cells[i / 2].col[j].y_growth0 ^ y_bends1 ^ y_growth_carry1_in;
                     y_middle_carry2 <= (y_growth1 & f10) | y_middle_carry2_and;
-                    y_middle2 <= y_growth1 ^ f10 ^ y_middle_carry2_and_2;
+                    y_middle2 <= y_growth1 ^ f10 ^ y_middle_carry2_in;
                     y_waiting2 <= y_sum1;
                 end
             end
@@ -337,14 +336,14 @@ module quadratic_tree_side8 (
             for (j = 0; j < 8; j = j + 1) begin : col
                 reg y_carry2;
                 reg y_sum2;
-                localparam [31:0] y_carry2_lane = i % 2;
-                wire y_carry2_and = y_carry2_lane[0] & y_carry1_cells[i / 2].col[j].y_middle2;
-                wire y_carry2_and_3 = y_carry2 & !first11;
-                wire y_carry2_and_2 = y_carry2_and_3 & (y_carry1_cells[i / 2].col[j].y_waiting2 | y_carry2_and);
+                localparam [31:0] y_adds2_lane = i % 2;
+                wire y_adds2 = y_adds2_lane[0] & y_carry1_cells[i / 2].col[j].y_middle2;
+                wire y_carry2_in = y_carry2 & !first11;
+                wire y_carry2_and = y_carry2_in & (y_carry1_cells[i / 2].col[j].y_waiting2 | y_adds2);
 
                 always @(posedge clk) begin
-                    y_carry2 <= (y_carry1_cells[i / 2].col[j].y_waiting2 & y_carry2_and) | y_carry2_and_2;
-                    y_sum2 <= y_carry1_cells[i / 2].col[j].y_waiting2 ^ y_carry2_and ^ y_carry2_and_3;
+                    y_carry2 <= (y_carry1_cells[i / 2].col[j].y_waiting2 & y_adds2) | y_carry2_and;
+                    y_sum2 <= y_carry1_cells[i / 2].col[j].y_waiting2 ^ y_adds2 ^ y_carry2_in;
                 end
             end
         end
