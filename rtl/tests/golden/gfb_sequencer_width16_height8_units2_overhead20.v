@@ -35,20 +35,20 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
     reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:79
     reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:80
     reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:82
-    reg [3:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:108
+    reg [3:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:111
 
     wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:83
     wire last_pixel = x == 4'd15;                                // rtl/src/gfb/sequencer.rs:84
-    wire last_line_ends = part_ends & (y == 3'd7);               // rtl/src/gfb/sequencer.rs:85
+    wire last_line = y == 3'd7;                                  // rtl/src/gfb/sequencer.rs:85
     wire begins = (round == ROUND_IDLE) & start;                 // rtl/src/gfb/sequencer.rs:93
     wire line_ends = (round == ROUND_LINE) & last_pixel;         // rtl/src/gfb/sequencer.rs:94
     wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:95
-    wire scan_ends = (round == ROUND_OVERHEAD) & last_line_ends; // rtl/src/gfb/sequencer.rs:96
+    wire scan_ends = (round == ROUND_OVERHEAD) & (part_ends & last_line); // rtl/src/gfb/sequencer.rs:96
     assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:97
-    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:104
-    assign stores = enable & (until_stored == 4'd0);             // rtl/src/gfb/sequencer.rs:109
-    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:115
-    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:119
+    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:107
+    assign stores = enable & (until_stored == 4'd0);             // rtl/src/gfb/sequencer.rs:112
+    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:118
+    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:122
 
     always @(posedge clk) begin
         if (rst) begin
@@ -66,8 +66,9 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
                 ROUND_PRIME: if (part_ends) round <= ROUND_LINE;
                 ROUND_LINE: if (last_pixel) round <= ROUND_OVERHEAD;
                 ROUND_OVERHEAD: begin
-                    if (last_line_ends) round <= ROUND_DRAIN;
-                    else if (part_ends) round <= ROUND_LINE;
+                    if (!part_ends) round <= ROUND_OVERHEAD;
+                    else if (last_line) round <= ROUND_DRAIN;
+                    else round <= ROUND_LINE;
                 end
                 default: begin // ROUND_DRAIN
                     if (part_ends) round <= ROUND_IDLE;
@@ -81,12 +82,12 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
             if (begins) clocks_left <= 5'd1;
             else if (line_ends) clocks_left <= 5'd19;
             else if (scan_ends) clocks_left <= 5'd7;
-            else if (part_ends) clocks_left <= 5'd0;
-            else clocks_left <= clocks_left - 5'd1;
+            else if (!part_ends) clocks_left <= clocks_left - 5'd1;
             if (begins) feed <= 7'd0;
             else if (enable) feed <= feed + 7'd1;
             if (begins) until_stored <= 4'd10;
-            else if (enable & !stores) until_stored <= until_stored - 4'd1;
+            else if (stores) until_stored <= 4'd0;
+            else if (enable) until_stored <= until_stored - 4'd1;
             if (begins) store <= 7'd0;
             else if (stores) store <= store + 7'd1;
             if (begins) clocks <= 9'd0;
