@@ -3,14 +3,14 @@
 use crate::bits::Bits;
 use crate::elaboration;
 use crate::index::Index;
+use crate::integers::{self, Integer};
 use crate::ir::{Kind, Op, Reduction, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
-use crate::shaping::{extent, sound_shape};
+use crate::shaping::sound_shape;
 use crate::signal::Signal;
-use crate::width::Count;
 
 /// The lanes of a row, or the rows or the columns of a grid, one after another: made by [`Signal::rows`] and [`Signal::columns`]. Each of
 /// its lanes is what is left without that axis: of the rows of a grid, a row.
@@ -18,7 +18,7 @@ use crate::width::Count;
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+/// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
 /// m.assert(x.rows().lane(1).pack().eq(0x543), "of the rows one is a row, ..");
 /// m.assert(x.columns().lane(1).pack().eq(0x41), ".. and so is one of the columns");
 /// # });
@@ -36,7 +36,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// let (rows, columns) = (x.rows().count(), x.columns().count());
     /// m.assert(x.rows().lane(rows - 1).lane(columns - 1).eq(5), "2 and 3");
     /// # });
@@ -86,14 +86,14 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().lane(1).lane(2).eq(5), "row 1, and of that column 2");
     /// # });
     /// ```
     #[track_caller]
-    pub fn lane(self, index: u32) -> Signal {
-        let (loc, count) = (Loc::caller(), self.count());
-        if index >= count {
+    pub fn lane(self, index: impl Integer) -> Signal {
+        let (loc, index, count) = (Loc::caller(), index.integer(), self.count());
+        if !(0..count.into()).contains(&index) {
             let problem =
                 Problem::new(loc, format!("lane {index} of a signal of {count} lanes")).help("lanes count from 0");
             return elaboration::with(|e| {
@@ -101,7 +101,7 @@ impl Along {
                 Signal::zero_in(e, self.of.width, self.inner(), self.of.kind, loc)
             });
         }
-        self.dropped(Op::Lane { of: self.of.id(), axis: self.axis, index })
+        self.dropped(Op::Lane { of: self.of.id(), axis: self.axis, index: index as u32 })
     }
 
     /// The last one.
@@ -109,7 +109,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.columns().last().pack().eq(0x52), "what leaves a grid on its right, a lane for each row");
     /// # });
     /// ```
@@ -123,7 +123,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// let [upper, lower] = x.rows().to_vec()[..] else { unreachable!("two rows") };
     /// m.assert((lower - upper).eq(3).and_all(), "rows that meet lane by lane");
     /// # });
@@ -142,7 +142,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// let left = lit(8, 0xba).unpack(2);
     /// m.assert(x.columns().previous(left).pack().eq(0x43b_10a), "the edge is plain, or as one column is");
     /// # });
@@ -157,7 +157,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().following(15).pack().eq(0xfff_543), "what is below; the last row has the edge there");
     /// # });
     /// ```
@@ -171,15 +171,15 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.columns().shifted(2, 0).pack().eq(0x300_000), "column 2 has column 0");
     /// # });
     /// ```
     #[track_caller]
-    pub fn shifted(self, by: i32, edge: impl Operand) -> Signal {
+    pub fn shifted(self, by: impl Integer, edge: impl Operand) -> Signal {
         // All are beyond the edge from there on.
-        let most = i32::try_from(self.count()).unwrap_or(i32::MAX);
-        let by = by.clamp(-most, most);
+        let most = i128::from(self.count());
+        let by = by.integer().clamp(-most, most);
         self.map(self.count(), |i| i - by, Some(edge), "shifted")
     }
 
@@ -188,14 +188,14 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane);
     /// let doubled = x.rows().take(4, |i| i / 2).columns().take(4, |i| i / 2);
     /// m.assert(doubled.rows().last().pack().eq(0x3322), "each lane becomes two by two");
     /// # });
     /// ```
     #[track_caller]
-    pub fn take(self, count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal {
-        self.map(extent(count), index, None::<u32>, "take")
+    pub fn take(self, count: impl Integer, index: impl FnOnce(Index) -> Index) -> Signal {
+        self.map(integers::count(count), index, None::<u32>, "take")
     }
 
     /// As [`take`](Along::take); where `index` leads beyond the ends, `edge`.
@@ -203,13 +203,13 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane);
     /// m.assert(x.rows().take_or(3, |i| i - 1, 15).pack().eq(0x32_10_ff), "a border above");
     /// # });
     /// ```
     #[track_caller]
-    pub fn take_or(self, count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal {
-        self.map(extent(count), index, Some(edge), "take_or")
+    pub fn take_or(self, count: impl Integer, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal {
+        self.map(integers::count(count), index, Some(edge), "take_or")
     }
 
     /// The last first.
@@ -217,7 +217,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().reversed().pack().eq(0x210_543), "upside down");
     /// m.assert(x.columns().reversed().pack().eq(0x345_012), "from right to left");
     /// # });
@@ -271,7 +271,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().pick(lit(1, 1)).pack().eq(0x543), "one row for all; its number is a signal");
     /// # });
     /// ```
@@ -291,7 +291,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let resident = constants(bits(1).of(grid(2, 2)), |lane| (lane != 1).into());
+    /// let resident = constants(bits(1).of(grid(2, 2)), |lane| lane != 1);
     /// m.assert(resident.rows().and_all().pack().eq(0b01), "column 0 is all ones, column 1 is not");
     /// # });
     /// ```
@@ -305,7 +305,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let wants = constants(bits(1).of(grid(2, 3)), |lane| (lane < 2).into());
+    /// let wants = constants(bits(1).of(grid(2, 3)), |lane| lane < 2);
     /// m.assert(wants.columns().or_all().pack().eq(0b01), "a lane for each row: does any of it want something?");
     /// # });
     /// ```
@@ -319,7 +319,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let bits = constants(bits(1).of(grid(2, 3)), |lane| (lane < 4).into());
+    /// let bits = constants(bits(1).of(grid(2, 3)), |lane| lane < 4);
     /// m.assert(bits.columns().xor_all().pack().eq(0b11), "the parity of each row: three ones and one");
     /// # });
     /// ```
@@ -333,7 +333,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().sum().sum().eq(x.sum()), "along one axis, then along the other");
     /// # });
     /// ```
@@ -387,7 +387,7 @@ impl Along {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.columns().pack().lane(1).eq(0x543), "a row of words, one for each row of the grid");
     /// # });
     /// ```

@@ -1,5 +1,6 @@
 //! A value of a known width: what a signal holds at one moment.
 
+use crate::integers::for_integers;
 use crate::operand::{Literal, Operand, Value};
 use crate::radix::Radix;
 use std::cmp::Ordering;
@@ -379,7 +380,7 @@ macro_rules! equals_integer {
         }
     )*};
 }
-equals_integer!(u8 u16 u32 u64 usize i32 i64);
+for_integers!(equals_integer);
 
 /// Equal to 0 or 1.
 impl PartialEq<bool> for Bits {

@@ -4,6 +4,7 @@ use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
+use crate::integers::{Integer, for_integers};
 use crate::ir::{Kind, Names};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
@@ -176,12 +177,12 @@ macro_rules! numbers {
     ($($ty:ty)*) => {$(
         impl<B: Bundle> Fits<B> for $ty {
             fn given(self) -> Given<B> {
-                Given::All(self.into())
+                Given::All(self.integer())
             }
         }
     )*};
 }
-numbers!(i32 u32 u64);
+for_integers!(numbers);
 
 impl<V: Data, A: Fits<V>> Fits<Vec<V>> for Vec<A> {
     #[track_caller]

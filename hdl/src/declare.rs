@@ -432,8 +432,8 @@ pub struct NoBuild;
 
 /// A list of ports that are alike.
 #[doc(hidden)]
-pub fn list<W: Clone>(widths: W, count: impl crate::width::Count) -> Vec<W> {
-    vec![widths; count.count() as usize]
+pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
+    vec![widths; crate::integers::count(count) as usize]
 }
 
 /// The widths of an output that is declared with them, each with its path.

@@ -1,6 +1,7 @@
 //! What records are made of: leaves, and whatever has leaves.
 
 use crate::bundle::join;
+use crate::integers::for_integers;
 use crate::signal::Signal;
 use crate::width::Width;
 use crate::{Bits, Loc};
@@ -23,11 +24,14 @@ impl Leaf for Bits {}
 impl Leaf for Loc {}
 impl Leaf for String {}
 impl Leaf for bool {}
-impl Leaf for i32 {}
-impl Leaf for u32 {}
-impl Leaf for u64 {}
-impl Leaf for usize {}
 impl Leaf for u128 {}
+
+macro_rules! leaves {
+    ($($ty:ty)*) => {$(
+        impl Leaf for $ty {}
+    )*};
+}
+for_integers!(leaves);
 
 /// What [`Fields::visit`] comes across.
 ///

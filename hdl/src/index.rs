@@ -1,5 +1,6 @@
 //! Which lane a lane takes its value from, as arithmetic on its number.
 
+use crate::integers::{Integer, for_integers};
 use crate::ir::Affine;
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -22,9 +23,9 @@ pub struct Index(Option<Sum>);
 /// `(mul * i + add) / div`.
 #[derive(Debug, Clone, Copy)]
 struct Sum {
-    mul: i64,
-    add: i64,
-    div: i64,
+    mul: i128,
+    add: i128,
+    div: i128,
 }
 
 impl Index {
@@ -43,16 +44,16 @@ impl Index {
         Index(self.0.and_then(f))
     }
 
-    fn plus(self, by: i64) -> Index {
+    fn plus(self, by: i128) -> Index {
         self.then(|sum| Some(Sum { add: sum.add.checked_add(by.checked_mul(sum.div)?)?, ..sum }))
     }
 
-    fn times(self, by: i64) -> Index {
+    fn times(self, by: i128) -> Index {
         let scaled = |sum: Sum| Some(Sum { mul: sum.mul.checked_mul(by)?, add: sum.add.checked_mul(by)?, ..sum });
         self.then(|sum| if sum.div == 1 { scaled(sum) } else { None })
     }
 
-    fn over(self, by: i64) -> Index {
+    fn over(self, by: i128) -> Index {
         self.then(|sum| if by > 0 { Some(Sum { div: sum.div.checked_mul(by)?, ..sum }) } else { None })
     }
 }
@@ -63,7 +64,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn add(self, by: $ty) -> Index {
-                self.plus(by.into())
+                self.plus(by.integer())
             }
         }
 
@@ -71,7 +72,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn sub(self, by: $ty) -> Index {
-                self.plus(-i64::from(by))
+                self.plus(-by.integer())
             }
         }
 
@@ -79,7 +80,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn mul(self, by: $ty) -> Index {
-                self.times(by.into())
+                self.times(by.integer())
             }
         }
 
@@ -87,7 +88,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn div(self, by: $ty) -> Index {
-                self.over(by.into())
+                self.over(by.integer())
             }
         }
 
@@ -103,7 +104,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn sub(self, right: Index) -> Index {
-                right.times(-1).plus(self.into())
+                right.times(-1).plus(self.integer())
             }
         }
 
@@ -116,7 +117,7 @@ macro_rules! with_integers {
         }
     )*};
 }
-with_integers!(i32 u32);
+for_integers!(with_integers);
 
 #[cfg(test)]
 mod tests {

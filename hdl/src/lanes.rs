@@ -3,8 +3,9 @@
 use crate::along::Along;
 use crate::data::{Data, Layout};
 use crate::elaboration;
-use crate::fields::Fields;
+use crate::fields::{Fields, Leaf};
 use crate::index::Index;
+use crate::integers::Integer;
 use crate::ir::{Kind, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand};
@@ -14,7 +15,7 @@ use crate::shaping::{level_all, sound_shape};
 use crate::signal::{Signal, bits_text};
 use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
-use crate::width::{Count, Width};
+use crate::width::Width;
 
 /// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
 ///
@@ -85,8 +86,8 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
     })
 }
 
-/// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane as u64)`. The lanes of a grid are counted row by row.
-/// Of a record of widths, a record for each lane. What is signed, or a code, is given by its bits.
+/// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane)`. The lanes of a grid are counted row by row.
+/// Of a record of widths, a record for each lane. A code is given by its number.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Fields, Module, Width, below, bundle, constants, elaborate, row};
@@ -102,27 +103,27 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
 /// #     fn inputs(&self) {}
 /// #     fn build(&self, _: Module, (): ()) -> Position {
 /// let widths = Position { x: below(640), y: below(480) }.map(|width| width.of(row(4)));
-/// let corners = constants(widths, |i| Position { x: u64::from(i % 2) * 639, y: u64::from(i / 2) * 479 });
+/// let corners = constants(widths, |i| Position { x: i % 2 * 639, y: i / 2 * 479 });
 /// #         corners
 /// #     }
 /// # }
 /// # elaborate(&Corners).unwrap();
 /// ```
 #[track_caller]
-pub fn constants<L: Layout>(layout: L, of: impl Fn(u32) -> <L::Value as Data>::Like<u64>) -> L::Value {
+pub fn constants<L: Layout, N: Integer + Leaf>(layout: L, of: impl Fn(u32) -> <L::Value as Data>::Like<N>) -> L::Value {
     let layout = layout.layout();
     let mut fields = Vec::new();
     for (field, (_, width)) in layout.leaves().into_iter().enumerate() {
-        fields.push(row_of_constants(width, |lane| of(lane).leaves()[field].1));
+        fields.push(row_of_constants(width, |lane| of(lane).leaves()[field].1.integer()));
     }
     from_leaves(&layout, fields)
 }
 
 #[track_caller]
-fn row_of_constants(width: Width, of: impl Fn(u32) -> u64) -> Signal {
+fn row_of_constants(width: Width, of: impl Fn(u32) -> i128) -> Signal {
     let loc = Loc::caller();
     let shape = elaboration::with(|e| sound_shape(e, "a list of constants", width.shape, loc));
-    let values = crate::select::constants(width.bits, (0..shape.lanes()).map(of));
+    let values = crate::select::constants(width, (0..shape.lanes()).map(of));
     let bits = values[0].width;
     let row = |values: &[Signal]| {
         let parts = values.iter().map(|value| value.id_at(loc)).collect();
@@ -174,7 +175,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.rows().sum().pack().eq(0x753), "rows are added up, and a row is left: 0 + 3, 1 + 4, 2 + 5");
     /// m.assert(x.rows().previous(15).pack().eq(0x210_fff), "row 0 has the edge above, row 1 has row 0");
     /// # });
@@ -189,7 +190,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane.into());
+    /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// m.assert(x.columns().sum().pack().eq(0xc3), "columns are added up: 0 + 1 + 2 and 3 + 4 + 5");
     /// m.assert(x.columns().previous(15).pack().eq(0x43f_10f), "column 0 has the edge on its left");
     /// # });
@@ -305,7 +306,7 @@ of_a_row! {
     /// m.assert(digits.lane(1).eq(2), "one lane by a number; `pick` takes one by a signal");
     /// # });
     /// ```
-    fn lane(index: u32) -> Signal;
+    fn lane(index: impl Integer) -> Signal;
     /// The last lane of a row.
     ///
     /// ```
@@ -356,7 +357,7 @@ of_a_row! {
     /// m.assert(x.shifted(-1, 9).pack().eq(x.following(9).pack()), "the other way");
     /// # });
     /// ```
-    fn shifted(by: i32, edge: impl Operand) -> Signal;
+    fn shifted(by: impl Integer, edge: impl Operand) -> Signal;
     /// `count` lanes of a row: lane `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`, the parents in a tree.
     ///
     /// ```
@@ -367,7 +368,7 @@ of_a_row! {
     /// m.assert(x.take(8, |i| i / 2).pack().eq(0x44332211u64), "each lane twice");
     /// # });
     /// ```
-    fn take(count: impl Count, index: impl FnOnce(Index) -> Index) -> Signal;
+    fn take(count: impl Integer, index: impl FnOnce(Index) -> Index) -> Signal;
     /// As [`take`](Signal::take); where `index` leads beyond the ends, `edge`.
     ///
     /// ```
@@ -377,7 +378,7 @@ of_a_row! {
     /// m.assert(x.take_or(6, |i| i - 1, 9).pack().eq(0x94321_9), "a border around a row");
     /// # });
     /// ```
-    fn take_or(count: impl Count, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal;
+    fn take_or(count: impl Integer, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal;
     /// The last lane of a row first.
     ///
     /// ```
@@ -395,7 +396,7 @@ of_a_row! {
     /// # tilewright_sim::example(|m| {
     /// def!(count = m.reg(3).reset(0));
     /// count.next(count + 1);
-    /// let square = constants(bits(4).of(row(4)), |lane| u64::from(lane * lane)).pick(count);
+    /// let square = constants(bits(4).of(row(4)), |lane| lane * lane).pick(count);
     /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");
     /// m.assert(count.ge(4).implies(square.eq(0)), "there are no lanes 4 to 7");
     /// # });

@@ -135,6 +135,7 @@ pub use data::{Data, Fits, Layout};
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;
+pub use integers::Integer;
 pub use ir::{About, Design, ReadUnderWrite, Shape};
 pub use lanes::{constants, interleave, stack};
 pub use loc::Loc;
@@ -167,5 +168,5 @@ pub use stream::{Stream, StreamWire, Taken, stream};
 pub use tree::tree;
 #[doc(hidden)]
 pub use uneven::{Uneven, uneven};
-pub use width::{Count, IntoWidth, Width, below, bit, bits, index_width, up_to};
+pub use width::{IntoWidth, Width, below, bit, bits, index_width, up_to};
 pub use wire::Wire;

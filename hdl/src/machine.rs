@@ -1,11 +1,13 @@
 //! State machines: a register that holds a state, and where it goes from each.
 
 use crate::codes::Codes;
+use crate::integers::Integer;
 use crate::moves::{Exit, Moves};
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::register::Reg;
 use crate::select::select;
 use crate::signal::Signal;
+use crate::width::IntoWidth;
 use std::marker::PhantomData;
 use std::ops::Deref;
 
@@ -139,7 +141,7 @@ impl<S: Codes + Operand> StateReg<S> {
         state.operand().with_width_of(self.register.signal, "next")
     }
 
-    /// The number that `of` gives for the present state, in `width` bits.
+    /// The number that `of` gives for the present state, of that width.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -161,8 +163,8 @@ impl<S: Codes + Operand> StateReg<S> {
     /// assert_eq!(example.values("porch"), [0, 16, 48, 48]);
     /// ```
     #[track_caller]
-    pub fn constants(self, width: u32, of: impl Fn(S) -> u64) -> Signal {
-        self.choose(&crate::select::constants(width, S::ALL.iter().map(|state| of(*state))))
+    pub fn constants<N: Integer>(self, width: impl IntoWidth, of: impl Fn(S) -> N) -> Signal {
+        self.choose(&crate::select::constants(width.into_width(), S::ALL.iter().map(|state| of(*state).integer())))
     }
 
     /// The signal that `of` gives for the present state; all of one width.

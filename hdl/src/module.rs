@@ -6,6 +6,7 @@ use crate::data::Layout;
 use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
+use crate::integers::Integer;
 use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
@@ -226,18 +227,24 @@ impl Module {
     /// assert_eq!(example.values("square"), [0, 0, 1, 4, 9, 0]);
     /// ```
     #[track_caller]
-    pub fn memory<L: Layout>(self, name: &str, depth: u32, layout: L, policy: ReadUnderWrite) -> Mem<L::Value> {
-        let (layout, loc) = (layout.layout(), Loc::caller());
+    pub fn memory<L: Layout>(
+        self,
+        name: &str,
+        depth: impl Integer,
+        layout: L,
+        policy: ReadUnderWrite,
+    ) -> Mem<L::Value> {
+        let (depth, layout, loc) = (depth.integer(), layout.layout(), Loc::caller());
         let word = word(&layout, name, loc);
         let Mem { stamp, module, index, address_width, word, clock, .. } = self.words(name, depth, word, policy, loc);
         Mem { stamp, module, index, address_width, word, clock, layout }
     }
 
-    fn words(self, name: &str, depth: u32, word: Width, policy: ReadUnderWrite, loc: Loc) -> Mem {
+    fn words(self, name: &str, depth: i128, word: Width, policy: ReadUnderWrite, loc: Loc) -> Mem {
         let width = word.bits;
         elaboration::with(|e| {
             let shape = sound_shape(e, &format!("memory `{name}`"), word.shape, loc);
-            if depth == 0 || width == 0 {
+            if depth < 1 || width == 0 {
                 let problem =
                     Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
                 e.report(problem.help("depth and width are at least 1"));
@@ -246,7 +253,11 @@ impl Module {
                 let message = format!("memory `{name}` has words of {width} bits, more than {WIDEST}");
                 e.report(Problem::new(loc, message).help("spread what is wider over several words"));
             }
-            let (depth, width) = (depth.max(1), width.clamp(1, WIDEST));
+            if depth > u32::MAX.into() {
+                let message = format!("memory `{name}` has {depth} words, more than {}", u32::MAX);
+                e.report(Problem::new(loc, message).help("make wider words, or several memories"));
+            }
+            let (depth, width) = (depth.clamp(1, u32::MAX.into()) as u32, width.clamp(1, WIDEST));
             let (stamp, draft) = (e.stamp, e.draft());
             let index = draft.memories.len() as u32;
             draft.memories.push(DraftMemory {

@@ -3,6 +3,7 @@
 use crate::bits::Bits;
 use crate::draft::Draft;
 use crate::elaboration;
+use crate::integers::{Integer, for_integers};
 use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
 use crate::problem::Problem;
@@ -148,7 +149,8 @@ macro_rules! integers {
         }
     )*};
 }
-integers!(u8 u16 u32 u64 usize i8 i16 i32 i64 i128 bool);
+for_integers!(integers);
+integers!(bool);
 
 macro_rules! binary_operators {
     ($ty:ty: $($trait:ident $method:ident $op:ident),*) => {$(
@@ -182,20 +184,14 @@ macro_rules! constant_shift_amounts {
         impl ShiftAmount for $ty {
             #[track_caller]
             fn shift(self, operand: Signal, shift: Shift) -> $crate::Signal {
-                let Ok(amount) = u32::try_from(self) else { panic!("a shift by {self} bits: an amount is 0 or more") };
-                operand.shift_by(shift, amount)
+                let amount = self.integer();
+                assert!(amount >= 0, "a shift by {amount} bits: an amount is 0 or more");
+                operand.shift_by(shift, u32::try_from(amount).unwrap_or(u32::MAX))
             }
         }
     )*};
 }
-constant_shift_amounts!(i32 u64 usize);
-
-impl ShiftAmount for u32 {
-    #[track_caller]
-    fn shift(self, operand: Signal, shift: Shift) -> Signal {
-        operand.shift_by(shift, self)
-    }
-}
+for_integers!(constant_shift_amounts);
 
 macro_rules! operators {
     ($ty:ty) => {

@@ -1,6 +1,7 @@
 //! Some of a signal's bits, and more of them: whatever changes a width.
 
 use crate::elaboration;
+use crate::integers::Integer;
 use crate::ir::{Kind, Op};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
@@ -20,8 +21,8 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn bit(self, index: u32) -> Signal {
-        self.slice(index..index + 1)
+    pub fn bit(self, index: impl Integer) -> Signal {
+        self.between(index.integer(), 1)
     }
 
     /// The most significant bit.
@@ -50,18 +51,26 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn slice(self, range: Range<u32>) -> Signal {
-        if range.start >= range.end || range.end > self.width {
+    pub fn slice<N: Integer>(self, range: Range<N>) -> Signal {
+        let (low, high) = (range.start.integer(), range.end.integer());
+        self.between(low, high.saturating_sub(low))
+    }
+
+    /// So many bits from bit `low` on.
+    #[track_caller]
+    pub(crate) fn between(self, low: i128, count: i128) -> Signal {
+        let high = low.saturating_add(count);
+        if low < 0 || count < 1 || high > self.width.into() {
             return self.bits().bad_width(
-                format!("the slice {}..{} is outside of", range.start, range.end),
-                range.end.saturating_sub(range.start).max(1),
+                format!("the slice {low}..{high} is outside of"),
+                count.clamp(1, WIDEST.into()) as u32,
                 format!("a slice is `low..high` with low < high <= {}", self.width),
             );
         }
-        if range == (0..self.width) {
+        if count == self.width.into() {
             return self.bits();
         }
-        Signal::make(Op::Slice { of: self.id(), low: range.start }, range.end - range.start, self.shape)
+        Signal::make(Op::Slice { of: self.id(), low: low as u32 }, count as u32, self.shape)
     }
 
     /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
@@ -173,17 +182,23 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn repeat(self, times: u32) -> Signal {
-        if times == 0 {
-            return self.bad_width("`.repeat(0)` leaves nothing of".to_owned(), 1, "repeat at least once".to_owned());
+    pub fn repeat(self, times: impl Integer) -> Signal {
+        let times = times.integer();
+        if times < 1 {
+            return self.bad_width(
+                format!("`.repeat({times})` leaves nothing of"),
+                1,
+                "repeat at least once".to_owned(),
+            );
         }
         if times == 1 {
             return self;
         }
-        let Some(width) = self.width.checked_mul(times).filter(|width| *width <= WIDEST) else {
+        let width = times.saturating_mul(self.width.into());
+        if width > WIDEST.into() {
             let what = format!("`.repeat({times})` makes more than {WIDEST} bits of");
             return self.bad_width(what, 1, "repeat less often".to_owned());
-        };
-        Signal::make(Op::Repeat(self.id(), times), width, self.shape)
+        }
+        Signal::make(Op::Repeat(self.id(), times as u32), width as u32, self.shape)
     }
 }

@@ -5,6 +5,7 @@ use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::clock::Period;
 use crate::fields::{Fields, Leaf};
+use crate::integers::{Integer, not_negative};
 use crate::loc::Loc;
 use crate::module::port_name;
 use crate::stream::backwards;
@@ -197,9 +198,9 @@ impl<B: Block> Script<B> {
     ///
     /// As [`Script::clock`].
     #[track_caller]
-    pub fn hold(&mut self, inputs: &<B::In as Bundle>::Of<u64>, clocks: u64) {
+    pub fn hold(&mut self, inputs: &<B::In as Bundle>::Of<u64>, clocks: impl Integer) {
         self.clock(inputs);
-        self.wait(clocks - 1);
+        self.wait(clocks.integer() - 1);
     }
 
     /// From the next row on the receiver of an outgoing stream is ready, or is not; it is not at first. The stream is told by its path in
@@ -231,8 +232,8 @@ impl<B: Block> Script<B> {
     /// held.hold(&CounterIn { enable: 1 }, 5);
     /// assert_eq!(script.finish("counts to 5"), held.finish("counts to 5"));
     /// ```
-    pub fn wait(&mut self, clocks: u64) {
-        self.at_ps += clocks * self.period;
+    pub fn wait(&mut self, clocks: impl Integer) {
+        self.at_ps += not_negative(clocks) as u64 * self.period;
     }
 
     /// The scenario written so far.

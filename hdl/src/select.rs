@@ -4,6 +4,7 @@ use crate::bits::Bits;
 use crate::data::{Data, Fits, Given};
 use crate::elaboration;
 use crate::fields::Fields;
+use crate::integers::Integer;
 use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
@@ -13,9 +14,10 @@ use crate::radix::Radix;
 use crate::record::from_leaves;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
-use crate::width::{IntoWidth, index_width};
+use crate::width::{IntoWidth, Width, index_width};
 
-/// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give.
+/// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give. It is signed if the width
+/// is.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -23,25 +25,27 @@ use crate::width::{IntoWidth, index_width};
 /// let byte = lit(8, 5);
 /// let page = lit(below(12), 5);
 /// m.assert(byte.eq(page.zext(8)), "12 pages are numbered by 4 bits");
+/// m.assert(lit(bits(8).signed(), -5).lt(0), "a number below 0 needs a width that is signed");
 /// // Beside a signal a plain number does: it takes the width of the signal.
 /// m.assert((byte + 1).eq(6), "no width is said twice");
 /// # });
 /// ```
 #[track_caller]
-pub fn lit(width: impl IntoWidth, value: u64) -> Signal {
-    constants(width.into_width().bits, [value])[0]
+pub fn lit(width: impl IntoWidth, value: impl Integer) -> Signal {
+    constants(width.into_width(), [value.integer()])[0]
 }
 
-/// Constants of `width` bits; what is wrong with the width is one problem for all of them.
+/// Constants of that width, which are signed if it is; what is wrong with the width is one problem for all of them.
 #[track_caller]
-pub(crate) fn constants(width: u32, values: impl IntoIterator<Item = u64>) -> Vec<Signal> {
+pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) -> Vec<Signal> {
     let loc = Loc::caller();
-    let sound = elaboration::with(|e| sound_width(e, &[], "a constant", width.into(), loc));
+    let sound = elaboration::with(|e| sound_width(e, &[], "a constant", width.bits.into(), loc));
+    let kind = if width.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
     // A loop, as a closure would be the caller that messages name.
     let mut signals = Vec::new();
     for value in values {
-        let value = if sound == width { value } else { 0 };
-        signals.push(Literal::Integer(value.into(), Radix::Any).sized(sound, Kind::Number));
+        let value = if sound == width.bits { value } else { 0 };
+        signals.push(Literal::Integer(value, Radix::Any).sized(sound, kind));
     }
     signals
 }
@@ -230,7 +234,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 }
 
 /// The value of the arm whose key equals `subject`, else `default`: signals, numbers, or records, of which each field is
-/// chosen. Keys must differ. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
+/// chosen. A key is a value of the subject, negative where that is signed; no two are alike. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -242,24 +246,27 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 /// # });
 /// ```
 #[track_caller]
-pub fn case<V: Data, A: Fits<V>>(
+pub fn case<V: Data, K: Integer, A: Fits<V>>(
     subject: impl IntoSignal,
-    arms: impl IntoIterator<Item = (u64, A)>,
+    arms: impl IntoIterator<Item = (K, A)>,
     default: impl Fits<V>,
 ) -> V {
     let (loc, subject) = (Loc::caller(), subject.into());
-    let (keys, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
-    for (i, key) in keys.iter().enumerate() {
-        let problem = if Bits::new(subject.width, *key) != *key {
-            format!("the key {key} of `case` does not fit in {}", bits_text(subject.width))
-        } else if keys[..i].contains(key) {
-            format!("the key {key} of `case` stands twice")
+    let (numbers, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
+    let mut keys = Vec::with_capacity(numbers.len());
+    for number in numbers {
+        let (key, fits) = Literal::Integer(number.integer(), Radix::Any).bits(subject.width, subject.kind);
+        let problem = if !fits {
+            Some(format!("the key {number} of `case` does not fit in {}", bits_text(subject.width)))
         } else {
-            continue;
+            keys.contains(&key).then(|| format!("the key {number} of `case` stands twice"))
         };
-        elaboration::with(|e| e.report(Problem::new(loc, problem).help("each key is a value of the subject, once")));
+        keys.push(key);
+        if let Some(problem) = problem {
+            let problem = Problem::new(loc, problem).help("each key is a value of the subject, once");
+            elaboration::with(|e| e.report(problem));
+        }
     }
-    let keys: Vec<_> = keys.into_iter().map(|key| Bits::new(subject.width, key)).collect();
     by_value(subject, &keys, given(values, default), "case")
 }
 

@@ -1,18 +1,18 @@
 //! Lanes of values that meet: a plain one is the same in every lane, anything else has to be spelled.
 
 use crate::elaboration::{self, Elaboration};
+use crate::integers::{Integer, count};
 use crate::ir::{Op, Shape};
 use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::signal::Signal;
-use crate::width::Count;
 
 /// So many lanes side by side.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let index = constants(bits(8).of(row(4)), |lane| lane.into());
+/// let index = constants(bits(8).of(row(4)), |lane| lane);
 /// m.assert(index.sum().eq(6), "0 + 1 + 2 + 3");
 /// # });
 /// ```
@@ -21,8 +21,8 @@ use crate::width::Count;
 ///
 /// The number is negative.
 #[track_caller]
-pub fn row(lanes: impl Count) -> Shape {
-    Shape::Row(extent(lanes))
+pub fn row(lanes: impl Integer) -> Shape {
+    Shape::Row(count(lanes))
 }
 
 /// So many rows of so many columns.
@@ -30,7 +30,7 @@ pub fn row(lanes: impl Count) -> Shape {
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
-/// let index = constants(bits(8).of(grid(2, 3)), |lane| lane.into());
+/// let index = constants(bits(8).of(grid(2, 3)), |lane| lane);
 /// m.assert(index.rows().lane(1).lane(0).eq(3), "row by row: the second row begins with lane 3");
 /// # });
 /// ```
@@ -39,14 +39,8 @@ pub fn row(lanes: impl Count) -> Shape {
 ///
 /// A number is negative.
 #[track_caller]
-pub fn grid(rows: impl Count, columns: impl Count) -> Shape {
-    Shape::Grid(extent(rows), extent(columns))
-}
-
-/// What no extent can be is a problem of what has it.
-#[track_caller]
-pub(crate) fn extent(count: impl Count) -> u32 {
-    u32::try_from(count.count()).unwrap_or(u32::MAX)
+pub fn grid(rows: impl Integer, columns: impl Integer) -> Shape {
+    Shape::Grid(count(rows), count(columns))
 }
 
 /// What says how many lanes there are: [`row`], [`grid`], or a number for a row of so many.
@@ -71,7 +65,7 @@ impl IntoShape for Shape {
     }
 }
 
-impl<N: Count> IntoShape for N {
+impl<N: Integer> IntoShape for N {
     #[track_caller]
     fn into_shape(self) -> Shape {
         row(self)
@@ -114,7 +108,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let index = constants(bits(8).of(row(4)), |lane| lane.into());
+    /// let index = constants(bits(8).of(row(4)), |lane| lane);
     /// let last = index.shape().lanes() - 1;
     /// m.assert(index.lane(last).eq(3), "a helper needs not be told how many lanes there are");
     /// # });
@@ -158,13 +152,13 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let x = constants(bits(8).of(row(3)), |x| x.into()).to_rows(2);
+    /// let x = constants(bits(8).of(row(3)), |x| x).to_rows(2);
     /// m.assert(x.pack().eq(0x020100_020100u64), "both rows are 0, 1, 2");
     /// # });
     /// ```
     #[track_caller]
-    pub fn to_rows(self, rows: impl Count) -> Signal {
-        self.repeated(0, extent(rows), "to_rows")
+    pub fn to_rows(self, rows: impl Integer) -> Signal {
+        self.repeated(0, count(rows), "to_rows")
     }
 
     /// The row stood upright, as each of `columns` columns of a grid: lane `i` is the whole of row `i`.
@@ -172,13 +166,13 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let y = constants(bits(8).of(row(2)), |y| y.into()).to_columns(3);
+    /// let y = constants(bits(8).of(row(2)), |y| y).to_columns(3);
     /// m.assert(y.pack().eq(0x010101_000000u64), "a row of zeros and a row of ones");
     /// # });
     /// ```
     #[track_caller]
-    pub fn to_columns(self, columns: impl Count) -> Signal {
-        self.repeated(1, extent(columns), "to_columns")
+    pub fn to_columns(self, columns: impl Integer) -> Signal {
+        self.repeated(1, count(columns), "to_columns")
     }
 
     #[track_caller]

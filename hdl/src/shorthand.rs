@@ -2,6 +2,7 @@
 
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
+use crate::integers::Integer;
 use crate::ir::{Binary, Op, Unary};
 use crate::module::Module;
 use crate::operand::{IntoSignal, Operand};
@@ -35,8 +36,8 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn part(self, low: u32, width: impl IntoWidth) -> Signal {
-        self.slice(low..low.saturating_add(width.into_width().bits()))
+    pub fn part(self, low: impl Integer, width: impl IntoWidth) -> Signal {
+        self.between(low.integer(), width.into_width().bits().into())
     }
 
     /// The bits moved up by so many places; those that leave at the top come back at the bottom.
@@ -50,14 +51,8 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn rotate_left(self, places: u32) -> Signal {
-        match places % self.width() {
-            0 => self,
-            places => {
-                let kept = self.width() - places;
-                concat(&[self.part(0, kept), self.part(kept, places)])
-            }
-        }
+    pub fn rotate_left(self, places: impl Integer) -> Signal {
+        self.rotated(places_in(self.width(), places))
     }
 
     /// The bits moved down by so many places; those that leave at the bottom come back at the top.
@@ -71,8 +66,18 @@ impl Signal {
     /// # });
     /// ```
     #[track_caller]
-    pub fn rotate_right(self, places: u32) -> Signal {
-        self.rotate_left(self.width() - places % self.width())
+    pub fn rotate_right(self, places: impl Integer) -> Signal {
+        self.rotated((self.width() - places_in(self.width(), places)) % self.width())
+    }
+
+    /// Rotated to the left by fewer places than there are bits.
+    #[track_caller]
+    fn rotated(self, places: u32) -> Signal {
+        if places == 0 {
+            return self;
+        }
+        let kept = self.width() - places;
+        concat(&[self.part(0, kept), self.part(kept, places)])
     }
 
     /// 1 bit: `other` holds, or this does not; for what must hold, as in `m.assert(take.implies(!full), ..)`.
@@ -94,6 +99,14 @@ impl Signal {
         let not = Signal::make(Op::Unary(Unary::Not, this.id()), 1, this.shape);
         Signal::make(Op::Binary(Binary::Or, not.id(), other.id()), 1, this.shape)
     }
+}
+
+/// What is left of a rotation by so many places without those that go once around.
+#[track_caller]
+fn places_in(width: u32, places: impl Integer) -> u32 {
+    let places = places.integer();
+    assert!(places >= 0, "a rotation by {places} places: `rotate_left` and `rotate_right` take 0 or more");
+    (places % i128::from(width)) as u32
 }
 
 impl Module {

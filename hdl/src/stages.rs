@@ -5,6 +5,7 @@ use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration::draft;
 use crate::fields::Fields;
+use crate::integers::{self, Integer};
 use crate::ir::{NodeId, Op};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
@@ -124,7 +125,7 @@ impl Module {
     #[track_caller]
     pub fn stages<B: Bundle>(
         self,
-        count: u32,
+        count: impl Integer,
         enable: impl Into<Option<Signal>>,
         start: impl Into<Start<B>>,
         stage: impl Fn(u32, B) -> B,
@@ -136,8 +137,9 @@ impl Module {
             *enable = condition(*enable, "stages");
         }
         let Start { mut record, name, cleared } = start.into();
+        let stages = integers::count(count);
         let pipeline = Pipeline::begin(enable, &record, loc);
-        for number in 1..=count {
+        for number in 1..=stages {
             let next = stage(number, record);
             let registers = self.stage_registers(pipeline, number, &name, &next, loc);
             for (field, register) in registers.iter().enumerate() {

@@ -1,6 +1,7 @@
 //! Pipelines between streams: each stage holds what it has while the next one is full.
 
 use crate::data::Data;
+use crate::integers::{self, Integer};
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::record::from_leaves;
@@ -61,14 +62,15 @@ impl Module {
     #[track_caller]
     pub fn stream_stages<P: Data>(
         self,
-        count: u32,
+        count: impl Integer,
         start: impl Into<Start<Stream<P>>>,
         stage: impl Fn(u32, P) -> P,
     ) -> Stream<P> {
         let loc = Loc::caller();
+        let stages = integers::count(count);
         let Start { record: mut stream, name, .. } = start.into();
         let pipeline = Pipeline::begin(None, &stream.payload, loc);
-        for number in 1..=count {
+        for number in 1..=stages {
             let full = self.register(&port_name(&name, &format!("full{number}")), bit(), loc).reset(0);
             let next = stage(number, stream.payload.clone());
             let registers = self.stage_registers(pipeline, number, &name, &next, loc);

@@ -27,7 +27,7 @@ impl Block for Shapes {
         let (a, b, which) = (i.a, i.b, i.which);
         let sum = a + b;
         let chain = (1..9).fold(a, |x, step| (x ^ (b + step)) & (a | (b - step)));
-        let masked = (i.wide.slice(0..64) & lit(64, 0x1234_5678_9abc_def0)).slice(0..10);
+        let masked = (i.wide.slice(0..64) & lit(64, 0x1234_5678_9abc_def0_u64)).slice(0..10);
         let signs = cat![(a ^ b).sext(12), a.slice(1..5).sext(8), a.bit(0).sext(4), b.sext(9), which.sext(32)];
         let signed = (a + 1).signed().lt((b + 1).signed()) & (b ^ 3).signed().ge((a ^ 5).signed());
         let ordered = a.signed().lt(b.signed()) ^ a.signed().gt(3) ^ b.signed().le(-2);

@@ -8,6 +8,7 @@ mod common;
 mod elaborations;
 mod handles;
 mod instances;
+mod integers;
 mod kinds;
 mod lists;
 mod loops;

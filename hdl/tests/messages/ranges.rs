@@ -29,7 +29,7 @@ block! {
 impl Queue {
     fn build(&self, m: Module, i: QueueIn) -> QueueOut {
         let most = self.width - 1;
-        QueueOut { shown: m.pipe("held", i.word) & lit(i.word.width(), most.into()) }
+        QueueOut { shown: m.pipe("held", i.word) & lit(i.word.width(), most) }
     }
 }
 

@@ -133,7 +133,7 @@ impl Block for Chain {
     }
 
     fn build(&self, m: Module, i: ChainIn) -> ChainOut {
-        let [shifts, writes] = [!self.is_of_memories, self.is_of_memories].map(|does| i.go & lit(1, does.into()));
+        let [shifts, writes] = [!self.is_of_memories, self.is_of_memories].map(|does| i.go & lit(1, does));
         let row = row(self.lanes);
         let start = i.x + constants(bits(8).of(row), u64::from);
         let end = (0..7).fold(start, |before, number| m.pipe_when(shifts, &format!("row{number}"), before));

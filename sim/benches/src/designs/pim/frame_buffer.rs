@@ -61,7 +61,7 @@ impl FrameBuffer {
     /// A patch's number.
     fn patch(&self, column: Signal, row: Signal) -> Signal {
         let width = index_width(self.patches().into());
-        let before = row.times(lit(up_to(self.columns), self.columns.into()));
+        let before = row.times(lit(up_to(self.columns), self.columns));
         before.trunc(width) + column.zext(width)
     }
 

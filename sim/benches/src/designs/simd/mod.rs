@@ -38,7 +38,7 @@ impl Simd {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let issued = m.instance("u_sequencer", &Sequencer, SequencerIn { rst: i.rst });
         let Plane { a, b, c } = issued.plane;
-        let columns: Vec<_> = (0..self.edge).map(|x| a.times(lit(8, x.into())).trunc(8) + c).collect();
+        let columns: Vec<_> = (0..self.edge).map(|x| a.times(lit(8, x)).trunc(8) + c).collect();
         let rows = m.array("u_row", self.edge, &Row { processors: self.edge }, |_| RowIn {
             rst: i.rst,
             instruction: issued.instruction,

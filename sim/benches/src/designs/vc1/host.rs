@@ -91,7 +91,7 @@ impl Host {
                 start: phase.is(Phase::Start),
                 swap: phase.is(Phase::Show),
                 read_address: *address,
-                background: lit(WORD, 0xffff_ff10_2030),
+                background: lit(WORD, 0xffff_ff10_2030_u64),
             },
             csum: *csum,
         }

@@ -1,0 +1,41 @@
+//! Numbers that no place, width or value can be.
+
+use crate::common::*;
+use tilewright_hdl::*;
+
+#[test]
+fn numbers_that_fit_nowhere() {
+    let cases: [(&str, Build); 16] = [
+        ("the slice -1..0 is outside of `a`, which has 8 bits", |_, i| i.a.bit(-1)),
+        ("the slice 4294967296..4294967297 is outside of `a`, which has 8 bits", |_, i| i.a.bit(1u64 << 32)),
+        ("the slice -2..3 is outside of `a`, which has 8 bits", |_, i| i.a.slice(-2..3)),
+        ("the slice -4..4 is outside of `a`, which has 8 bits", |_, i| i.a.part(-4, 8)),
+        ("`.repeat(-1)` leaves nothing of `a`, which has 8 bits", |_, i| i.a.repeat(-1)),
+        ("`.repeat(4294967297)` makes more than 1048576 bits of `a`", |_, i| i.a.repeat((1u64 << 32) + 1)),
+        ("lane -1 of a signal of 3 lanes", |_, i| i.a.of(3).lane(-1)),
+        ("lane 4294967296 of a signal of 3 lanes", |_, i| i.a.of(3).lane(1u64 << 32)),
+        ("`-1` does not fit in 8 bits, unsigned", |_, _| lit(8, -1)),
+        ("`128` does not fit in 8 bits, signed", |_, _| lit(bits(8).signed(), 128).bits()),
+        ("`256` does not fit in 8 bits, unsigned", |_, _| constants(bits(8).of(4), |lane| 254 + lane).sum()),
+        ("`-1` does not fit in 8 bits, unsigned", |_, _| constants(bits(8).of(4), |_| -1).sum()),
+        ("the key -1 of `case` does not fit in 8 bits", |_, i| case(i.a, [(-1, i.a)], 0)),
+        ("the key 255 of `case` does not fit in 8 bits", |_, i| case(i.a.signed(), [(255, i.a)], 0)),
+        ("memory `words` of -4 words of 8 bits holds nothing", |m, i| {
+            m.memory("words", -4, 8, ReadUnderWrite::Old).read(i.c)
+        }),
+        ("memory `words` has 4294967296 words, more than 4294967295", |m, i| {
+            m.memory("words", 1u64 << 32, 1, ReadUnderWrite::Old).read(i.a.zext(32))
+        }),
+    ];
+    for (message, build) in cases {
+        let text = problems(&Case(build));
+        let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
+        assert!(first.starts_with(message) && place.starts_with('['), "{text}");
+    }
+}
+
+#[test]
+#[should_panic(expected = "a rotation by -1 places: `rotate_left` and `rotate_right` take 0 or more")]
+fn rotations_by_less_than_nothing() {
+    let _ = elaborate(&Case(|_, i| i.a.rotate_right(-1)));
+}
