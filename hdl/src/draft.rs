@@ -42,6 +42,8 @@ pub(crate) struct Draft {
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
     pub in_problems: BTreeSet<NodeId>,
+    /// The zeros that stand for a faulty expression, whose problem is reported.
+    pub stand_ins: BTreeSet<NodeId>,
 }
 
 pub(crate) struct DraftRegister {
@@ -110,6 +112,7 @@ impl Draft {
             pipelines: Pipelines::default(),
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
+            stand_ins: BTreeSet::new(),
         }
     }
 
@@ -146,6 +149,20 @@ impl Draft {
         let id = self.clock(clock);
         self.clock_used[id.0 as usize] = true;
         id
+    }
+
+    /// Whether one of the nodes is computed from what stands for a faulty expression. What a register holds or a wire carries is declared.
+    pub fn follows_a_problem(&self, nodes: &[NodeId]) -> bool {
+        let (mut open, mut seen) = (nodes.to_vec(), BTreeSet::new());
+        while let (false, Some(node)) = (self.stand_ins.is_empty(), open.pop()) {
+            if self.stand_ins.contains(&node) {
+                return true;
+            }
+            if seen.insert(node) && !matches!(self.node(node).op, Op::Wire(_)) {
+                self.node(node).op.for_each_operand(|operand| open.push(operand));
+            }
+        }
+        false
     }
 
     /// The name of a clock for messages.

@@ -146,9 +146,13 @@ impl Elaboration {
         self.problems.push(problem);
     }
 
-    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used.
+    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used. Where one of them is
+    /// itself what stands in for another, that one's problem is enough.
     pub fn report_instead_of(&mut self, operands: &[NodeId], problem: Problem) {
-        self.draft().in_problems.extend(operands);
-        self.report(problem);
+        let draft = self.draft();
+        draft.in_problems.extend(operands);
+        if !draft.follows_a_problem(operands) {
+            self.report(problem);
+        }
     }
 }

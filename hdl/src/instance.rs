@@ -262,7 +262,12 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Lo
     let draft = e.draft();
     let (instance, node) = (&draft.instances[id.0 as usize], draft.node(driver));
     let (name, text) = (&instance.name, draft.describe(driver));
-    let shape = instance.shape.beside(port.shape).unwrap_or(instance.shape);
+    let Some(shape) = instance.shape.beside(port.shape) else {
+        let (name, array) = (name.clone(), instance.shape);
+        draft.in_problems.insert(driver);
+        beside(e, &name, array, port, loc);
+        return zero(e, id, port, loc);
+    };
     let (message, help) = if node.width != port.width {
         let (needs, has) = (bits_text(port.width), bits_text(node.width));
         let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);

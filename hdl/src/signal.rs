@@ -76,7 +76,9 @@ impl Signal {
 
     /// A zero, where a mistake leaves nothing better.
     pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, kind: Kind, loc: Loc) -> Signal {
-        Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc).kept_in(e, kind)
+        let zero = Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc).kept_in(e, kind);
+        e.draft().stand_ins.insert(zero.node);
+        zero
     }
 
     /// The handle of a node of the module under construction.

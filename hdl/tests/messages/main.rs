@@ -17,6 +17,7 @@ mod outputs;
 mod properties;
 mod ranges;
 mod records;
+mod remedies;
 mod reports;
 mod shapes;
 mod stages;
