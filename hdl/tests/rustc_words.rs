@@ -23,7 +23,14 @@ pub fn build(m: Module, a: Signal, pair: Pair) {
     let _ = count == 3;
     let _ = a < count;
     assert!(pair.y >= 1);
+    m.reg(TEXT, pair.clone());
+    let _ = mux(lit(1, 1), pair.clone(), a);
+    of_a_record(a);
+    let _ = bits(8).of(2.5);
+    let _ = lit(8, 2.5);
+    let _ = a.bit(a);
 }
+fn of_a_record<B: Bundle>(_: B) {}
 const TEXT: &str = stringify!(words);
 ";
 const NOT_COMPARED: &str = "signals are not compared by `==`, `<` and their like, which give a `bool`";
@@ -44,6 +51,20 @@ fn rustc_says_what_to_write() {
         ("let _ = a < count;", NOT_COMPARED, "`a.lt(b)`"),
         ("assert!(pair.y >= 1);", NOT_COMPARED, "`a.ge(b)`"),
         ("m.reg(TEXT, a);", "`tilewright_hdl::Signal` is no width", "a width is a number of bits"),
+        (
+            "m.reg(TEXT, pair.clone());",
+            "nothing can be declared with a `Pair`",
+            "as in `Entry { resident: bit(), page:",
+        ),
+        (
+            "pair.clone(), a);",
+            "`tilewright_hdl::Signal` cannot be given where a `Pair` is wanted",
+            "a record is given a",
+        ),
+        ("of_a_record(a);", "`tilewright_hdl::Signal` is no record of signals", "is a struct that `bundle!` makes"),
+        ("bits(8).of(2.5);", "`{float}` does not say how many lanes there are", "`row(n)`, or `grid(rows, columns)`"),
+        ("lit(8, 2.5);", "a `{float}` is no integer", "known while the block is built"),
+        ("a.bit(a);", "a `tilewright_hdl::Signal` is no integer", "known while the block is built"),
     ] {
         let found =
             said.split("\n\n").any(|error| error.contains(message) && error.contains(remedy) && error.contains(line));
@@ -66,8 +87,30 @@ fn what_it_names_compiles() {
         .replace("*count != 3", "count.ne(3)")
         .replace("count == 3", "count.eq(3)")
         .replace("a < count", "a.lt(count)")
-        .replace("assert!(pair.y >= 1);", "let _ = pair.y.ge(1);");
+        .replace("assert!(pair.y >= 1);", "let _ = pair.y.ge(1);")
+        .replace("m.reg(TEXT, pair.clone())", "let _ = m.reg(TEXT, Pair { x: bit(), y: bit() })")
+        .replace("pair.clone(), a)", "pair.x, a)")
+        .replace("of_a_record(a)", "of_a_record(pair)")
+        .replace("of(2.5)", "of(2)")
+        .replace("lit(8, 2.5)", "lit(8, 2)")
+        .replace("a.bit(a)", "a.bit(1)");
     assert_eq!(compile(&right), "");
+}
+
+/// A test with a process where a group of them is wanted.
+const NO_GROUP: &str = r"
+use tilewright_sim::Testbench;
+pub fn test(t: Testbench) {
+    t.run(t.wait(3));
+}
+";
+
+#[test]
+fn rustc_says_how_processes_are_run() {
+    let said = compile(NO_GROUP);
+    assert!(said.contains("is no group of processes") && said.contains("t.run(t.wait(3));"), "{said}");
+    assert!(said.contains("and one alone is `(process,)`"), "{said}");
+    assert_eq!(compile(&NO_GROUP.replace("(t.wait(3))", "((t.wait(3),))")), "");
 }
 
 /// What rustc says of a crate with this text.
@@ -80,8 +123,10 @@ fn compile(text: &str) -> String {
     let rustc = std::env::var_os("RUSTC").unwrap_or("rustc".into());
     let output = Command::new(rustc)
         .args(["--edition", "2024", "--crate-type", "lib", "--emit", "metadata", "--cap-lints", "allow"])
-        .arg("--extern")
-        .arg(format!("tilewright_hdl={}", library(&beside).display()))
+        .args(
+            ["tilewright_hdl", "tilewright_sim"]
+                .map(|name| format!("--extern={name}={}", library(name, &beside).display())),
+        )
         .arg("-L")
         .arg(format!("dependency={}", beside.display()))
         .arg("--out-dir")
@@ -92,12 +137,12 @@ fn compile(text: &str) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// The newest of the libraries that were built for tests.
-fn library(beside: &std::path::Path) -> PathBuf {
+/// The newest of the libraries of that name that were built for tests.
+fn library(name: &str, beside: &std::path::Path) -> PathBuf {
     let files = std::fs::read_dir(beside).unwrap().map(|entry| entry.unwrap().path());
     let is_library = |path: &PathBuf| {
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        name.starts_with("libtilewright_hdl-") && name.ends_with(".rlib")
+        let file = path.file_name().unwrap().to_string_lossy().into_owned();
+        file.starts_with(&format!("lib{name}-")) && file.ends_with(".rlib")
     };
     let built = |path: &PathBuf| path.metadata().and_then(|file| file.modified()).unwrap_or(SystemTime::UNIX_EPOCH);
     files.filter(is_library).max_by_key(built).expect("the library is built before its tests")

@@ -24,6 +24,10 @@ fn registers() {
     refused("`Phase` has 5 codes, which do not fit into 2 bits", |it| named(it, &["A", "B", "C", "D", "E"]));
     refused("`Phase` has 0 codes, which do not fit into 2 bits", |it| named(it, &[]));
     refused("`Phase` has a code whose name is not legal", |it| named(it, &["a b"]));
+    refused("`top.phase` has the attribute `no name`, which is no plain name", |it| {
+        let attribute = Attribute { name: "no name".to_owned(), value: "1".to_owned() };
+        it.top().registers[0].attributes.push(attribute);
+    });
     refused("`top.register 0` has node 0, which is something else", |it| {
         let (node, input) = (it.top().registers[0].node.0 as usize, NodeId(0));
         it.top().registers[0].node = input;
@@ -38,6 +42,9 @@ fn registers() {
 #[test]
 fn memories() {
     let memory = |it: &mut Edit, change: fn(&mut Memory)| change(&mut it.top().memories[0]);
+    refused("memory `top.words` has the attribute `begin`, which is no plain name", |it| {
+        memory(it, |m| m.attributes.push(Attribute { name: "begin".to_owned(), value: "1".to_owned() }));
+    });
     refused("memory `top.words` has no words", |it| memory(it, |m| m.depth = 0));
     refused("memory `top.words` has words of 0 bits, not 1 to 1048576", |it| memory(it, |m| m.width = 0));
     refused("memory `top.words` has 5 words, but contents of 6", |it| {

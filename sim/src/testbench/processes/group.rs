@@ -24,10 +24,6 @@ use super::{Testbench, Turn};
 /// assert_eq!(t.time(), 100_000);
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
-#[diagnostic::on_unimplemented(
-    message = "a `{Self}` is no process",
-    note = "a process is an `async` block, what methods such as `t.send_all(..)` give, or a `monitor` of one"
-)]
 pub trait Process {
     /// What it gives when it ends.
     type Output;
