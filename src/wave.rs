@@ -8,8 +8,8 @@ use crate::shell::output::{Output, Waveform, quoted};
 use crate::shell::place::{beside, check_distinct, shown};
 use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
-use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -17,7 +17,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
 use tilewright_hdl::catalog::{Entry, Values};
-use tilewright_sim::{Probe, Simulation};
+use tilewright_sim::{Probe, Simulation, WaveRadix};
 
 /// Runs a block's scenario and shows it as a waveform
 #[derive(Args)]
@@ -25,11 +25,12 @@ use tilewright_sim::{Probe, Simulation};
 Examples:
   tilewright wave merging-unit -o mu.vcd
   tilewright wave merging-unit --ascii
+  tilewright wave merging-unit --ascii --radix decimal
   tilewright wave merging-unit --ascii --engine both
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values in --ascii waves are hexadecimal. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
+One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values in --ascii waves are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
 the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
@@ -37,9 +38,12 @@ pub struct Wave {
     /// The waveform, a VCD file; `-` is standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
-    /// Print the ports' waves as text, values in hexadecimal
+    /// Print the ports' waves as text
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
+    /// What the numbers of --ascii are written in [default: hex, and decimal where they are signed]
+    #[arg(long, value_enum, value_name = "RADIX", requires = "ascii")]
+    radix: Option<Radix>,
     #[command(flatten)]
     engine: EngineArguments,
     /// Print the report as JSON
@@ -47,6 +51,27 @@ pub struct Wave {
     json: bool,
     #[command(flatten)]
     filters: TraceOptions,
+}
+
+/// A radix by its name on the command line.
+#[derive(Clone, Copy, ValueEnum)]
+enum Radix {
+    /// Decimal
+    Decimal,
+    /// Hexadecimal
+    Hex,
+    /// Binary
+    Binary,
+}
+
+impl From<Radix> for WaveRadix {
+    fn from(radix: Radix) -> WaveRadix {
+        match radix {
+            Radix::Decimal => WaveRadix::Decimal,
+            Radix::Hex => WaveRadix::Hexadecimal,
+            Radix::Binary => WaveRadix::Binary,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -78,7 +103,7 @@ impl Wave {
         let (entry, values) = self.block.find()?;
         let scenario = entry.scenario(&values)?;
         let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
-        let text = if self.ascii { Some(record_ports(&mut sim, &scenario)?) } else { None };
+        let text = if self.ascii { Some(self.record_ports(&mut sim, &scenario)?) } else { None };
         let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
         let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
         let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
@@ -109,6 +134,20 @@ impl Wave {
         Ok(Exit::Done)
     }
 
+    fn record_ports(&self, sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
+        check_length(sim, scenario, "a wave in text")?;
+        let program = sim.program();
+        let ports = program.inputs.iter().chain(&program.outputs);
+        // A port that has lanes is shown lane by lane.
+        let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
+        let probes: Vec<Probe> = ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
+        let wave = sim.record(probes);
+        Ok(match self.radix {
+            Some(radix) => wave.radix_of_all(radix.into()),
+            None => wave,
+        })
+    }
+
     /// The save file for the waveform, which has that header and ends at `end` picoseconds.
     fn save_file(&self, header: &[u8], end: u64) -> String {
         let (waveform, times) = (self.output.as_deref().unwrap_or(Path::new("")), self.filters.times());
@@ -135,16 +174,6 @@ fn is_ours(path: &Path) -> bool {
         ));
     }
     ours
-}
-
-fn record_ports(sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
-    check_length(sim, scenario, "a wave in text")?;
-    let program = sim.program();
-    let ports = program.inputs.iter().chain(&program.outputs);
-    // A port that has lanes is shown lane by lane.
-    let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
-    let probes: Vec<Probe> = ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
-    Ok(sim.record(probes))
 }
 
 /// The lines that open a waveform.

@@ -168,7 +168,7 @@ pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
     Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
-    Simulation, Testbench, UnknownName, Vcd, Violation, Wave, monitor,
+    Simulation, Testbench, UnknownName, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]
 pub use testbench::{Traced, example, for_examples, traced};

@@ -86,6 +86,8 @@ const CASES: &[(&str, &[&str])] = &[
     ),
     ("wave mergin-unit --ascii", &["'mergin-unit'", "a similar value exists: 'merging-unit'"]),
     ("wave merging-unit", &["-o FILE", "pass --ascii"]),
+    ("wave merging-unit --ascii --radix octal", &["'octal' for '--radix <RADIX>'", "decimal, hex, binary"]),
+    ("wave merging-unit -o mu.vcd --radix hex", &["--ascii"]),
     ("wave merging-unit --json", &["-o FILE", "pass --ascii"]),
     ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),
     (

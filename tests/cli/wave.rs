@@ -38,6 +38,19 @@ fn text_shows_the_ports() {
 }
 
 #[test]
+fn text_has_the_radix_that_is_asked_for() {
+    let folder = Folder::new();
+    let row = |options: &str, name: &str| {
+        let text = folder.stdout(&format!("wave merging-unit --ascii {options}"));
+        text.lines().find(|line| line.starts_with(name)).unwrap().to_owned()
+    };
+    assert_eq!(row("", "right "), row("--radix hex", "right "));
+    assert!(row("", "right ").contains("| 63 | 3  | 62 |"));
+    assert!(row("--radix decimal", "right ").contains("| 99 | 3  | 98 |"));
+    assert!(row("--radix binary", "right ").contains("| 1100011 | 11      | 1100010 |"));
+}
+
+#[test]
 fn every_block_that_is_listed_can_be_run() {
     let folder = Folder::new();
     let lists = folder.json("list --json");

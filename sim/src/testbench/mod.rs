@@ -33,4 +33,4 @@ pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
 pub use processes::{Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;
-pub use trace::{Recorder, Vcd, Wave};
+pub use trace::{Recorder, Vcd, Wave, WaveRadix};

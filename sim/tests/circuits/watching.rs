@@ -1,8 +1,8 @@
 //! Waves and recordings of a part of a run, and how mistakes of a testbench read.
 
 use tilewright_hdl::recording::Initial;
-use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle};
-use tilewright_sim::{Batch, Simulation};
+use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, codes, goto, stack};
+use tilewright_sim::{Batch, Simulation, WaveRadix};
 
 bundle! {
     pub struct SumIn<T> { pub add: Vec<T>, pub at: T }
@@ -114,6 +114,86 @@ fn a_wave_in_decimal() {
         clk |____/~~\\_/
         sum | 0  | 99 |",
     );
+}
+
+codes! { enum Phase { Idle, Run, Done } }
+
+bundle! {
+    pub struct Pixel<T> { pub z: T, pub rgb: T }
+    pub struct StepIn<T> { pub z: T }
+    pub struct StepOut<T> { pub phase: T, pub pixel: Pixel<T>, pub depth: T, pub lanes: T }
+}
+
+/// Goes through three phases with a pixel, and with a depth that falls below 0.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Step;
+
+impl Block for Step {
+    type In = StepIn;
+    type Out = StepOut;
+
+    fn inputs(&self) -> StepIn<Width> {
+        StepIn { z: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: StepIn) -> StepOut {
+        let phase = m.fsm("phase", Phase::Idle);
+        phase.next(|phase| match phase {
+            Phase::Idle => goto(Phase::Run),
+            Phase::Run | Phase::Done => goto(Phase::Done),
+        });
+        let pixel = m.reg("pixel", Pixel { z: bits(8), rgb: bits(24) }).reset(0);
+        pixel.next(Pixel { z: i.z, rgb: cat!(i.z, i.z, i.z) });
+        let depth = m.reg("depth", bits(8).signed()).reset(10);
+        depth.next(depth - 18);
+        StepOut { phase: *phase, pixel: *pixel, depth: *depth, lanes: stack([i.z, i.z + 1]) }
+    }
+}
+
+#[test]
+fn a_wave_of_a_code_a_record_and_each_radix() {
+    let mut sim = Simulation::of(&Step).unwrap();
+    let o = &sim.o;
+    let rows = [o.phase, o.pixel.z, o.pixel.rgb, o.depth];
+    let wave = sim.record(rows).radix("pixel_z", WaveRadix::Decimal);
+    let other = sim.record(["z", "depth"]).radix("depth", WaveRadix::Hexadecimal).radix("z", WaveRadix::Binary);
+    let lanes = sim.record(["lanes[*]"]).radix("lanes", WaveRadix::Decimal);
+    let all = sim.record(["phase", "z", "depth"]).radix_of_all(WaveRadix::Binary);
+    sim.set(sim.i.z, 99);
+    sim.run(3);
+    wave.expect(
+        "
+        clk       |______/~~~\\__/~~~\\__/
+        phase     | Idle | Run  | Done |
+        pixel_z   | 0    | 99          |
+        pixel_rgb | 0    | 636363      |
+        depth     | 10   | -8   | -26  |",
+    );
+    other.expect(
+        "
+        clk   |_____/~~\\__/~~\\__/
+        z     | 1100011         |
+        depth | a   | -8  | -1a |",
+    );
+    lanes.expect(
+        "
+        clk      |___/~\\_/~\\_/
+        lanes[0] | 99        |
+        lanes[1] | 100       |",
+    );
+    all.expect(
+        "
+        clk   |________/~~~~\\___/~~~~\\___/
+        phase | Idle   | Run    | Done   |
+        z     | 1100011                  |
+        depth | 1010   | -1000  | -11010 |",
+    );
+}
+
+#[test]
+#[should_panic(expected = "there is no row `squre`: did you mean `sum`?")]
+fn a_radix_of_no_row() {
+    let _ = sum().record(["sum"]).radix("squre", WaveRadix::Decimal);
 }
 
 #[test]

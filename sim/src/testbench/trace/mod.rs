@@ -3,6 +3,7 @@
 mod changes;
 mod dump;
 pub(crate) mod glob;
+mod radix;
 mod recording;
 mod rows;
 mod shown;
@@ -17,6 +18,7 @@ use crate::engine::{Done, Engine};
 use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
+pub use radix::WaveRadix;
 pub(crate) use recording::Poked;
 pub use recording::Recorder;
 pub use vcd::Vcd;

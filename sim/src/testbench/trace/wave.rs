@@ -1,7 +1,8 @@
 //! Waves in text, for tests and terminals.
 //!
 //! A column is the time from one instant to the next and shows the values in force there; its last character is the
-//! edge at its end. A bus shows its value where it changes: in hexadecimal, in decimal if it is signed or that is asked for, or the name of its code.
+//! edge at its end. A bus shows its value where it changes: in hexadecimal, in decimal if it is signed, in the radix
+//! that is asked for, or as the name of its code.
 //!
 //! ```text
 //! clk    |___/~\_/~\_/~\_/
@@ -16,6 +17,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Kind;
 
+use super::radix::{WaveRadix, text};
 use super::{Observer, View};
 use crate::engine::program::ValueId;
 use crate::testbench::error::{Error, UnknownName};
@@ -60,7 +62,8 @@ struct Data {
 struct Row {
     source: Source,
     values: Vec<Bits>,
-    is_decimal: bool,
+    /// Where one was chosen.
+    radix: Option<WaveRadix>,
 }
 
 /// What a row shows.
@@ -74,7 +77,7 @@ pub(crate) struct Source {
 
 impl Wave {
     pub(crate) fn new(clocks: Vec<(String, u64)>, sources: Vec<Source>) -> Wave {
-        let rows = sources.into_iter().map(|source| Row { source, values: Vec::new(), is_decimal: false }).collect();
+        let rows = sources.into_iter().map(|source| Row { source, values: Vec::new(), radix: None }).collect();
         let data = Data { clocks, rows, columns: Vec::new(), times: 0..u64::MAX, is_over: false };
         Wave { data: Arc::new(Mutex::new(data)) }
     }
@@ -83,7 +86,59 @@ impl Wave {
         self.data.lock().expect("no panic while drawing")
     }
 
-    /// Shows numbers in decimal.
+    /// Shows the numbers of a port or net in that radix, told by the name that its row has; of all its lanes, if it has some. A code keeps its
+    /// name, and what is signed its sign.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, WaveRadix, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count, sim.o.square]).radix("square", WaveRadix::Decimal).cycles("clk", 9..12);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(12);
+    /// wave.expect(r"
+    ///     clk    |~~\__/~~\__/~~\__/
+    ///     count  | 9   | a   | b   |
+    ///     square | 81  | 100 | 121 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// The wave has no such row.
+    #[track_caller]
+    pub fn radix(self, row: impl AsRef<str>, radix: WaveRadix) -> Wave {
+        let (name, mut data) = (row.as_ref(), self.data());
+        let is_it = |row: &str| row.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
+        let mut found = false;
+        for row in data.rows.iter_mut().filter(|row| is_it(&row.source.name)) {
+            (row.radix, found) = (Some(radix), true);
+        }
+        let names: Vec<String> = data.rows.iter().map(|row| row.source.name.clone()).collect();
+        drop(data);
+        assert!(found, "{}", UnknownName::new("row", name, &names));
+        self
+    }
+
+    /// Shows all numbers in that radix, as [`radix`](Wave::radix) does those of a row.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, WaveRadix, for_examples::Counter};
+    /// let mut sim = Simulation::of(&Counter)?;
+    /// let wave = sim.record([sim.o.count, sim.o.square]).radix_of_all(WaveRadix::Binary);
+    /// sim.set(sim.i.enable, 1);
+    /// sim.run(3);
+    /// wave.expect(r"
+    ///     clk    |_____/~~\__/~~\__/
+    ///     count  | 0   | 1   | 10  |
+    ///     square | 0   | 1   | 100 |");
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub fn radix_of_all(self, radix: WaveRadix) -> Wave {
+        self.data().rows.iter_mut().for_each(|row| row.radix = Some(radix));
+        self
+    }
+
+    /// Shows numbers in decimal: all of them, where [`radix`](Wave::radix) chooses for one row.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -97,8 +152,7 @@ impl Wave {
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn decimal(self) -> Wave {
-        self.data().rows.iter_mut().for_each(|row| row.is_decimal = true);
-        self
+        self.radix_of_all(WaveRadix::Decimal)
     }
 
     /// Draws only what happens in these picoseconds: the columns that have a part in them.
@@ -246,13 +300,15 @@ impl fmt::Display for Wave {
 }
 
 impl Data {
-    /// The narrowest width at which every value can be read.
+    /// The narrowest width at which every value can be read; a row whose radix was chosen may have twice as many digits and more.
     fn column_width(&self) -> usize {
         let buses = self.rows.iter().filter(|row| !row.is_bit());
         let needed = buses.flat_map(|row| {
-            row.runs(0..row.values.len()).into_iter().map(|(text, columns)| (text.len() + 3).div_ceil(columns))
+            let widest = if row.radix.is_some() { LINE / 2 } else { *COLUMN.end() };
+            let runs = row.runs(0..row.values.len()).into_iter();
+            runs.map(move |(text, columns)| (text.len() + 3).div_ceil(columns).min(widest))
         });
-        needed.max().unwrap_or(0).clamp(*COLUMN.start(), *COLUMN.end())
+        needed.max().unwrap_or(0).max(*COLUMN.start())
     }
 }
 
@@ -262,20 +318,7 @@ impl Row {
     }
 
     fn text(&self, value: &Bits) -> String {
-        let number = match (self.source.kind, self.is_decimal) {
-            (Kind::Code(names), _) => value
-                .to_u64()
-                .and_then(|code| names.codes.get(usize::try_from(code).ok()?))
-                .map(|name| (*name).to_owned()),
-            (Kind::Signed, _) => value.to_i128().map(|number| number.to_string()),
-            (Kind::Number, true) => value.to_u128().map(|number| number.to_string()),
-            (Kind::Number, false) => None,
-        };
-        number.unwrap_or_else(|| {
-            let digits = format!("{value:x}");
-            let digits = digits.trim_start_matches('0');
-            if digits.is_empty() { "0".to_string() } else { digits.to_string() }
-        })
+        text(value, self.source.kind, self.radix)
     }
 
     /// The values of some columns, each with the number of columns that it lasts.
