@@ -56,9 +56,8 @@ impl Narrow {
         def!(part = m.reg(below(self.parts)).reset(0));
         let at_end = part.eq(self.parts - 1);
         let word = i.into.payload;
-        let parts = (0..self.parts - 1).map(|part| (part.into(), word.part(part * self.width, self.width)));
-        let payload =
-            case(*part, parts.collect::<Vec<(u64, _)>>(), word.part((self.parts - 1) * self.width, self.width));
+        let parts = (0..self.parts - 1).map(|part| (part, word.part(part * self.width, self.width)));
+        let payload = case(*part, parts, word.part((self.parts - 1) * self.width, self.width));
         let (out, sent) = m.offer(i.into.valid, payload);
         i.into.take_when(at_end & out.ready);
         part.when(sent, mux(at_end, 0, part + 1));

@@ -1,6 +1,6 @@
 //! One-hot codes and priorities: functions of signals.
 
-use tilewright_hdl::{Signal, below, concat, lit};
+use tilewright_hdl::{Integer, Signal, below, concat, lit};
 
 /// The first of the bits that are high, from the least significant on: alone, or nothing if there is none.
 ///
@@ -82,10 +82,10 @@ pub fn index_of(one_hot: Signal) -> Signal {
 /// # });
 /// ```
 #[track_caller]
-pub fn one_hot(index: Signal, count: u64) -> Signal {
+pub fn one_hot(index: Signal, count: impl Integer) -> Signal {
     let width = index.width();
     let mut places = Vec::new();
-    for place in (0..count).rev() {
+    for place in (0..count.integer()).rev() {
         let can_be = width >= 64 || place >> width == 0;
         places.push(if can_be { index.eq(place) } else { lit(1, 0) });
     }

@@ -293,11 +293,11 @@ impl StreamBlocks for Module {
 
     fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N] {
         let to = to(&stream.payload);
-        let chosen = one_hot(to, N as u64);
+        let chosen = one_hot(to, N);
         let mut ready = lit(1, 0);
         // A loop, as a closure would be the caller that messages name.
         let mut streams = Vec::with_capacity(N);
-        for number in 0..N as u32 {
+        for number in 0..N {
             let (out, sent) = self.offer(stream.valid & chosen.bit(number), stream.payload.clone());
             ready |= sent;
             streams.push(out);

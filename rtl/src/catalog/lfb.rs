@@ -129,9 +129,9 @@ fn a_frame(counter: &ScanCounter, position: u32) -> Scenario {
     let scan = |restart, enable| ScanCounterIn { scan: ScanControl { restart, enable }, preset };
     script.clock(&scan(0, 0));
     script.clock(&scan(1, 0));
-    script.hold(&scan(0, 1), counter.screen.pixels().into());
+    script.hold(&scan(0, 1), counter.screen.pixels());
     script.hold(&scan(0, 0), 4);
-    script.hold(&scan(0, 1), 4 * u64::from(position) + 4);
+    script.hold(&scan(0, 1), 4 * position + 4);
     script.finish("a restart, and a frame with a pause near its end")
 }
 

@@ -42,6 +42,6 @@ fn a_marked_pixel(merger: &ImageMerger) -> Scenario {
     script.clock(&inputs);
     inputs.left = EMPTY;
     script.clock(&inputs);
-    script.wait(u64::from(4 * merger.units) + 2);
+    script.wait(4 * merger.units + 2);
     script.finish("a marked pixel enters at the left and comes out 4 clocks a unit later")
 }

@@ -86,7 +86,7 @@ impl Patches {
     pub fn locate(&self, pixel: Position) -> Place {
         let shift = self.edge.ilog2();
         let high = |signal: Signal| signal.slice(shift..signal.width());
-        let columns = lit(up_to(self.columns()), self.columns().into());
+        let columns = lit(up_to(self.columns()), self.columns());
         let first_of_row = high(pixel.y).times(columns).trunc(self.patch_width());
         let column = high(pixel.x).zext(self.patch_width());
         Place { patch: first_of_row + column, offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }

@@ -6,7 +6,7 @@ use crate::prelude::*;
 /// Which of the nodes of a level are right children.
 #[track_caller]
 pub(super) fn is_right(nodes: u32) -> Signal {
-    constants(bit().of(row(nodes)), |node| u64::from(node % 2))
+    constants(bit().of(row(nodes)), |node| node % 2)
 }
 
 /// The beginnings of expressions, at so many places: a clock later at each.

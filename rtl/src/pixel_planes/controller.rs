@@ -63,7 +63,7 @@ block! {
         /// To the tree.
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
         /// To a quadratic tree, with them; 0 of a linear expression.
-        curve: [Curve = Curve { d: bit(), e: bit(), f: bit() }; u32::from(self.quadratic)],
+        curve: [Curve = Curve { d: bit(), e: bit(), f: bit() }; self.quadratic],
         /// They are the first bits of an expression.
         first: bit(),
         /// To the pixels.

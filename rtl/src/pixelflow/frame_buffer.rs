@@ -304,7 +304,7 @@ impl FrameBuffer {
         }
         // The lowest sum is that of the channel whose turn it is.
         def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
-        let half = lit(SUM, u64::from(EIGHT / 2)).of(of_all);
+        let half = lit(SUM, EIGHT / 2).of(of_all);
         def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
         def!(summed = mux(reads, concat(&[sum, sums.slice(SUM..SUM * COLOUR)]), *sums));
         sums.next(summed);

@@ -131,7 +131,7 @@ impl Sent {
 /// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
 fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
-    let is_right = constants(bits(8).of(row(nodes)), |node| u64::from(node % 2) * 0xff);
+    let is_right = constants(bits(8).of(row(nodes)), |node| node % 2 * 0xff);
     let adds = (is_right & weighted).named(&format!("{name}_adds"));
     sum(m, name, parents.take(nodes, |node| node / 2), adds, marks)
 }

@@ -127,7 +127,7 @@ impl PixelFlow {
                 frames,
                 side_by_side: i.side_by_side,
                 texture,
-                texture_done: i.textures_done.lane(number as u32),
+                texture_done: i.textures_done.lane(number),
                 network: vec![
                     DirectionIn { jobs: jobs_forth, go: *go[0], upstream: before },
                     DirectionIn { jobs: jobs_back, go: *go[1], upstream: behind },

@@ -86,7 +86,7 @@ impl CommunicationRegisters {
         array.write(i.writes, i.write, i.result);
 
         let PortAccess { pixel, address, writes, bytes } = i.port;
-        def!(here = constants(below(pixels).of(row(pixels)), u64::from).eq(pixel) & writes);
+        def!(here = constants(below(pixels).of(row(pixels)), |pixel| pixel).eq(pixel) & writes);
         port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
         // Each side reads what the other has written before it gave it.
         let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");

@@ -79,7 +79,7 @@ impl VideoController {
         arrived.when(asks, 1).when(sent, 0);
         m.assume(i.show.start.implies(!reading & !arrived), "a picture is asked for when none is read");
 
-        let row_of = constants(bits(matrix_row.width()).of(each), |lane| (lane / p).into());
+        let row_of = constants(bits(matrix_row.width()).of(each), |lane| lane / p);
         let scan = Scan {
             enable: asks & row_of.eq(matrix_row),
             x: column.of(each),

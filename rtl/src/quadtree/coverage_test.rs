@@ -75,7 +75,7 @@ impl CoverageTest {
         def!(step = m.reg(below(Format::MAX_EDGES)).reset(0));
         let Work { polygon, window } = *held;
         let size = match self.sizes {
-            1 => lit(up_to(self.format.levels()), (self.from - 1).into()),
+            1 => lit(up_to(self.format.levels()), self.from - 1),
             _ => window.size - 1,
         };
 

@@ -173,13 +173,10 @@ impl Format {
         Bounds { left: distance, top: distance, right: distance, bottom: distance }
     }
 
-    /// The place of the video processor in that column and row of the matrix; its numbers are signed, in two's complement.
-    pub fn place_of(&self, column: u32, row: u32) -> Bounds<u64> {
+    /// The place of the video processor in that column and row of the matrix.
+    pub fn place_of(&self, column: u32, row: u32) -> Bounds<i64> {
         let (half, last) = (i64::from(self.aperture / 2), (1 << self.levels()) - 1);
-        let signed = |value: i64| value as u64 & ((1 << self.distance_bits()) - 1);
-        let ends = |offset: u32, spacing: u32| {
-            (signed(i64::from(offset) - half), signed(i64::from(offset + last * spacing) + half))
-        };
+        let ends = |offset: u32, spacing: u32| (i64::from(offset) - half, i64::from(offset + last * spacing) + half);
         let (left, right) = ends(column, self.matrix.columns);
         let (top, bottom) = ends(row, self.matrix.rows);
         Bounds { left, top, right, bottom }
@@ -313,7 +310,7 @@ impl Bounds {
     /// Those of a quarter: less by the spacing of its samples at the side where the quarter is not.
     pub(super) fn quarter(&self, number: Signal, size: Signal, matrix: Matrix) -> Bounds {
         let reaches = |bound: Signal, is_there: Signal, spacing: u32| {
-            bound - mux(is_there, 0, lit(bound.width(), spacing.into()) << size).signed()
+            bound - mux(is_there, 0, lit(bound.width(), spacing) << size).signed()
         };
         let (right, lower) = (number.bit(0), number.bit(1));
         Bounds {

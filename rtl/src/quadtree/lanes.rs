@@ -20,5 +20,5 @@ pub(super) fn lane_by_lane(m: Module, name: &str, lanes: u32, enable: Signal, st
 
 /// The number of each lane.
 pub(super) fn numbers(width: u32, lanes: u32) -> Signal {
-    constants(bits(width).of(row(lanes)), |lane| lane.into())
+    constants(bits(width).of(row(lanes)), |lane| lane)
 }

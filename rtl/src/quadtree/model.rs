@@ -144,8 +144,9 @@ impl Raster {
     }
 
     /// The input of a set-up or video processor that says where its samples are.
-    pub(crate) fn place(&self) -> Bounds<u64> {
-        self.format.place_of(self.column, self.row)
+    pub(crate) fn place(&self) -> Bounds<Bits> {
+        let width = self.format.distance_bits();
+        self.format.place_of(self.column, self.row).map(|end| Bits::from_i128(width, i128::from(*end)))
     }
 }
 

@@ -75,7 +75,7 @@ impl PixelProcessor {
         let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
         let fall = |fall: Signal, spacing: u32| {
             let bits = self.format.edge_bits();
-            let over_aperture = (fall.zext(bits) * u64::from(half)).trunc(bits);
+            let over_aperture = (fall.zext(bits) * half).trunc(bits);
             (over_aperture >> spacing.trailing_zeros()).signed()
         };
         let margin = fall(polygon.fall_x, matrix.columns()) + fall(polygon.fall_y, matrix.rows());

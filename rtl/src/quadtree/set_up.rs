@@ -91,7 +91,7 @@ impl SetUp {
                 plane_y: plane_row("plane_ys", times_power_of_two(plane_y, matrix.rows())),
             },
             window: Window {
-                size: lit(up_to(self.format.levels()), self.format.levels().into()),
+                size: lit(up_to(self.format.levels()), self.format.levels()),
                 x: lit(self.format.levels(), 0),
                 y: lit(self.format.levels(), 0),
                 edges: edge("edges", value.bits()).signed(),

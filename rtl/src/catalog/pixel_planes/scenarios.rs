@@ -125,7 +125,7 @@ pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
             }
         }
         script.clock(&inputs(None, 0, None));
-        script.wait(200 + u64::from(given * WORD.bits * side) * (1 + u64::from(side / rate)));
+        script.wait(200 + given * WORD.bits * side * (1 + side / rate));
     }
     script.finish("regions are given, cleared, drawn and saved, and come to the frame buffer")
 }
@@ -184,7 +184,7 @@ pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
         }
     }
     script.clock(&LinearTreeIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0 });
-    script.wait(u64::from(tree.latency()));
+    script.wait(tree.latency());
     script.finish("x, and right behind it -x + 2 y + 1, the least significant bit first")
 }
 
@@ -202,7 +202,7 @@ pub(super) fn two_quadratics(tree: &QuadraticTree) -> Scenario {
         }
     }
     script.clock(&inputs([0; 6], false));
-    script.wait(u64::from(tree.latency()));
+    script.wait(tree.latency());
     script.finish("x^2, and right behind it 2 x + 1 - x^2 + x y + 3 y^2, the least significant bit first")
 }
 
@@ -260,7 +260,7 @@ pub(super) fn a_region(store: &BackingStore) -> Scenario {
     script.ready("planes", false);
     script.wait(5);
     script.ready("planes", true);
-    script.wait(u64::from(WORD.bits * store.side.min(8)));
+    script.wait(WORD.bits * store.side.min(8));
     script.finish("a region comes plane by plane and goes line by line; its receiver stops for 5 clocks")
 }
 

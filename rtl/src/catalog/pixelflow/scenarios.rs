@@ -152,7 +152,7 @@ pub(super) fn drawn_and_given(controller: &ArrayController) -> Scenario {
     script.clock(&inputs(1, wait, 1));
     script.clock(&inputs(1, wait, 0));
     script.clock(&inputs(0, wait, 0));
-    script.wait(u64::from(controller.width.max(controller.height).trailing_zeros()) + 2);
+    script.wait(controller.width.max(controller.height).trailing_zeros() + 2);
     script.finish("a word is cleared, and evaluated inside an edge; its bank is given to the network, and awaited")
 }
 
@@ -169,7 +169,7 @@ pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
         }
     }
     script.clock(&LinearEvaluatorIn { coefficients: Coefficients { a: 0, b: 0, c: 0 }, first: 0, sends: 0 });
-    script.wait(u64::from(evaluator.latency()));
+    script.wait(evaluator.latency());
     script.finish("0xc0 x + 0x105, and right behind it -x + 2 y + 1, in two bytes each, the lower one first")
 }
 
@@ -240,7 +240,7 @@ pub(super) fn loaded_and_forwarded(sequencer: &NetworkSequencer) -> Scenario {
     for mode in [Mode::Load, Mode::Forward] {
         script
             .clock(&NetworkSequencerIn { jobs: Stream::of(1, Job { mode: mode.code(), ..none.jobs.payload }), ..none });
-        script.hold(&none, u64::from(sequencer.setup) + 3);
+        script.hold(&none, sequencer.setup + 3);
         script.clock(&NetworkSequencerIn { go: 1, ..none });
         for pixel in (0..2).flat_map(|_| 0..u64::from(sequencer.pixels)) {
             script.clock(&NetworkSequencerIn { advances: 1, pixel, ..none });

@@ -1,7 +1,7 @@
 //! Each scenario has the same polygon, of which a triangle is left where no more than three edges are asked for; on 8x8 pixels it covers
 //! those with x + y <= 6. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
 
-use tilewright_hdl::{Bits, Block, DEFAULT_PERIOD, Fields, Scenario, Script, Stream};
+use tilewright_hdl::{Bits, Block, DEFAULT_PERIOD, Scenario, Script, Stream};
 
 use super::super::shared::idle;
 use crate::parameter::Screen;
@@ -105,7 +105,7 @@ pub(super) fn find_pixels<B: Block<In = DividerIn, Out = DividerOut>>(
 pub(super) fn two_packets(set_up: &SetUp) -> Scenario {
     let (format, place) = (set_up.format, first(set_up.format).place());
     let clocks = u64::from(format.edges().max(4));
-    let inputs = |packets| SetUpIn { packets, place: place.map(|end| Bits::new(set_up.format.distance_bits(), *end)) };
+    let inputs = |packets| SetUpIn { packets, place: place.clone() };
     let show = |polygon: Convex| inputs(sent(polygon.packet(&format)));
     let mut script = Script::new(set_up, DEFAULT_PERIOD);
     script.ready("roots", true);
@@ -168,13 +168,13 @@ pub(super) fn a_picture(controller: &VideoController) -> Scenario {
     script.ready("pixels", false);
     script.wait(3);
     script.ready("pixels", true);
-    script.wait(u64::from(format.columns() * format.screen().height).min(200));
+    script.wait((format.columns() * format.screen().height).min(200));
     script.finish("a picture, a group of pixels a clock, while one buffer is empty; the receiver stops for 3 clocks")
 }
 
 pub(super) fn draw_and_send(processor: &VideoProcessor) -> Scenario {
     let format = processor.format;
-    let place = first(format).place().map(|end| Bits::new(format.distance_bits(), *end));
+    let place = first(format).place();
     let quiet = VideoProcessorIn { place, ..idle(processor) };
     let mut script = Script::new(processor, DEFAULT_PERIOD);
     script.clock_bits(&VideoProcessorIn { packets: sent(polygon(&format).packet(&format)), ..quiet.clone() });
@@ -207,6 +207,6 @@ pub(super) fn draw_and_show(generator: &QuadtreeGenerator) -> Scenario {
     script.clock_bits(&QuadtreeGeneratorIn { swap: yes(), ..quiet.clone() });
     script.clock_bits(&QuadtreeGeneratorIn { show: show(1), ..quiet.clone() });
     script.clock_bits(&QuadtreeGeneratorIn { show: show(0), ..quiet });
-    script.wait(u64::from(format.columns() * format.screen().height).min(200) + 3);
+    script.wait((format.columns() * format.screen().height).min(200) + 3);
     script.finish("a polygon is broadcast and drawn by all; then the banks are exchanged, and the picture is read")
 }

@@ -7,17 +7,13 @@ use super::super::model::{Convex, Raster};
 use super::super::testing::{Stalls, first, formats, polygons, rasters, small, stalls, triangle};
 use super::*;
 
-fn place(raster: &Raster) -> Bounds<Bits> {
-    raster.place().map(|end| Bits::new(raster.format.distance_bits(), *end))
-}
-
 /// What the set-up makes of polygons, and what it did.
 fn set_up(raster: &Raster, polygons: &[Convex], stalls: Stalls) -> (Vec<Work<Bits>>, Tally<u64>) {
     let format = raster.format;
     let mut sim = Simulation::of(&SetUp { format }).unwrap().seeded(stalls.seed);
     sim.reset();
     let (i, o) = (sim.i, sim.o);
-    let place = place(raster);
+    let place = raster.place();
     for (port, value) in [(i.place.left, place.left), (i.place.top, place.top)] {
         sim.set(port, value);
     }
@@ -56,7 +52,7 @@ fn a_triangle_takes_4_clocks_and_its_root_waits_for_the_receiver() {
     let wave = sim.record(["packets_valid", "packets_ready", "step", "roots_valid", "roots_ready", "idle"]);
     let shown = |valid: u64| SetUpIn {
         packets: Stream { valid: Bits::new(1, valid), ready: Bits::zero(1), payload: triangle().packet(&small()) },
-        place: place(&first(small())),
+        place: first(small()).place(),
     };
     // Two packets right behind one another; the receiver is away when the second root comes.
     for clock in 0..12 {

@@ -80,9 +80,9 @@ impl Builder<'_> {
             Work::Shifted(by, edge) => {
                 let edge = plain(self, *edge);
                 match (x.shape(), by % 2) {
-                    (Shape::Grid(..), 0) => x.rows().shifted((*by).into(), edge),
-                    (Shape::Grid(..), _) => x.columns().shifted((*by).into(), edge),
-                    _ => x.shifted((*by).into(), edge),
+                    (Shape::Grid(..), 0) => x.rows().shifted(*by, edge),
+                    (Shape::Grid(..), _) => x.columns().shifted(*by, edge),
+                    _ => x.shifted(*by, edge),
                 }
             }
             Work::Reversed if matches!(x.shape(), Shape::Grid(..)) => x.rows().reversed(),
