@@ -46,7 +46,75 @@ fn the_program_runs() {
 
 #[test]
 fn the_processor_runs() {
-    rv32i::main().unwrap();
+    let left = rv32i::run(&[]).unwrap();
+    assert_eq!([10, 13, 14].map(|number| left.registers[number]), [385, 0xffff_ff81, 0x81]);
+}
+
+/// Stores and loads words, halves and bytes at addresses that are no multiples of their size, and branches.
+#[rustfmt::skip]
+const MISALIGNED: [u32; 25] = [
+    0x1234_50b7, // lui  x1, 0x12345
+    0x6780_8093, // addi x1, x1, 0x678
+    0x2000_0113, // li   x2, 0x200
+    0x0011_20a3, // sw   x1, 1(x2)
+    0x0011_23a3, // sw   x1, 7(x2)
+    0x0011_17a3, // sh   x1, 15(x2)
+    0x0011_01a3, // sb   x1, 3(x2), within the first word
+    0x0011_2183, // lw   x3, 1(x2)
+    0x0071_2203, // lw   x4, 7(x2)
+    0x00f1_1283, // lh   x5, 15(x2)
+    0x0021_5303, // lhu  x6, 2(x2)
+    0x0041_0383, // lb   x7, 4(x2)
+    0xf800_0413, // li   x8, -128
+    0x0081_19a3, // sh   x8, 19(x2)
+    0x0131_1483, // lh   x9, 19(x2)
+    0x0131_5503, // lhu  x10, 19(x2)
+    0x0131_0583, // lb   x11, 19(x2)
+    0x0131_4603, // lbu  x12, 19(x2)
+    0x0050_0693, // li   x13, 5
+    0x00d7_0733, // loop: add x14, x14, x13
+    0xfff6_8693, // addi x13, x13, -1
+    0xfe06_9ce3, // bnez x13, loop
+    0x0004_4463, // bltz x8, stop
+    0x0630_0713, // li   x14, 99
+    0x0000_006f, // stop: j stop
+];
+
+#[test]
+fn the_processor_runs_a_binary_to_its_stop_address() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("misaligned.bin");
+    std::fs::write(&file, MISALIGNED.map(u32::to_le_bytes).concat()).unwrap();
+    let run = |more: &[&str]| {
+        let file = [file.display().to_string()];
+        rv32i::run(&file.into_iter().chain(more.iter().map(|text| (*text).to_owned())).collect::<Vec<_>>())
+    };
+    let left = run(&["0x60"]).unwrap();
+    let expected = [
+        0,
+        0x1234_5678,
+        0x200,
+        0x1278_5678,
+        0x1234_5678,
+        0x5678,
+        0x7856,
+        0x12,
+        0xffff_ff80,
+        0xffff_ff80,
+        0xff80,
+        0xffff_ff80,
+        0x80,
+        0,
+        15,
+    ];
+    assert_eq!(left.registers[..15], expected);
+    // 19 to the loop, 5 times 3 in it, and a branch over an instruction.
+    assert_eq!((left.instructions, run(&["96", "35"]).unwrap().instructions), (35, 35));
+    let refused = |more: &[&str]| run(more).err().unwrap();
+    assert!(refused(&["0x60", "34"]).starts_with("it does not come to 0x60 in 34 instructions: correct the address"));
+    assert!(refused(&["6o"]).starts_with("`6o` is no number: write it in decimal, or in hexadecimal with 0x"));
+    assert_eq!(refused(&["0x100000000"]), "0x100000000 is no address of 32 bits");
+    assert!(refused(&[]).starts_with("give a flat binary, a stop address"));
 }
 
 #[test]
