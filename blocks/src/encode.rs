@@ -1,6 +1,6 @@
-//! One-hot codes and priorities: functions of signals.
+//! One-hot codes and priorities: functions of signals, and blocks of them.
 
-use tilewright_hdl::{Integer, Signal, below, concat, lit};
+use tilewright_hdl::{Integer, Module, Signal, below, bit, bits, block, concat, lit};
 
 /// The first of the bits that are high, from the least significant on: alone, or nothing if there is none.
 ///
@@ -90,4 +90,192 @@ pub fn one_hot(index: Signal, count: impl Integer) -> Signal {
         places.push(if can_be { index.eq(place) } else { lit(1, 0) });
     }
     concat(&places)
+}
+
+block! {
+    /// A decoder: of so many lines, the one whose number comes in is high.
+    ///
+    /// ```text
+    ///            .---.---> bit 0
+    /// index ====>| = |---> bit 1
+    ///            '---'---> bit 2 ..
+    /// ```
+    ///
+    /// Latency 0 clocks. As a function it is [`one_hot`].
+    ///
+    /// ```
+    /// # use tilewright_blocks::*;
+    /// # use tilewright_sim::Simulation;
+    /// let mut sim = Simulation::of(&Decoder::new(6))?;
+    /// sim.drive(DecoderIn { index: 2 });
+    /// assert_eq!(sim.read_u64(), DecoderOut { one_hot: 0b000100 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub struct Decoder {
+        lines: u32,
+    }
+    in(self) DecoderIn {
+        /// The number of a line.
+        index: below(self.lines),
+    }
+    out(self) DecoderOut {
+        /// A bit for each line, line 0 the lowest; none is high for a number that no line has.
+        one_hot: bits(self.lines),
+    }
+}
+
+impl Decoder {
+    /// A decoder of so many lines.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Decoder;
+    ///
+    /// assert_eq!(Decoder::new(6).inputs().index.bits(), 3);
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two, between which there is nothing to choose.
+    #[track_caller]
+    pub fn new(lines: u32) -> Decoder {
+        check("a decoder", lines);
+        Decoder { lines }
+    }
+
+    fn build(&self, m: Module, i: DecoderIn) -> DecoderOut {
+        let one_hot = one_hot(i.index, self.lines.into());
+        m.assert(first(one_hot).eq(one_hot), "one line is high at most");
+        DecoderOut { one_hot }
+    }
+}
+
+block! {
+    /// An encoder: the number of the one line that is high.
+    ///
+    /// ```text
+    /// bit 0 ----.----.
+    /// bit 1 --->| or |====> index
+    /// bit 2 --->'----'
+    /// ```
+    ///
+    /// Latency 0 clocks. As a function it is [`index_of`].
+    ///
+    /// ```
+    /// # use tilewright_blocks::*;
+    /// # use tilewright_sim::Simulation;
+    /// let mut sim = Simulation::of(&Encoder::new(6))?;
+    /// sim.drive(EncoderIn { one_hot: 0b001000 });
+    /// assert_eq!(sim.read_u64(), EncoderOut { index: 3 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub struct Encoder {
+        lines: u32,
+    }
+    in(self) EncoderIn {
+        /// A bit for each line, line 0 the lowest, of which one is high at most.
+        one_hot: bits(self.lines),
+    }
+    out(self) EncoderOut {
+        /// The number of the line that is high, and 0 if none is.
+        index: below(self.lines),
+    }
+}
+
+impl Encoder {
+    /// An encoder of so many lines.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Encoder;
+    ///
+    /// assert_eq!(Encoder::new(6).name(), "encoder_lines6");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two, between which there is nothing to tell.
+    #[track_caller]
+    pub fn new(lines: u32) -> Encoder {
+        check("an encoder", lines);
+        Encoder { lines }
+    }
+
+    fn build(&self, m: Module, i: EncoderIn) -> EncoderOut {
+        m.assume(first(i.one_hot).eq(i.one_hot), "one line is high at most");
+        EncoderOut { index: index_of(i.one_hot) }
+    }
+}
+
+block! {
+    /// A priority encoder: which of the lines that are high is the first, the lowest one.
+    ///
+    /// ```text
+    ///                .-------.            .----.
+    /// requests =====>| first |=====+=====>| or |====> index
+    ///             |  '-------'     |      '----'
+    ///             |                '================> first
+    ///             '--[ or ]-------------------------> any
+    /// ```
+    ///
+    /// Latency 0 clocks. As functions these are [`first`] and [`first_index`].
+    ///
+    /// ```
+    /// # use tilewright_blocks::*;
+    /// # use tilewright_sim::Simulation;
+    /// let mut sim = Simulation::of(&PriorityEncoder::new(6))?;
+    /// sim.drive(PriorityEncoderIn { requests: 0b101100 });
+    /// assert_eq!(sim.read_u64(), PriorityEncoderOut { first: 0b000100, index: 2, any: 1 });
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    pub struct PriorityEncoder {
+        lines: u32,
+    }
+    in(self) PriorityEncoderIn {
+        /// A bit for each line, line 0 the lowest.
+        requests: bits(self.lines),
+    }
+    out(self) PriorityEncoderOut {
+        /// The first of those that are high, alone.
+        first: bits(self.lines),
+        /// Its number, and 0 if there is none.
+        index: below(self.lines),
+        /// There is one.
+        any: bit(),
+    }
+}
+
+impl PriorityEncoder {
+    /// A priority encoder of so many lines.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::PriorityEncoder;
+    ///
+    /// assert_eq!(PriorityEncoder::new(6).name(), "priority_encoder_lines6");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two, between which there is nothing to tell.
+    #[track_caller]
+    pub fn new(lines: u32) -> PriorityEncoder {
+        check("a priority encoder", lines);
+        PriorityEncoder { lines }
+    }
+
+    fn build(&self, m: Module, i: PriorityEncoderIn) -> PriorityEncoderOut {
+        let first = first(i.requests);
+        m.assert(
+            i.requests.any_one().implies((first & i.requests).any_one()),
+            "the first is one of those that are high",
+        );
+        PriorityEncoderOut { first, index: index_of(first), any: i.requests.any_one() }
+    }
+}
+
+/// Whether such a block has lines to tell from each other.
+#[track_caller]
+fn check(what: &str, lines: u32) {
+    assert!(lines > 1, "{what} of {lines} lines: it has 2 or more");
 }

@@ -54,8 +54,8 @@
 //! | [`RegisterSlice`], [`Slice::Backward`] | cuts `ready` | 0 | from `out` to `into` |
 //! | [`RegisterSlice`], [`Slice::Both`] | cuts both: a skid buffer | 1 | any |
 //! | [`Fork`] | one stream to several receivers | 0 | from a `ready` to a `valid` |
-//! | [`StreamBlocks::join`] | two streams to one | 0 | from a `ready` to a `valid` |
-//! | [`StreamBlocks::split_by`] | one stream to several receivers, to each its words | 0 | from a `ready` to a `valid` |
+//! | [`StreamBlocks::join`], [`Join`] | two streams to one | 0 | from a `ready` to a `valid` |
+//! | [`StreamBlocks::split_by`], [`Split`] | one stream to several receivers, to each its words | 0 | from a `ready` to a `valid` |
 //! | [`Arbiter`] | several streams to one, by turns or by priority | 0 | from `ready` to `valid` |
 //! | [`Narrow`] | parts of words | 0 | from `ready` to `valid` |
 //! | [`Widen`] | words of parts | 1 from the last | from `into` to `out` |
@@ -67,7 +67,7 @@
 //! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable in each so many clocks | 1 | any |
 //! | [`Counter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` |
-//! | [`one_hot`], [`index_of`], [`first`], [`first_index`] | functions of signals | 0 | |
+//! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
 
 mod arbiter;
 pub mod catalog;
@@ -79,6 +79,7 @@ mod dual_clock;
 mod encode;
 mod fifo;
 mod fork;
+mod join;
 mod lfsr;
 mod lifo;
 mod multiplier;
@@ -89,6 +90,7 @@ mod shift;
 mod shifter;
 mod sine;
 mod slice;
+mod split;
 mod square_root;
 mod start;
 mod streams;
@@ -100,9 +102,13 @@ pub use counter::{Counter, CounterIn, CounterOut};
 pub use crc::{BitOrder, Crc, CrcIn, CrcOut};
 pub use divider::{Divider, DividerIn, DividerOut, Operands, Quotient};
 pub use dual_clock::DualClockFifo;
-pub use encode::{first, first_index, index_of, one_hot};
+pub use encode::{
+    Decoder, DecoderIn, DecoderOut, Encoder, EncoderIn, EncoderOut, PriorityEncoder, PriorityEncoderIn,
+    PriorityEncoderOut, first, first_index, index_of, one_hot,
+};
 pub use fifo::{Fifo, Storage};
 pub use fork::{Fork, ForkOut};
+pub use join::{Join, JoinIn};
 pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
 pub use lifo::Lifo;
 pub use multiplier::{Multiplier, MultiplierIn, MultiplierOut};
@@ -113,6 +119,7 @@ pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};
 pub use slice::{RegisterSlice, Slice};
+pub use split::{Addressed, Split, SplitIn, SplitOut};
 pub use square_root::{Root, SquareRoot, SquareRootOut};
 pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};
 pub use streams::StreamBlocks;

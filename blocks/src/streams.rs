@@ -3,13 +3,13 @@
 use crate::arbiter::{Arbiter, ArbiterIn, Turns};
 use crate::convert::{Narrow, Widen};
 use crate::dual_clock::DualClockFifo;
-use crate::encode::one_hot;
 use crate::fifo::{Fifo, Storage};
 use crate::fork::Fork;
 use crate::lifo::Lifo;
 use crate::ports::StreamIn;
 use crate::slice::{RegisterSlice, Slice};
-use tilewright_hdl::{Clock, Data, Module, Signal, Stream, lit};
+use crate::split::split;
+use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 
 /// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side.
 /// See [the crate](crate) for an example.
@@ -130,7 +130,8 @@ pub trait StreamBlocks {
     #[track_caller]
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
 
-    /// The stream to `N` receivers, of which each word goes to one: to that whose number `to` makes of it. It is a gate, and no instance.
+    /// The stream to `N` receivers, of which each word goes to one: to that whose number `to` makes of it. It is a gate, and no instance;
+    /// [`Split`](crate::Split) is a block of it.
     ///
     /// ```text
     ///              .===> 0
@@ -176,7 +177,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P>;
 
-    /// The stream of what `both` makes of a word of each, which go together. It is a gate, and no instance.
+    /// The stream of what `both` makes of a word of each, which go together. It is a gate, and no instance; [`Join`](crate::Join) is a block of it.
     ///
     /// ```text
     /// left ====>|
@@ -292,20 +293,7 @@ impl StreamBlocks for Module {
     }
 
     fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N] {
-        let to = to(&stream.payload);
-        let chosen = one_hot(to, N);
-        let mut ready = lit(1, 0);
-        // A loop, as a closure would be the caller that messages name.
-        let mut streams = Vec::with_capacity(N);
-        for number in 0..N {
-            let (out, sent) = self.offer(stream.valid & chosen.bit(number), stream.payload.clone());
-            ready |= sent;
-            streams.push(out);
-        }
-        stream.take_when(ready);
-        if to.width() < 64 && N as u64 != 1 << to.width() {
-            self.assert(stream.valid.implies(chosen.any_one()), &format!("a word goes to one of {N} receivers"));
-        }
+        let streams = split(self, &stream, to(&stream.payload), N as u32);
         let Ok(streams) = streams.try_into() else { unreachable!("there are as many as receivers") };
         streams
     }

@@ -86,6 +86,9 @@ fn the_scenarios_show_what_they_say() {
         assert_eq!(words(slice, "out").last(), Some(&5), "{slice}");
     }
     assert_eq!([words("fork", "out_0"), words("fork", "out_1")], [[1, 2]; 2]);
+    assert_eq!((words("join", "left"), words("join", "right")), (vec![1, 2, 3], vec![5, 6, 7]));
+    assert_eq!(words("join", "out"), [0x15, 0x26, 0x37]);
+    assert_eq!(["out_0", "out_1", "out_2"].map(|out| words("split", out)), [vec![1, 9], vec![2], vec![3]]);
     assert_eq!(words("round-robin-arbiter", "out"), [0, 1, 2, 0, 1, 2, 0]);
     assert_eq!(words("priority-arbiter", "out"), [0; 7]);
     assert_eq!(words("narrow", "out"), [7, 0, 0, 9, 0, 0]);
@@ -112,6 +115,10 @@ fn values(name: &str, output: &str) -> Vec<u64> {
 fn the_scenarios_of_blocks_without_streams_show_what_they_say() {
     assert_eq!(values("crc", "crc")[9], !0xcbf4_3926 & 0xffff_ffff);
     assert_eq!(values("crc", "crc").last(), Some(&0xffff_ffff));
+    assert_eq!(values("decoder", "one_hot"), [1, 2, 4, 8, 16]);
+    assert_eq!(values("encoder", "index"), [0, 1, 2, 3, 4, 0]);
+    assert_eq!(values("priority-encoder", "first"), [0, 16, 8, 4, 2, 1]);
+    assert_eq!(values("priority-encoder", "index"), [0, 4, 3, 2, 1, 0]);
     assert_eq!(values("quadrature", "position"), [0, 1, 2, 3, 2, 1, 0, 15, 14]);
     assert_eq!(values("power-on-reset", "reset"), [1, 0, 1, 0]);
     assert_eq!(values("multiplier", "product"), [0, 15, 225, 63, 0]);

@@ -2,7 +2,7 @@
 
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
-use tilewright_hdl::ir::{Kind, Module, NodeId};
+use tilewright_hdl::ir::{Input, Kind, Module};
 use tilewright_hdl::{Block, Clock, Design, Period, below, elaborate};
 use tilewright_sim::Simulation;
 
@@ -27,6 +27,11 @@ fn blocks() -> Vec<(String, Design)> {
     }
     for count in [1, 2, 5] {
         blocks.push(designed(Fork::new(count, 8)));
+        blocks.push(designed(Split::new(count, 8)));
+        blocks.push(designed(Join::new(count, 3)));
+        blocks.push(designed(Decoder::new(count + 1)));
+        blocks.push(designed(Encoder::new(count + 1)));
+        blocks.push(designed(PriorityEncoder::new(count + 1)));
         blocks.push(designed(Arbiter::new(count, 8, Turns::RoundRobin)));
         blocks.push(designed(Arbiter::new(count, 8, Turns::Priority)));
         blocks.push(designed(Narrow::new(count, 8)));
@@ -68,11 +73,16 @@ fn no_linter_complains_of_any_block() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A number for an input: a code of its enum, or, if it may be an address, one that the memory has.
-fn allowed(module: &Module, input: NodeId, number: u64) -> u64 {
-    let node = module.node(input);
+/// A number for an input: a code of its enum, a one-hot code, the number of a receiver, or, if it may be an address, one that the memory has.
+fn allowed(module: &Module, input: &Input, number: u64) -> u64 {
+    let node = module.node(input.node);
     let number = number & (u64::MAX >> (64 - node.width.min(56)));
     match (node.kind, module.memories.first()) {
+        _ if input.name == "one_hot" => 1 << (number % u64::from(node.width)),
+        _ if input.name == "into_to" => {
+            let receivers = module.outputs.iter().filter(|output| output.name.ends_with("_valid")).count();
+            number % receivers as u64
+        }
         (Kind::Code(names), _) => number % names.codes.len() as u64,
         (_, Some(memory)) if below(memory.depth).bits() == node.width => number % u64::from(memory.depth),
         _ => number,
@@ -94,7 +104,7 @@ fn icarus_repeats_every_block() {
                 chance ^= chance >> 7;
                 chance ^= chance << 17;
                 let port = sim.port(&input.name).unwrap();
-                sim.set(port, allowed(design.top(), input.node, chance >> 8));
+                sim.set(port, allowed(design.top(), input, chance >> 8));
             }
             // What is read of a word that another clock writes may be anything.
             if let (Ok(to), Ok(from)) = (sim.peek("to"), sim.port("from")) {

@@ -1,5 +1,6 @@
 //! The blocks of the library by name, with their parameters and scenarios.
 
+mod codes;
 mod memories;
 mod numbers;
 mod small;
@@ -25,6 +26,8 @@ pub const ENTRIES: &[Entry] = &[
     streams::BACKWARD_SLICE,
     streams::SKID_BUFFER,
     streams::FORK,
+    streams::JOIN,
+    streams::SPLIT,
     streams::ROUND_ROBIN_ARBITER,
     streams::PRIORITY_ARBITER,
     streams::NARROW,
@@ -35,6 +38,9 @@ pub const ENTRIES: &[Entry] = &[
     small::QUADRATURE,
     small::POWER_ON_RESET,
     small::TICKS,
+    codes::DECODER,
+    codes::ENCODER,
+    codes::PRIORITY_ENCODER,
     memories::RAM,
     memories::DUAL_CLOCK_RAM,
     memories::VECTOR_REGISTERS,

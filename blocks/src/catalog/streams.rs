@@ -3,7 +3,8 @@
 //! A scenario does not look at what the block answers, so where a word has to wait it is held for as long as it is known to.
 
 use crate::{
-    Arbiter, ArbiterIn, DualClockFifo, Fifo, Fork, Lifo, Narrow, RegisterSlice, Slice, Storage, StreamIn, Turns, Widen,
+    Addressed, Arbiter, ArbiterIn, DualClockFifo, Fifo, Fork, Join, JoinIn, Lifo, Narrow, RegisterSlice, Slice, Split,
+    SplitIn, Storage, StreamIn, Turns, Widen,
 };
 use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 use tilewright_hdl::{Block, Clock, DEFAULT_PERIOD, Period, Scenario, Script, Stream, elaborate};
@@ -82,6 +83,28 @@ pub(super) const FORK: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&fork(values))?),
     scenario: |values| Ok(one_after_another(&fork(values), values.get("receivers"))),
+};
+
+pub(super) const JOIN: Entry = Entry {
+    name: "join",
+    summary: "makes one word of a word of each of two streams",
+    parameters: &[
+        Parameter { name: "left", default: 8, min: 4, max: 512, meaning: "bits of a word of the left stream" },
+        Parameter { name: "right", default: 4, min: 4, max: 512, meaning: "bits of a word of the right stream" },
+    ],
+    design: |values| Ok(elaborate(&join(values))?),
+    scenario: |values| Ok(one_waits_for_the_other(&join(values))),
+};
+
+pub(super) const SPLIT: Entry = Entry {
+    name: "split",
+    summary: "sends each word to the receiver whose number comes with it",
+    parameters: &[
+        Parameter { name: "receivers", default: 3, min: 2, max: 64, meaning: "how many there are to send to" },
+        WIDTH,
+    ],
+    design: |values| Ok(elaborate(&split(values))?),
+    scenario: |values| Ok(to_each_in_turn(&split(values), values.get("receivers"))),
 };
 
 const SENDERS: Parameter = Parameter { name: "senders", default: 3, min: 2, max: 64, meaning: "how many send" };
@@ -208,6 +231,45 @@ fn one_after_another(fork: &Fork, receivers: u64) -> Scenario {
     script.finish(
         "all receivers take a word at once; of the next each takes its own when it is ready, and the last ends it",
     )
+}
+
+fn join(values: &Values) -> Join {
+    Join::new(values.get_u32("left"), values.get_u32("right"))
+}
+
+fn one_waits_for_the_other(join: &Join) -> Scenario {
+    let mut script = Script::new(join, DEFAULT_PERIOD);
+    let words = |left: Option<u64>, right: Option<u64>| JoinIn { left: word(left).into, right: word(right).into };
+    script.ready("out", true);
+    script.clock(&words(Some(1), None));
+    script.clock(&words(Some(1), Some(5)));
+    script.clock(&words(None, Some(6)));
+    script.clock(&words(Some(2), Some(6)));
+    script.ready("out", false);
+    script.hold(&words(Some(3), Some(7)), 2);
+    script.ready("out", true);
+    script.clock(&words(Some(3), Some(7)));
+    script.hold(&words(None, None), 2);
+    script.finish("a word of the left stream waits for one of the right, one of the right for the left, and both for the receiver")
+}
+
+fn split(values: &Values) -> Split {
+    Split::new(values.get_u32("receivers"), values.get_u32("width"))
+}
+
+fn to_each_in_turn(split: &Split, receivers: u64) -> Scenario {
+    let mut script = Script::new(split, DEFAULT_PERIOD);
+    let word = |valid: u64, to, word| SplitIn { into: Stream::of(valid, Addressed { to, word }) };
+    (0..receivers).for_each(|receiver| script.ready(&format!("out.{receiver}"), true));
+    for receiver in 0..receivers {
+        script.clock(&word(1, receiver, (receiver + 1) % 16));
+    }
+    script.ready("out.0", false);
+    script.hold(&word(1, 0, 9), 2);
+    script.ready("out.0", true);
+    script.clock(&word(1, 0, 9));
+    script.hold(&word(0, 0, 0), 2);
+    script.finish("a word goes to each receiver; one more waits for the first of them, as long as that is not ready")
 }
 
 fn arbiter(values: &Values, turns: Turns) -> Arbiter {

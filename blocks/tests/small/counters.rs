@@ -1,8 +1,7 @@
-//! Counters, shift registers, encoders and number sequences.
+//! Counters, shift registers and number sequences.
 
 use proptest::prelude::*;
 use tilewright_blocks::*;
-use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
 #[test]
@@ -52,52 +51,6 @@ fn a_shift_register() {
     let seen = sim.stream([row(1, 0b1010, 1, 1), row(0, 0, 1, 1), row(0, 0, 0, 1), row(0, 0, 1, 0), row(0, 0, 0, 0)]);
     let expected = [(0, 0), (0b1010, 1), (0b0101, 0), (0b0101, 0), (0b1010, 1)];
     assert_eq!(seen, expected.map(|(held, bit_out)| ShiftRegisterOut { held, bit_out }));
-}
-
-bundle! {
-    struct EncodeIn<T> { word: T, index: T }
-    struct EncodeOut<T> { first: T, first_index: T, index_of: T, one_hot: T }
-}
-
-/// All functions of encode.rs.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Encode {
-    width: u32,
-}
-
-impl Block for Encode {
-    type In = EncodeIn;
-    type Out = EncodeOut;
-
-    fn inputs(&self) -> EncodeIn<Width> {
-        EncodeIn { word: bits(self.width), index: bits(3) }
-    }
-
-    fn build(&self, _: Module, i: EncodeIn) -> EncodeOut {
-        EncodeOut {
-            first: first(i.word),
-            first_index: first_index(i.word),
-            index_of: index_of(i.word),
-            one_hot: one_hot(i.index, self.width),
-        }
-    }
-}
-
-#[test]
-fn codes_of_every_word() {
-    for width in 1..=9u32 {
-        let mut sim = Simulation::of(&Encode { width }).unwrap();
-        for word in 0..1u64 << width {
-            let index = word % 8;
-            sim.drive(EncodeIn { word, index });
-            let out = sim.read_u64();
-            let place = if word == 0 { 0 } else { u64::from(word.trailing_zeros()) };
-            assert_eq!(out.first, word & word.wrapping_neg(), "{word:b}");
-            assert_eq!(out.first_index, place, "{word:b}");
-            assert!(!word.is_power_of_two() || out.index_of == place, "{word:b}");
-            assert_eq!(out.one_hot, (1 << index) & ((1 << width) - 1), "{index} of {width}");
-        }
-    }
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The blocks without streams, each against what its page says.
 
+mod codes;
 mod counters;
 mod memories;
 mod numbers;

@@ -250,6 +250,59 @@ fn a_fork() {
 }
 
 #[test]
+fn a_join() {
+    let mut sim = Simulation::of(&Join::new(8, 4)).unwrap();
+    sim.reset();
+    // The words of both sides, the receiver's `ready`; the block's two `ready`, what the receiver sees.
+    let rows = [
+        (Some(1), None, 1, [0, 0], None),
+        (Some(1), Some(5), 0, [0, 0], Some(0x15)),
+        (Some(1), Some(5), 1, [1, 1], Some(0x15)),
+        (None, Some(6), 1, [0, 0], None),
+        (Some(2), Some(6), 1, [1, 1], Some(0x26)),
+        (None, None, 1, [0, 0], None),
+    ];
+    for (clock, (left, right, ready, taken, shown)) in rows.into_iter().enumerate() {
+        for (stream, word) in [(sim.i.left, left), (sim.i.right, right)] {
+            sim.set(stream.valid, word.is_some());
+            sim.set(stream.payload, word.unwrap_or(0));
+        }
+        sim.set(sim.o.out.ready, ready);
+        let shows = sim.get_u64(sim.o.out.valid) == 1;
+        let seen = shows.then(|| sim.get_u64(sim.o.out.payload));
+        let accepted = [sim.i.left, sim.i.right].map(|stream| sim.get_u64(stream.ready));
+        assert_eq!((accepted, seen), (taken, shown), "clock {clock}");
+        sim.step();
+    }
+}
+
+#[test]
+fn a_split() {
+    let mut sim = Simulation::of(&Split::new(3, 8)).unwrap();
+    sim.reset();
+    // The receiver's number, if there is a word, the receivers' `ready`; the block's `ready`, who sees the word.
+    let rows = [
+        (Some(0), [1, 0, 0], 1, [1, 0, 0]),
+        (Some(1), [1, 0, 1], 0, [0, 1, 0]), // the others do not help
+        (Some(1), [0, 1, 0], 1, [0, 1, 0]),
+        (Some(2), [0, 0, 1], 1, [0, 0, 1]),
+        (None, [1, 1, 1], 0, [0, 0, 0]),
+    ];
+    for (clock, (to, ready, taken, shown)) in rows.into_iter().enumerate() {
+        sim.set(sim.i.into.valid, to.is_some());
+        sim.set(sim.i.into.to, to.unwrap_or(0));
+        sim.set(sim.i.into.word, 7 + clock as u64);
+        for (receiver, ready) in ready.into_iter().enumerate() {
+            sim.set(sim.o.out[receiver].ready, ready);
+            assert_eq!(sim.get_u64(sim.o.out[receiver].payload), 7 + clock as u64, "clock {clock}");
+        }
+        let seen = [0, 1, 2].map(|receiver| sim.get_u64(sim.o.out[receiver].valid));
+        assert_eq!((sim.get_u64(sim.i.into.ready), seen), (taken, shown), "clock {clock}");
+        sim.step();
+    }
+}
+
+#[test]
 #[should_panic(expected = "a FIFO of 0 words of 8 bits holds nothing")]
 fn a_queue_of_nothing() {
     Fifo::new(0, 8, Storage::Registers);
@@ -259,6 +312,18 @@ fn a_queue_of_nothing() {
 #[should_panic(expected = "a fork to 0 receivers takes nothing")]
 fn a_fork_to_nobody() {
     Fork::new(0, 8);
+}
+
+#[test]
+#[should_panic(expected = "a join of words of 8 and 0 bits: each has 1 or more")]
+fn a_join_of_nothing() {
+    Join::new(8, 0);
+}
+
+#[test]
+#[should_panic(expected = "a split to 0 receivers takes nothing")]
+fn a_split_to_nobody() {
+    Split::new(0, 8);
 }
 
 #[test]

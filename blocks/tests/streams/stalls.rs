@@ -3,7 +3,7 @@
 use crate::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
 use proptest::prelude::*;
 use tilewright_blocks::*;
-use tilewright_hdl::{Block, Bundle, Module, Stream, Width, bits, block, bundle, cat, stream};
+use tilewright_hdl::{Block, Bundle, Module, Stream, Width, below, bits, lit, stream};
 use tilewright_sim::{Port, Simulation};
 
 pub fn stalls() -> impl Strategy<Value = Stalls> {
@@ -43,40 +43,22 @@ pub fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
     result(block, |i| vec![i.into], |o| vec![o.out], (&[words.to_vec()], &[count]), stalls, cuts).remove(0)
 }
 
-bundle! {
-    struct JoinIn<T> { left: Stream<T, T>, right: Stream<T, T> }
-}
-
-/// Words of two streams side by side.
+/// A split of words, of which the receiver's number is the upper part.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Join;
+struct SplitWords(u32);
 
-impl Block for Join {
-    type In = JoinIn;
-    type Out = StreamOut;
+impl Block for SplitWords {
+    type In = StreamIn;
+    type Out = ForkOut;
 
-    fn inputs(&self) -> JoinIn<Width> {
-        JoinIn { left: stream(8), right: stream(8) }
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(bits(below(self.0).bits() + 8)) }
     }
 
-    fn build(&self, m: Module, i: JoinIn) -> StreamOut {
-        // A block without a clock cannot be stepped: a slice has one.
-        let left = m.slice("u_left", Slice::Both, i.left);
-        StreamOut { out: m.join(left, i.right, |left, right| cat![left, right]) }
-    }
-}
-
-block! {
-    /// Words by their lowest two bits, which are not 3.
-    struct Split;
-    in = StreamIn { into: stream(bits(8)) };
-    out = ForkOut { out: vec![stream(bits(8)); 3] };
-}
-
-impl Split {
     fn build(&self, m: Module, i: StreamIn) -> ForkOut {
-        let words = m.slice("u_slice", Slice::Forward, i.into);
-        ForkOut { out: m.split_by::<_, 3>(words, |word| word.trunc(2)).into() }
+        let like = Addressed { to: lit(below(self.0), 0), word: lit(8, 0) };
+        let out = m.instance("u_split", &Split::new(self.0, 8), SplitIn { into: i.into.unpacked(&like) }).out;
+        ForkOut { out }
     }
 }
 
@@ -84,10 +66,10 @@ impl Split {
 #[should_panic(expected = "a word goes to one of 3 receivers")]
 fn a_word_to_nobody() {
     result(
-        &Split,
+        &SplitWords(3),
         |i| vec![i.into],
         |o| o.out.clone(),
-        (&[vec![3]], &[0; 3]),
+        (&[vec![0x300]], &[0; 3]),
         Stalls { senders: 0, receivers: 0, seed: 1 },
         NONE,
     );
@@ -139,20 +121,23 @@ proptest! {
     }
 
     #[test]
-    fn splits(words in words(256), stalls in stalls()) {
-        let words: Vec<u64> = words.into_iter().filter(|word| word % 4 != 3).collect();
-        let expected = [0, 1, 2].map(|number| words.iter().copied().filter(|word| word % 4 == number).collect::<Vec<_>>());
-        let counts = expected.each_ref().map(Vec::len);
-        let received = result(&Split, |i| vec![i.into], |o| o.out.clone(), (&[words], &counts), stalls, NONE);
+    fn splits(receivers in 1u32..6, words in words(256), stalls in stalls()) {
+        let to = |word: &u64| word % u64::from(receivers);
+        let sent: Vec<u64> = words.iter().map(|word| to(word) << 8 | word).collect();
+        let of = |number: u32| words.iter().copied().filter(|word| to(word) == number.into()).collect::<Vec<_>>();
+        let expected: Vec<_> = (0..receivers).map(of).collect();
+        let counts: Vec<_> = expected.iter().map(Vec::len).collect();
+        let split = SplitWords(receivers);
+        let received = result(&split, |i| vec![i.into], |o| o.out.clone(), (&[sent], &counts), stalls, NONE);
         prop_assert_eq!(received, expected);
     }
 
     #[test]
-    fn joins(left in words(256), right in words(256), stalls in stalls()) {
+    fn joins(left in words(256), right in words(16), stalls in stalls()) {
         let count = left.len().min(right.len());
         let sent = [left[..count].to_vec(), right[..count].to_vec()];
-        let pairs: Vec<u64> = left.iter().zip(&right).map(|(left, right)| left << 8 | right).collect();
-        let received = result(&Join, |i| vec![i.left, i.right], |o| vec![o.out], (&sent, &[count]), stalls, NONE);
+        let pairs: Vec<u64> = left.iter().zip(&right).map(|(left, right)| left << 4 | right).collect();
+        let received = result(&Join::new(8, 4), |i| vec![i.left, i.right], |o| vec![o.out], (&sent, &[count]), stalls, NONE);
         prop_assert_eq!(received, vec![pairs]);
     }
 

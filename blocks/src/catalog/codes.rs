@@ -1,0 +1,70 @@
+//! The entries of codes.
+
+use crate::{Decoder, DecoderIn, Encoder, EncoderIn, PriorityEncoder, PriorityEncoderIn};
+use tilewright_hdl::catalog::{Entry, Parameter, Values};
+use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
+
+const LINES: Parameter = Parameter { name: "lines", default: 5, min: 2, max: 64, meaning: "how many lines there are" };
+
+pub(super) const DECODER: Entry = Entry {
+    name: "decoder",
+    summary: "makes a one-hot code of a number",
+    parameters: &[LINES],
+    design: |values| Ok(elaborate(&decoder(values))?),
+    scenario: |values| Ok(every_number(&decoder(values), values.get("lines"))),
+};
+
+pub(super) const ENCODER: Entry = Entry {
+    name: "encoder",
+    summary: "makes a number of a one-hot code",
+    parameters: &[LINES],
+    design: |values| Ok(elaborate(&encoder(values))?),
+    scenario: |values| Ok(every_line(&encoder(values), values.get("lines"))),
+};
+
+pub(super) const PRIORITY_ENCODER: Entry = Entry {
+    name: "priority-encoder",
+    summary: "says which of the lines that are high is the first",
+    parameters: &[LINES],
+    design: |values| Ok(elaborate(&priority_encoder(values))?),
+    scenario: |values| Ok(more_and_more(&priority_encoder(values), values.get("lines"))),
+};
+
+fn decoder(values: &Values) -> Decoder {
+    Decoder::new(values.get_u32("lines"))
+}
+
+fn every_number(decoder: &Decoder, lines: u64) -> Scenario {
+    let mut script = Script::new(decoder, DEFAULT_PERIOD);
+    for index in 0..lines {
+        script.clock(&DecoderIn { index });
+    }
+    script.finish("the number of each line, one after another")
+}
+
+fn encoder(values: &Values) -> Encoder {
+    Encoder::new(values.get_u32("lines"))
+}
+
+fn every_line(encoder: &Encoder, lines: u64) -> Scenario {
+    let mut script = Script::new(encoder, DEFAULT_PERIOD);
+    for line in 0..lines {
+        script.clock(&EncoderIn { one_hot: 1 << line });
+    }
+    script.clock(&EncoderIn { one_hot: 0 });
+    script.finish("each line is high by itself, and then none")
+}
+
+fn priority_encoder(values: &Values) -> PriorityEncoder {
+    PriorityEncoder::new(values.get_u32("lines"))
+}
+
+fn more_and_more(encoder: &PriorityEncoder, lines: u64) -> Scenario {
+    let mut script = Script::new(encoder, DEFAULT_PERIOD);
+    script.clock(&PriorityEncoderIn { requests: 0 });
+    for line in (0..lines).rev() {
+        let from_there_on = (u64::MAX >> (64 - lines)) >> line << line;
+        script.clock(&PriorityEncoderIn { requests: from_there_on });
+    }
+    script.finish("the last line is high, and then more and more of those before it")
+}

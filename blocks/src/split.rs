@@ -1,0 +1,95 @@
+//! One stream to several receivers, to each its words.
+
+use crate::encode::one_hot;
+use tilewright_hdl::{Data, Module, Signal, Stream, below, bits, block, lit};
+
+block! {
+    /// Sends each word to that of its receivers whose number comes with it.
+    ///
+    /// ```text
+    ///             .===> out.0
+    /// into ===>--+===> out.1
+    ///          to--'===> out.2
+    /// ```
+    ///
+    /// Latency 0. No `valid` waits for `ready`; `ready` of `into` is that of the receiver whose number the word has. What number a word has
+    /// may also be a function of the word: [`StreamBlocks::split_by`](crate::StreamBlocks::split_by).
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{Addressed, Split, SplitIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// def!(count = m.reg(4).reset(0));
+    /// let (into, sent) = m.offer(lit(1, 1), Addressed { to: count.bit(0), word: *count });
+    /// count.when(sent, count + 1);
+    /// let out = m.instance("u_split", &Split::new(2, 4), SplitIn { into }).out;
+    /// def!(even_taken = out[0].take_when(1).taken);
+    /// def!(slow = m.reg(1).reset(0));
+    /// slow.next(!*slow);
+    /// def!(odd_taken = out[1].take_when(!*slow).taken);
+    /// # });
+    /// assert_eq!(example.values("even_taken"), [1, 0, 0, 1, 0, 1]);
+    /// assert_eq!(example.values("odd_taken"), [0, 0, 1, 0, 1, 0]); // the word after an odd one waits with it
+    /// ```
+    pub struct Split {
+        receivers: u32,
+        width: u32,
+    }
+    in(self) SplitIn {
+        /// What goes to one of the receivers.
+        into: stream(pub struct Addressed {
+            /// The number of the receiver.
+            to: below(self.receivers),
+            /// What it gets.
+            word: bits(self.width),
+        }),
+    }
+    out(self) SplitOut {
+        /// To each receiver its own.
+        out: [stream(bits(self.width)); self.receivers],
+    }
+}
+
+impl Split {
+    /// A split to so many receivers of so many bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::Split;
+    ///
+    /// assert_eq!(Split::new(3, 8).name(), "split_receivers3_width8");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// It would have no receivers.
+    #[track_caller]
+    pub fn new(receivers: u32, width: u32) -> Split {
+        assert!(receivers > 0, "a split to 0 receivers takes nothing");
+        Split { receivers, width }
+    }
+
+    fn build(&self, m: Module, i: SplitIn) -> SplitOut {
+        m.cover("a word waits for its receiver", i.into.valid & !i.into.ready);
+        SplitOut { out: split(m, &i.into.with(i.into.word), i.into.to, self.receivers) }
+    }
+}
+
+/// The stream to so many receivers, of which each word goes to that of number `to`.
+#[track_caller]
+pub(crate) fn split<P: Data>(m: Module, stream: &Stream<P>, to: Signal, receivers: u32) -> Vec<Stream<P>> {
+    let chosen = one_hot(to, receivers.into());
+    let mut ready = lit(1, 0);
+    // A loop, as a closure would be the caller that messages name.
+    let mut streams = Vec::new();
+    for number in 0..receivers {
+        let (out, sent) = m.offer(stream.valid & chosen.bit(number), stream.payload.clone());
+        ready |= sent;
+        streams.push(out);
+    }
+    stream.take_when(ready);
+    if to.width() < 64 && u64::from(receivers) != 1 << to.width() {
+        m.assert(stream.valid.implies(chosen.any_one()), &format!("a word goes to one of {receivers} receivers"));
+    }
+    streams
+}
