@@ -1,49 +1,52 @@
 //! A queue from one clock to another.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Signal, Width, bit, bits, concat, def, stream};
+use tilewright_hdl::{Clock, Module, ReadUnderWrite, Signal, bit, bits, block, concat, def, stream};
 
-/// A queue that is filled on one clock and emptied on another.
-///
-/// ```text
-///                 write clock | read clock
-///             .---------------|---------.
-/// into ======>| words [depth] |         |======> out
-///             '---------------|---------'
-///   free --> gray ----------[ 2 ]-----> filled?
-///   full? <---------------[ 2 ]-------- gray <-- oldest
-/// ```
-///
-/// Each side knows the other's pointer in Gray code, through two registers; as one bit changes at a time, what it sees is where the
-/// pointer is or was. So the writer may take the queue for fuller than it is, and the reader for emptier, never the other way.
-///
-/// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the memory; where the edges of
-/// both clocks meet, hardware may need one more. No path within a clock from any port to another. Both resets come together.
-///
-/// ```
-/// # use tilewright_hdl::*;
-/// use tilewright_blocks::{DualClockFifo, StreamIn};
-///
-/// const HOST: Clock = Clock::new("host", Period::ns(10));
-/// const VIDEO: Clock = Clock::new("video", Period::ns(14));
-///
-/// # let example = tilewright_sim::traced(|m| {
-/// def!(count = m.on(HOST).reg(4).reset(0));
-/// let (into, sent) = m.on(HOST).offer(lit(1, 1), *count);
-/// count.when(sent, count + 1);
-/// let queue = DualClockFifo::new(4, 4, HOST, VIDEO);
-/// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
-/// # });
-/// // The edges of both clocks up to 60 ns. Nobody takes a word, so four are taken in.
-/// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3, 4, 4, 4, 4]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct DualClockFifo {
-    depth: u32,
-    width: u32,
-    write: Clock,
-    read: Clock,
+block! {
+    /// A queue from one clock to another, with pointers in Gray code.
+    ///
+    /// ```text
+    ///                 write clock | read clock
+    ///             .---------------|---------.
+    /// into ======>| words [depth] |         |======> out
+    ///             '---------------|---------'
+    ///   free --> gray ----------[ 2 ]-----> filled?
+    ///   full? <---------------[ 2 ]-------- gray <-- oldest
+    /// ```
+    ///
+    /// Each side knows the other's pointer in Gray code, through two registers; as one bit changes at a time, what it sees is where the
+    /// pointer is or was. So the writer may take the queue for fuller than it is, and the reader for emptier, never the other way.
+    ///
+    /// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the memory; where the edges of
+    /// both clocks meet, hardware may need one more. No path within a clock from any port to another. Both resets come together.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::{DualClockFifo, StreamIn};
+    ///
+    /// const HOST: Clock = Clock::new("host", Period::ns(10));
+    /// const VIDEO: Clock = Clock::new("video", Period::ns(14));
+    ///
+    /// # let example = tilewright_sim::traced(|m| {
+    /// def!(count = m.on(HOST).reg(4).reset(0));
+    /// let (into, sent) = m.on(HOST).offer(lit(1, 1), *count);
+    /// count.when(sent, count + 1);
+    /// let queue = DualClockFifo::new(4, 4, HOST, VIDEO);
+    /// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
+    /// # });
+    /// // The edges of both clocks up to 60 ns. Nobody takes a word, so four are taken in.
+    /// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3, 4, 4, 4, 4]);
+    /// ```
+    pub struct DualClockFifo {
+        depth: u32,
+        width: u32,
+        write: Clock,
+        read: Clock,
+    }
+    latency = "3 clocks of the reader, 4 where its edge meets the writer's";
+    in(self) = StreamIn { into: stream(bits(self.width)).on(self.write) };
+    out(self) = StreamOut { out: stream(bits(self.width)) };
 }
 
 impl DualClockFifo {
@@ -57,7 +60,7 @@ impl DualClockFifo {
     /// const VIDEO: Clock = Clock::new("video", Period::ns(14));
     ///
     /// let queue = DualClockFifo::new(16, 8, HOST, VIDEO);
-    /// assert_eq!(queue.name(), "dual_clock_fifo_depth16_width8_host_to_video");
+    /// assert_eq!(queue.name(), "dual_clock_fifo_depth16_width8_write_host_read_video");
     /// ```
     ///
     /// # Panics
@@ -72,31 +75,6 @@ impl DualClockFifo {
         assert!(width > 0, "a FIFO of {depth} words of 0 bits holds nothing");
         assert!(write.name != read.name, "a dual-clock FIFO on clock `{}` alone: take `Fifo`", write.name);
         DualClockFifo { depth, width, write, read }
-    }
-}
-
-/// Of numbers that follow each other one bit differs.
-fn gray(number: Signal) -> Signal {
-    number ^ (number >> 1)
-}
-
-/// A Gray code, registered on another clock, through two registers of this one for each bit.
-#[track_caller]
-fn cross(m: Module, name: &str, code: Signal) -> Signal {
-    // A loop, as a closure would be the caller that messages name.
-    let mut bits = Vec::new();
-    for bit in (0..code.width()).rev() {
-        bits.push(m.synchronize(&format!("{name}{bit}"), code.bit(bit)));
-    }
-    concat(&bits)
-}
-
-impl Block for DualClockFifo {
-    type In = StreamIn;
-    type Out = StreamOut;
-
-    fn inputs(&self) -> StreamIn<Width> {
-        StreamIn { into: stream(bits(self.width)).on(self.write) }
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
@@ -130,16 +108,20 @@ impl Block for DualClockFifo {
         state_that_it_stays(read, &out);
         StreamOut { out }
     }
+}
 
-    fn about(&self) -> About {
-        About {
-            summary: "A queue from one clock to another, with pointers in Gray code.".into(),
-            latency: "3 clocks of the reader, 4 where its edge meets the writer's".into(),
-            ..About::default()
-        }
-    }
+/// Of numbers that follow each other one bit differs.
+fn gray(number: Signal) -> Signal {
+    number ^ (number >> 1)
+}
 
-    fn name(&self) -> String {
-        format!("dual_clock_fifo_depth{}_width{}_{}_to_{}", self.depth, self.width, self.write.name, self.read.name)
+/// A Gray code, registered on another clock, through two registers of this one for each bit.
+#[track_caller]
+fn cross(m: Module, name: &str, code: Signal) -> Signal {
+    // A loop, as a closure would be the caller that messages name.
+    let mut bits = Vec::new();
+    for bit in (0..code.width()).rev() {
+        bits.push(m.synchronize(&format!("{name}{bit}"), code.bit(bit)));
     }
+    concat(&bits)
 }

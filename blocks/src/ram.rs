@@ -1,7 +1,6 @@
 //! Memories whose words are written byte by byte.
 
-use tilewright_hdl::ir::About;
-use tilewright_hdl::{Block, Clock, Module, ReadUnderWrite, Width, below, bits, block, bundle, row};
+use tilewright_hdl::{Clock, Module, ReadUnderWrite, below, bits, block, row};
 
 /// What such a memory holds at all.
 #[track_caller]
@@ -84,76 +83,56 @@ impl Ram {
     }
 }
 
-bundle! {
-    /// The inputs of [`DualClockRam`].
+block! {
+    /// A memory that one clock writes byte by byte and another one reads.
     ///
+    /// ```text
+    ///                 write clock | read clock
+    ///             .---------------|---------.
+    ///   to, data =>               |         |<= from
+    ///      write =>  words [depth]|         |=> word
+    ///             '---------------|---------'
     /// ```
-    /// use tilewright_blocks::DualClockRamIn;
-    /// let upper_byte_of_5 = DualClockRamIn { to: 5, write: 0b10, data: 0xab00, from: 4 };
-    /// assert_ne!(upper_byte_of_5.to, upper_byte_of_5.from); // what is written is not read yet
-    /// ```
-    pub struct DualClockRamIn<T> {
-        /// Which word is written.
-        pub to: T,
-        /// Which of its bytes are, the lowest bit for the lowest byte.
-        pub write: T,
-        /// What is written.
-        pub data: T,
-        /// Which word is read, on the other clock.
-        pub from: T,
-    }
-
-    /// The outputs of [`DualClockRam`].
+    ///
+    /// Latency 1 clock of the reader. What is read of a word that is written at the same time may be anything: who reads has to know which words
+    /// are done, as [`DualClockFifo`](crate::DualClockFifo) does by its pointers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{DualClockRam, DualClockRamIn};
     /// # const HOST: Clock = Clock::new("host", Period::ns(10));
     /// # const VIDEO: Clock = Clock::new("video", Period::ns(14));
-    /// let mut sim = tilewright_sim::Simulation::of(&DualClockRam::new(8, 1, HOST, VIDEO))?;
-    /// sim.drive(DualClockRamIn { to: 5, write: 1, data: 7, from: 4 });
+    /// let mut sim = tilewright_sim::Simulation::of(&DualClockRam::new(8, 2, HOST, VIDEO))?;
+    /// sim.drive(DualClockRamIn { to: 5, write: 0b11, data: 0xabcd, from: 4 });
+    /// sim.step_clock(HOST, 1);
+    /// sim.drive(DualClockRamIn { to: 5, write: 0b10, data: 0x1234, from: 4 }); // the upper byte alone
     /// sim.step_clock(HOST, 1);
     /// sim.drive(DualClockRamIn { to: 5, write: 0, data: 0, from: 5 });
     /// sim.step_clock(VIDEO, 1);
-    /// assert_eq!(sim.get(sim.o.word), 7);
+    /// assert_eq!(sim.get(sim.o.word), 0x12cd);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
-    pub struct DualClockRamOut<T> {
-        /// The word that is read.
-        pub word: T,
+    pub struct DualClockRam {
+        depth: u32,
+        bytes: u32,
+        write: Clock,
+        read: Clock,
     }
-}
-
-/// A memory that one clock writes byte by byte and another one reads.
-///
-/// ```text
-///                 write clock | read clock
-///             .---------------|---------.
-///   to, data =>               |         |<= from
-///      write =>  words [depth]|         |=> word
-///             '---------------|---------'
-/// ```
-///
-/// Latency 1 clock of the reader. What is read of a word that is written at the same time may be anything: who reads has to know which words
-/// are done, as [`DualClockFifo`](crate::DualClockFifo) does by its pointers.
-///
-/// ```
-/// use tilewright_blocks::DualClockRam;
-/// use tilewright_hdl::{Clock, Period, elaborate};
-///
-/// const HOST: Clock = Clock::new("host", Period::ns(10));
-/// const VIDEO: Clock = Clock::new("video", Period::ns(14));
-///
-/// let design = elaborate(&DualClockRam::new(640, 3, HOST, VIDEO))?; // a line of a picture
-/// assert_eq!(design.top().clocks.len(), 2);
-/// # Ok::<(), tilewright_hdl::Problems>(())
-/// ```
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct DualClockRam {
-    depth: u32,
-    bytes: u32,
-    writes: Clock,
-    reads: Clock,
+    latency = "1 clock of the reader";
+    in(self) DualClockRamIn {
+        /// Which word is written.
+        to: below(self.depth).on(self.write),
+        /// Which of its bytes are, the lowest bit for the lowest byte.
+        write: bits(self.bytes).on(self.write),
+        /// What is written.
+        data: bits(8 * self.bytes).on(self.write),
+        /// Which word is read, on the other clock.
+        from: below(self.depth).on(self.read),
+    }
+    out(self) DualClockRamOut {
+        /// The word that is read.
+        word: bits(8 * self.bytes),
+    }
 }
 
 impl DualClockRam {
@@ -164,54 +143,29 @@ impl DualClockRam {
     /// # use tilewright_blocks::DualClockRam;
     /// # const HOST: Clock = Clock::new("host", Period::ns(10));
     /// # const VIDEO: Clock = Clock::new("video", Period::ns(14));
-    /// let ram = DualClockRam::new(16, 4, HOST, VIDEO);
-    /// assert_eq!(ram.name(), "dual_clock_ram_depth16_bytes4_host_to_video");
+    /// let line_of_a_picture = DualClockRam::new(640, 3, HOST, VIDEO);
+    /// assert_eq!(line_of_a_picture.name(), "dual_clock_ram_depth640_bytes3_write_host_read_video");
     /// ```
     ///
     /// # Panics
     ///
     /// It has less than two words, or words of no byte, or the clocks are one.
     #[track_caller]
-    pub fn new(depth: u32, bytes: u32, writes: Clock, reads: Clock) -> DualClockRam {
+    pub fn new(depth: u32, bytes: u32, write: Clock, read: Clock) -> DualClockRam {
         check(depth, bytes);
-        assert!(writes.name != reads.name, "a dual-clock memory on clock `{}` alone: take `Ram`", writes.name);
-        DualClockRam { depth, bytes, writes, reads }
-    }
-}
-
-impl Block for DualClockRam {
-    type In = DualClockRamIn;
-    type Out = DualClockRamOut;
-
-    fn inputs(&self) -> DualClockRamIn<Width> {
-        DualClockRamIn {
-            to: below(self.depth).on(self.writes),
-            write: bits(self.bytes).on(self.writes),
-            data: bits(8 * self.bytes).on(self.writes),
-            from: below(self.depth).on(self.reads),
-        }
+        assert!(write.name != read.name, "a dual-clock memory on clock `{}` alone: take `Ram`", write.name);
+        DualClockRam { depth, bytes, write, read }
     }
 
     fn build(&self, m: Module, i: DualClockRamIn) -> DualClockRamOut {
         if !self.depth.is_power_of_two() {
-            m.on(self.writes).assume(i.to.lt(self.depth), "an address is that of a word");
-            m.on(self.reads).assume(i.from.lt(self.depth), "an address is that of a word");
+            m.on(self.write).assume(i.to.lt(self.depth), "an address is that of a word");
+            m.on(self.read).assume(i.from.lt(self.depth), "an address is that of a word");
         }
         let bytes = row(self.bytes);
         let words =
             m.memory("words", self.depth, bits(8).of(bytes), ReadUnderWrite::Any).attribute("ram_style", "block");
-        words.on(self.writes).write(i.write.unpack(bytes), i.to, i.data.unpack(bytes));
-        DualClockRamOut { word: words.on(self.reads).read(i.from).pack() }
-    }
-    fn about(&self) -> About {
-        About {
-            summary: "A memory that one clock writes byte by byte and another one reads.".into(),
-            latency: "1 clock of the reader".into(),
-            ..About::default()
-        }
-    }
-
-    fn name(&self) -> String {
-        format!("dual_clock_ram_depth{}_bytes{}_{}_to_{}", self.depth, self.bytes, self.writes.name, self.reads.name)
+        words.on(self.write).write(i.write.unpack(bytes), i.to, i.data.unpack(bytes));
+        DualClockRamOut { word: words.on(self.read).read(i.from).pack() }
     }
 }

@@ -107,6 +107,30 @@ use crate::width::Width;
 ///
 /// Ports that several blocks share are a [`bundle!`](crate::bundle!), and are declared by its widths: `in(self) = StreamIn { into: stream(bits(self.width)) };`.
 ///
+/// A block of several clocks has them among its parameters, and in the name of its module they are called by theirs:
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # const HOST: Clock = Clock::new("host", Period::ns(10));
+/// # const VIDEO: Clock = Clock::new("video", Period::ns(14));
+/// block! {
+///     /// Brings a bit from one clock to another.
+///     pub struct Across { from: Clock, to: Clock }
+///     in(self) AcrossIn { flag: bit().on(self.from) }
+///     out AcrossOut { seen: bit() }
+/// }
+///
+/// impl Across {
+///     fn build(&self, m: Module, i: AcrossIn) -> AcrossOut {
+///         let held = m.on(self.from).pipe("held", i.flag);
+///         AcrossOut { seen: m.on(self.to).synchronize("passed", held) }
+///     }
+/// }
+///
+/// assert_eq!(elaborate(&Across { from: HOST, to: VIDEO })?.top().name, "across_from_host_to_video");
+/// # Ok::<(), Problems>(())
+/// ```
+///
 /// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose module has a name of its own implements
 /// [`Block`](crate::Block) itself.
 #[macro_export]

@@ -10,6 +10,8 @@ const LONGEST: usize = 80;
 /// - A parameter has the name of its field; of fields with one name, that of the record around it stands before it.
 /// - A record's own name is left out where its field says it: in `screen: Screen { .. }`, not in `mode: Fast { .. }`.
 /// - What is true is there by its name, what is false is not.
+/// - A clock is there by its name alone, as in a design clocks of one name have one period: `read: VIDEO` makes `read_video`.
+/// - What is called as its field is there once: a clock `read` as `read`.
 /// - Type arguments stand behind the block's name: `Queue<Pixel>` makes `queue_pixel`.
 /// - What the name cannot show in full (text with spaces, lists of lists, too much of anything) is told apart by a number made of all that `Debug` prints.
 pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
@@ -47,6 +49,7 @@ fn in_words(parameters: &str) -> (String, bool) {
             "true" if !is_list && !key.is_empty() => format!("_{key}"),
             "false" if !is_list && !key.is_empty() => String::new(),
             _ if key.is_empty() => format!("_{value}"),
+            word if word == key => format!("_{key}"),
             number if number.starts_with(digit) && !key.ends_with(digit) => format!("_{key}{number}"),
             word => format!("_{key}_{word}"),
         };
@@ -130,8 +133,12 @@ impl Reader {
         fields.flatten().cloned().collect()
     }
 
-    /// A field's name, a record's, a variant's or a number.
+    /// A field's name, a record's, a clock's, a variant's or a number.
     fn word<'a>(&mut self, text: &'a str) -> &'a str {
+        if let Some((name, rest)) = clock(text) {
+            self.words(name);
+            return rest;
+        }
         let end = text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(text.len());
         let (word, rest) = text.split_at(end);
         let name = snake_case(word);
@@ -160,6 +167,12 @@ impl Reader {
             ends
         });
         let (text, rest) = text.split_at(end.unwrap_or(text.len()));
+        self.words(text);
+        rest.get(1..).unwrap_or("")
+    }
+
+    /// A text as its words in small letters.
+    fn words(&mut self, text: &str) {
         let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
         let words = words.collect::<Vec<_>>().join("_").to_ascii_lowercase();
         self.is_shortened |= words != text;
@@ -168,8 +181,14 @@ impl Reader {
         } else {
             self.value(words);
         }
-        rest.get(1..).unwrap_or("")
     }
+}
+
+/// The name of the [`Clock`](crate::Clock) that is printed first, and what is printed behind it.
+fn clock(printed: &str) -> Option<(&str, &str)> {
+    let (name, rest) = printed.strip_prefix("Clock { name: \"")?.split_once("\", period: Period(")?;
+    let (_, rest) = rest.split_once(") }")?;
+    Some((name, rest))
 }
 
 fn digit(c: char) -> bool {
@@ -200,6 +219,7 @@ mod tests {
     use std::marker::PhantomData;
 
     use super::*;
+    use crate::clock::{Clock, Period};
 
     fn named<B: std::fmt::Debug>(block: B) -> String {
         module_name(std::any::type_name::<B>(), &format!("{block:?}"))
@@ -278,6 +298,26 @@ mod tests {
         let names = [named(Table { of: 1u8 }), named(Table { of: 1u64 }), named(Table { of: PhantomData::<Size> })];
         assert_eq!(names, ["table_u8_of1", "table_u64_of1", "table_phantom_data_size"]);
         assert_eq!(named(Table { of: Size { width: 1, height: 2 } }), "table_size_of_size_width1_height2");
+    }
+
+    #[test]
+    fn clocks_are_there_by_their_names() {
+        #[derive(Debug)]
+        #[expect(dead_code, reason = "Debug shows them")]
+        struct Crossing {
+            depth: u32,
+            write: Clock,
+            read: Option<Clock>,
+            others: Vec<Clock>,
+        }
+        let clock = |name| Clock::new(name, Period::ns(10));
+        let crossing = Crossing { depth: 4, write: clock("host"), read: Some(clock("read")), others: Vec::new() };
+        assert_eq!(named(crossing), "crossing_depth4_write_host_read_others_empty");
+        let others = vec![clock("a"), clock("b2")];
+        let crossing = Crossing { depth: 4, write: clock("write"), read: None, others };
+        assert_eq!(named(crossing), "crossing_depth4_write_read_none_others_a_b2");
+        assert_eq!(printed("Timed(Clock { name: \"video\", period: Period(40000) })"), "timed_video");
+        assert_eq!(printed("Timed { clock: Clock { hz: 5 } }"), "timed_hz5", "another type of that name");
     }
 
     #[test]
