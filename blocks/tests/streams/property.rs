@@ -1,14 +1,14 @@
 //! The one property of all blocks of streams: whatever stalls there are, a word that is shown stays until it is taken, no `valid` waits for
 //! a `ready`, and what the page of the block says is cut is cut. What went through is given back, to be compared with what should have.
 
-use tilewright_hdl::{Bundle, Stream};
+use tilewright_hdl::{Bundle, Clock, Stream};
 use tilewright_sim::{Pauses, Port, Simulation, Testbench, monitor};
 
 /// A stream of the block, and its clock if the block has several.
 #[derive(Clone, Copy)]
 pub struct End {
     stream: Stream<Port, Port>,
-    clock: Option<&'static str>,
+    clock: Option<Clock>,
 }
 
 impl End {
@@ -16,7 +16,7 @@ impl End {
         End { stream, clock: None }
     }
 
-    pub fn on(stream: Stream<Port, Port>, clock: &'static str) -> End {
+    pub fn on(stream: Stream<Port, Port>, clock: Clock) -> End {
         End { stream, clock: Some(clock) }
     }
 }
