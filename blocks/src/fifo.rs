@@ -39,7 +39,8 @@ pub enum Storage {
 block! {
     /// A queue: gives its words in the order in which it took them, and shows the oldest before it is taken.
     ///
-    /// It holds up to `depth` words; see [the table](crate) for what it costs.
+    /// It holds up to `depth` words; see [the table](crate) for what it costs. One module serves all records of as many bits, so inside of it waves
+    /// and Verilog show a record as one `payload`, whose fields have their names again where it comes out.
     ///
     /// ```text
     ///             .---------------.

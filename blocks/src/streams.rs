@@ -11,8 +11,8 @@ use crate::slice::{RegisterSlice, Slice};
 use crate::split::split;
 use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 
-/// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side.
-/// See [the crate](crate) for an example.
+/// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side. One module serves
+/// all records of as many bits, so inside of it waves and Verilog show one `payload`. See [the crate](crate) for an example.
 ///
 /// ```
 /// # use tilewright_hdl::*;
