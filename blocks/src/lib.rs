@@ -64,9 +64,13 @@
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
 //! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from what is written to what is read |
 //! | [`Multiplier`], [`Shifter`] | pipelines with an enable | a clock for each stage | any |
+//! | [`MultiplyAccumulate`] | sums of products, of which each is added to any sum | 2 | any |
+//! | [`Minimum`], [`PipelinedMinimum`] | the least of many numbers, and which it is | 0, a clock for each level | -, any |
+//! | [`BoxFilter`] | the sums of three by three cells, as a function [`window_sums`] | 1 | any |
+//! | [`Rotator`], [`FromDecimal`], [`SevenSegment`] | a word rotated, decimal digits as a number, a digit to be shown | 1 | any |
 //! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
 //! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable in each so many clocks | 1 | any |
-//! | [`Counter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` |
+//! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
 //! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
 
 mod arbiter;
@@ -74,6 +78,7 @@ pub mod catalog;
 mod convert;
 mod counter;
 mod crc;
+mod decimal;
 mod divider;
 mod dual_clock;
 mod encode;
@@ -82,10 +87,13 @@ mod fork;
 mod join;
 mod lfsr;
 mod lifo;
+mod minimum;
 mod multiplier;
+mod multiply_accumulate;
 mod ports;
 mod quadrature;
 mod ram;
+mod rotator;
 mod shift;
 mod shifter;
 mod sine;
@@ -94,12 +102,15 @@ mod split;
 mod square_root;
 mod start;
 mod streams;
+mod up_down;
 mod vector_registers;
+mod window;
 
 pub use arbiter::{Arbiter, ArbiterIn, Turns};
 pub use convert::{Narrow, Widen};
 pub use counter::{Counter, CounterIn, CounterOut};
 pub use crc::{BitOrder, Crc, CrcIn, CrcOut};
+pub use decimal::{FromDecimal, FromDecimalIn, FromDecimalOut, SevenSegment, SevenSegmentIn, SevenSegmentOut};
 pub use divider::{Divider, DividerIn, DividerOut, Operands, Quotient};
 pub use dual_clock::DualClockFifo;
 pub use encode::{
@@ -111,10 +122,13 @@ pub use fork::{Fork, ForkOut};
 pub use join::{Join, JoinIn};
 pub use lfsr::{Lfsr, LfsrIn, LfsrOut};
 pub use lifo::Lifo;
+pub use minimum::{Minimum, MinimumIn, MinimumOut, PipelinedMinimum, PipelinedMinimumIn, PipelinedMinimumOut};
 pub use multiplier::{Multiplier, MultiplierIn, MultiplierOut};
+pub use multiply_accumulate::{MultiplyAccumulate, MultiplyAccumulateIn, MultiplyAccumulateOut};
 pub use ports::{StreamIn, StreamOut};
 pub use quadrature::{Quadrature, QuadratureIn, QuadratureOut, Turn};
 pub use ram::{DualClockRam, DualClockRamIn, DualClockRamOut, Ram, RamIn, RamOut};
+pub use rotator::{Rotator, RotatorIn, RotatorOut};
 pub use shift::{ShiftRegister, ShiftRegisterIn, ShiftRegisterOut};
 pub use shifter::{Shifter, ShifterIn, ShifterOut, Shifting};
 pub use sine::{OnCircle, SineCosine, SineCosineOut};
@@ -123,4 +137,6 @@ pub use split::{Addressed, Split, SplitIn, SplitOut};
 pub use square_root::{Root, SquareRoot, SquareRootOut};
 pub use start::{PowerOnReset, PowerOnResetIn, PowerOnResetOut, Ticks, TicksIn, TicksOut};
 pub use streams::StreamBlocks;
+pub use up_down::{UpDownCounter, UpDownCounterIn, UpDownCounterOut};
 pub use vector_registers::{VectorRegisters, VectorRegistersIn, VectorRegistersOut};
+pub use window::{BoxFilter, BoxFilterIn, BoxFilterOut, window_sums};

@@ -50,7 +50,23 @@ fn blocks() -> Vec<(String, Design)> {
     }
     blocks.push(designed(Multiplier::new(6, 1)));
     blocks.push(designed(Multiplier::new(6, 3)));
+    for (sums, factor) in [(2, 1), (4, 3), (5, 4)] {
+        blocks.push(designed(MultiplyAccumulate::new(sums, factor, 2 * factor + 1)));
+    }
+    for words in [2, 5, 8] {
+        blocks.push(designed(Minimum::new(words, 3)));
+        blocks.push(designed(PipelinedMinimum::new(words, 3)));
+    }
+    blocks.push(designed(BoxFilter::new(2, 2, 1)));
+    blocks.push(designed(BoxFilter::new(3, 5, 3)));
     blocks.push(designed(Shifter::new(9)));
+    blocks.push(designed(Rotator::new(2)));
+    blocks.push(designed(Rotator::new(9)));
+    blocks.push(designed(SevenSegment));
+    blocks.push(designed(FromDecimal::new(1)));
+    blocks.push(designed(FromDecimal::new(4)));
+    blocks.push(designed(UpDownCounter::new(2)));
+    blocks.push(designed(UpDownCounter::new(5)));
     blocks.push(designed(Divider::new(5)));
     blocks.push(designed(SquareRoot::new(3)));
     blocks.push(designed(SineCosine::new(8)));
@@ -76,7 +92,7 @@ fn no_linter_complains_of_any_block() {
 /// A number for an input: a code of its enum, a one-hot code, the number of a receiver, or, if it may be an address, one that the memory has.
 fn allowed(module: &Module, input: &Input, number: u64) -> u64 {
     let node = module.node(input.node);
-    let number = number & (u64::MAX >> (64 - node.width.min(56)));
+    let number = number & (u64::MAX >> (64 - (node.width * node.shape.lanes()).min(56)));
     match (node.kind, module.memories.first()) {
         _ if input.name == "one_hot" => 1 << (number % u64::from(node.width)),
         _ if input.name == "into_to" => {

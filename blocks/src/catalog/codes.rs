@@ -1,6 +1,9 @@
-//! The entries of codes.
+//! The entries of codes and digits.
 
-use crate::{Decoder, DecoderIn, Encoder, EncoderIn, PriorityEncoder, PriorityEncoderIn};
+use crate::{
+    Decoder, DecoderIn, Encoder, EncoderIn, FromDecimal, FromDecimalIn, PriorityEncoder, PriorityEncoderIn,
+    SevenSegment, SevenSegmentIn,
+};
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
 
@@ -28,6 +31,22 @@ pub(super) const PRIORITY_ENCODER: Entry = Entry {
     parameters: &[LINES],
     design: |values| Ok(elaborate(&priority_encoder(values))?),
     scenario: |values| Ok(more_and_more(&priority_encoder(values), values.get("lines"))),
+};
+
+pub(super) const SEVEN_SEGMENT: Entry = Entry {
+    name: "seven-segment",
+    summary: "shows a digit in seven segments",
+    parameters: &[],
+    design: |_| Ok(elaborate(&SevenSegment)?),
+    scenario: |_| Ok(every_digit()),
+};
+
+pub(super) const FROM_DECIMAL: Entry = Entry {
+    name: "from-decimal",
+    summary: "makes a number of decimal digits",
+    parameters: &[Parameter { name: "digits", default: 3, min: 1, max: 16, meaning: "how many digits it has" }],
+    design: |values| Ok(elaborate(&from_decimal(values))?),
+    scenario: |values| Ok(some_numbers(&from_decimal(values), values.get_u32("digits"))),
 };
 
 fn decoder(values: &Values) -> Decoder {
@@ -67,4 +86,27 @@ fn more_and_more(encoder: &PriorityEncoder, lines: u64) -> Scenario {
         script.clock(&PriorityEncoderIn { requests: from_there_on });
     }
     script.finish("the last line is high, and then more and more of those before it")
+}
+
+fn every_digit() -> Scenario {
+    let mut script = Script::new(&SevenSegment, DEFAULT_PERIOD);
+    for digit in 0..16 {
+        script.clock(&SevenSegmentIn { digit });
+    }
+    script.wait(1);
+    script.finish("the digits from 0 to f, one after another")
+}
+
+fn from_decimal(values: &Values) -> FromDecimal {
+    FromDecimal::new(values.get_u32("digits"))
+}
+
+fn some_numbers(decimal: &FromDecimal, digits: u32) -> Scenario {
+    let mut script = Script::new(decimal, DEFAULT_PERIOD);
+    let all = u64::MAX >> (64 - 4 * digits);
+    for number in [0x9876_5432_1012_3456, 0x9999_9999_9999_9999, 1] {
+        script.clock(&FromDecimalIn { enable: 1, digits: number & all });
+    }
+    script.hold(&FromDecimalIn { enable: 0, digits: 5 }, 2);
+    script.finish("three numbers, the second with all digits 9; then it holds the last")
 }

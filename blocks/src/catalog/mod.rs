@@ -1,6 +1,7 @@
 //! The blocks of the library by name, with their parameters and scenarios.
 
 mod codes;
+mod many;
 mod memories;
 mod numbers;
 mod small;
@@ -33,6 +34,7 @@ pub const ENTRIES: &[Entry] = &[
     streams::NARROW,
     streams::WIDEN,
     small::COUNTER,
+    small::UP_DOWN_COUNTER,
     small::SHIFT_REGISTER,
     small::LFSR,
     small::QUADRATURE,
@@ -41,13 +43,20 @@ pub const ENTRIES: &[Entry] = &[
     codes::DECODER,
     codes::ENCODER,
     codes::PRIORITY_ENCODER,
+    codes::FROM_DECIMAL,
+    codes::SEVEN_SEGMENT,
     memories::RAM,
     memories::DUAL_CLOCK_RAM,
     memories::VECTOR_REGISTERS,
     numbers::MULTIPLIER,
+    numbers::MULTIPLY_ACCUMULATE,
     numbers::SHIFTER,
+    numbers::ROTATOR,
     numbers::DIVIDER,
     numbers::SQUARE_ROOT,
     numbers::SINE_COSINE,
     numbers::CRC,
+    many::MINIMUM,
+    many::PIPELINED_MINIMUM,
+    many::BOX_FILTER,
 ];

@@ -1,8 +1,8 @@
 //! The entries of what computes with numbers.
 
 use crate::{
-    BitOrder, Crc, CrcIn, Divider, DividerIn, Multiplier, MultiplierIn, Operands, Shifter, ShifterIn, Shifting,
-    SineCosine, SquareRoot, StreamIn,
+    BitOrder, Crc, CrcIn, Divider, DividerIn, Multiplier, MultiplierIn, MultiplyAccumulate, MultiplyAccumulateIn,
+    Operands, Rotator, RotatorIn, Shifter, ShifterIn, Shifting, SineCosine, SquareRoot, StreamIn,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{Codes, DEFAULT_PERIOD, Scenario, Script, Stream, elaborate};
@@ -16,6 +16,25 @@ pub(super) const MULTIPLIER: Entry = Entry {
     ],
     design: |values| Ok(elaborate(&multiplier(values))?),
     scenario: |values| Ok(some_products(&multiplier(values))),
+};
+
+pub(super) const MULTIPLY_ACCUMULATE: Entry = Entry {
+    name: "multiply-accumulate",
+    summary: "adds products to several sums",
+    parameters: &[
+        Parameter { name: "sums", default: 3, min: 2, max: 4096, meaning: "how many sums there are" },
+        Parameter { name: "factor", default: 4, min: 4, max: 32, meaning: "bits of a factor" },
+    ],
+    design: |values| Ok(elaborate(&multiply_accumulate(values))?),
+    scenario: |values| Ok(one_sum_and_two(&multiply_accumulate(values))),
+};
+
+pub(super) const ROTATOR: Entry = Entry {
+    name: "rotator",
+    summary: "rotates a word by any number of places",
+    parameters: &[Parameter { name: "width", default: 8, min: 4, max: 64, meaning: "bits of a word" }],
+    design: |values| Ok(elaborate(&rotator(values))?),
+    scenario: |values| Ok(around(&rotator(values), values.get("width"))),
 };
 
 pub(super) const SHIFTER: Entry = Entry {
@@ -71,6 +90,37 @@ fn some_products(multiplier: &Multiplier) -> Scenario {
     script.hold(&MultiplierIn { enable: 0, left: 2, right: 2 }, 2);
     script.hold(&MultiplierIn { enable: 1, left: 0, right: 0 }, 4);
     script.finish("three products, one after another, with a pause in which all stages hold")
+}
+
+fn multiply_accumulate(values: &Values) -> MultiplyAccumulate {
+    let factor = values.get_u32("factor");
+    MultiplyAccumulate::new(values.get_u32("sums"), factor, 2 * factor + 4)
+}
+
+fn one_sum_and_two(accumulate: &MultiplyAccumulate) -> Scenario {
+    let mut script = Script::new(accumulate, DEFAULT_PERIOD);
+    let term = |to, restart, left, right| MultiplyAccumulateIn { valid: 1, to, restart, left, right };
+    for (restart, left) in [(1, 1), (0, 2), (0, 3)] {
+        script.clock(&term(0, restart, left, 10));
+    }
+    for (to, restart, left) in [(1, 1, 15), (0, 0, 4), (1, 0, 15)] {
+        script.clock(&term(to, restart, left, 10));
+    }
+    script.hold(&MultiplyAccumulateIn { valid: 0, to: 0, restart: 0, left: 0, right: 0 }, 3);
+    script.finish("three products are added to a sum, one after another, and then products to two sums by turns")
+}
+
+fn rotator(values: &Values) -> Rotator {
+    Rotator::new(values.get_u32("width"))
+}
+
+fn around(rotator: &Rotator, width: u64) -> Scenario {
+    let mut script = Script::new(rotator, DEFAULT_PERIOD);
+    for places in 0..width {
+        script.clock(&RotatorIn { enable: 1, word: 0b1101, places });
+    }
+    script.hold(&RotatorIn { enable: 0, word: 0, places: 0 }, 2);
+    script.finish("13 is rotated by 0 places, by 1, and so on, once around; then the last result is held")
 }
 
 fn shifter(values: &Values) -> Shifter {

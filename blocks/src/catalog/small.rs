@@ -2,7 +2,7 @@
 
 use crate::{
     Counter, CounterIn, Lfsr, LfsrIn, PowerOnReset, PowerOnResetIn, Quadrature, QuadratureIn, ShiftRegister,
-    ShiftRegisterIn, Ticks, TicksIn,
+    ShiftRegisterIn, Ticks, TicksIn, UpDownCounter, UpDownCounterIn,
 };
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
@@ -13,6 +13,14 @@ pub(super) const COUNTER: Entry = Entry {
     parameters: &[Parameter { name: "limit", default: 5, min: 1, max: 1 << 32, meaning: "how many numbers there are" }],
     design: |values| Ok(elaborate(&counter(values))?),
     scenario: |values| Ok(count_and_restart(&counter(values))),
+};
+
+pub(super) const UP_DOWN_COUNTER: Entry = Entry {
+    name: "up-down-counter",
+    summary: "counts up and down, around at both ends",
+    parameters: &[Parameter { name: "limit", default: 5, min: 2, max: 1 << 32, meaning: "how many numbers there are" }],
+    design: |values| Ok(elaborate(&up_down_counter(values))?),
+    scenario: |values| Ok(around_both_ends(&up_down_counter(values))),
 };
 
 pub(super) const SHIFT_REGISTER: Entry = Entry {
@@ -66,6 +74,20 @@ fn count_and_restart(counter: &Counter) -> Scenario {
     script.clock(&CounterIn { restart: 1, enable: 1 });
     script.hold(&CounterIn { restart: 0, enable: 1 }, 3);
     script.finish("it counts, waits, is restarted, and counts on")
+}
+
+fn up_down_counter(values: &Values) -> UpDownCounter {
+    UpDownCounter::new(values.get("limit"))
+}
+
+fn around_both_ends(counter: &UpDownCounter) -> Scenario {
+    let mut script = Script::new(counter, DEFAULT_PERIOD);
+    script.hold(&UpDownCounterIn { restart: 0, up: 0, down: 1 }, 2);
+    script.hold(&UpDownCounterIn { restart: 0, up: 1, down: 0 }, 4);
+    script.hold(&UpDownCounterIn { restart: 0, up: 1, down: 1 }, 2);
+    script.clock(&UpDownCounterIn { restart: 1, up: 1, down: 0 });
+    script.hold(&UpDownCounterIn { restart: 0, up: 0, down: 0 }, 2);
+    script.finish("two steps down, below 0; four up, above the last number; up and down at once; and back to 0")
 }
 
 fn shift_register(values: &Values) -> ShiftRegister {

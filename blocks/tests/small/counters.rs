@@ -41,6 +41,35 @@ proptest! {
             count = if restart { 0 } else { (count + u64::from(enable)) % limit };
         }
     }
+
+    #[test]
+    fn a_counter_goes_around_at_both_ends(
+        limit in 2..40i64,
+        rows in prop::collection::vec((prop::bool::weighted(0.05), any::<bool>(), any::<bool>()), 1..200),
+        seed in any::<u64>(),
+    ) {
+        let mut sim = Simulation::of(&UpDownCounter::new(limit as u64)).unwrap().seeded(seed);
+        sim.reset();
+        let mut count = 0i64;
+        for (restart, up, down) in rows {
+            let moved = (count + i64::from(up) - i64::from(down)).rem_euclid(limit);
+            let next = if restart { 0 } else { moved };
+            sim.drive(UpDownCounterIn { restart: restart.into(), up: up.into(), down: down.into() });
+            prop_assert_eq!(sim.read_u64(), UpDownCounterOut { count: count as u64, next: next as u64 });
+            sim.step();
+            count = next;
+        }
+    }
+}
+
+#[test]
+fn a_counter_in_both_directions() {
+    let mut sim = Simulation::of(&UpDownCounter::new(3)).unwrap();
+    sim.reset();
+    let rows = [(0, 0, 1), (0, 0, 1), (0, 1, 0), (0, 1, 1), (0, 1, 0), (0, 1, 0), (1, 1, 0), (0, 0, 0)];
+    let seen = sim.stream(rows.map(|(restart, up, down)| UpDownCounterIn { restart, up, down }));
+    let expected = [(0, 2), (2, 1), (1, 2), (2, 2), (2, 0), (0, 1), (1, 0), (0, 0)];
+    assert_eq!(seen, expected.map(|(count, next)| UpDownCounterOut { count, next }));
 }
 
 #[test]
@@ -127,6 +156,12 @@ fn the_taps_of_every_width_give_the_longest_period() {
 #[should_panic(expected = "a counter of 0 numbers counts nothing")]
 fn a_counter_of_nothing() {
     Counter::new(0);
+}
+
+#[test]
+#[should_panic(expected = "a counter of 1 numbers has no two directions: it has 2 or more")]
+fn a_counter_without_a_direction() {
+    UpDownCounter::new(1);
 }
 
 #[test]

@@ -2,6 +2,8 @@
 
 mod codes;
 mod counters;
+mod decimal;
+mod many;
 mod memories;
 mod numbers;
 mod start;

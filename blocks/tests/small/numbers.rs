@@ -73,6 +73,57 @@ proptest! {
         }
     }
 
+    #[test]
+    fn words_are_rotated(
+        width in 2u32..65,
+        steps in prop::collection::vec((prop::bool::weighted(0.8), any::<u64>(), any::<u32>()), 1..60),
+        seed in any::<u64>(),
+    ) {
+        let mut sim = Simulation::of(&Rotator::new(width)).unwrap().seeded(seed);
+        let most = u64::MAX >> (64 - width);
+        let mut expected = None;
+        for (enable, word, places) in steps {
+            let (word, places) = (word & most, places % width);
+            sim.drive(RotatorIn { enable: enable.into(), word, places: places.into() });
+            sim.step();
+            if enable {
+                expected = Some((word << places | word.checked_shr(width - places).unwrap_or(0)) & most);
+            }
+            if let Some(expected) = expected {
+                prop_assert_eq!(sim.get_u64(sim.o.rotated), expected);
+            }
+        }
+    }
+
+    /// Few sums, so that one is often added to in two clocks that follow each other.
+    #[test]
+    fn products_are_added_to_sums(
+        (sums, factor, room) in (2u64..5, 1u32..6, 0u32..4),
+        steps in prop::collection::vec((prop::bool::weighted(0.8), any::<u64>(), prop::bool::weighted(0.2), any::<u64>(), any::<u64>()), 1..80),
+        seed in any::<u64>(),
+    ) {
+        let width = 2 * factor + room;
+        let mut sim = Simulation::of(&MultiplyAccumulate::new(sums as u32, factor, width)).unwrap().seeded(seed);
+        sim.reset();
+        let (mut model, mut inside) = (vec![None; sums as usize], VecDeque::from([None]));
+        for (valid, to, restart, left, right) in steps {
+            let (to, [left, right]) = (to % sums, [left, right].map(|factor_bits| factor_bits & ((1 << factor) - 1)));
+            // Nothing is known of a sum that was never begun.
+            let restart = restart || model[to as usize].is_none();
+            sim.drive(MultiplyAccumulateIn { valid: valid.into(), to, restart: restart.into(), left, right });
+            sim.step();
+            let added = valid.then(|| {
+                let before = model[to as usize].filter(|_| !restart).unwrap_or(0);
+                let sum = (before + left * right) & ((1 << width) - 1);
+                model[to as usize] = Some(sum);
+                (to, sum)
+            });
+            inside.push_back(added);
+            let out = sim.read_u64();
+            prop_assert_eq!((out.done == 1).then_some((out.at, out.sum)), inside.pop_front().unwrap());
+        }
+    }
+
     /// The position follows an angle that goes by a quarter of a step, or stays, or jumps by two, which no decoder can tell.
     #[test]
     fn a_knob_is_followed(width in 2u32..10, moves in prop::collection::vec(-1i64..=2, 1..80), seed in any::<u64>()) {
@@ -123,6 +174,72 @@ proptest! {
             prop_assert_eq!(sim.get_u64(sim.o.crc), expected(restart, take, byte));
         }
     }
+}
+
+#[test]
+fn a_rotator() {
+    let mut sim = Simulation::of(&Rotator::new(5)).unwrap();
+    let row = |enable, places| RotatorIn { enable, word: 0b10110, places };
+    let seen = sim.stream([row(1, 0), row(1, 1), row(0, 2), row(1, 4), row(0, 0)]);
+    let rotated: Vec<u64> = seen.iter().skip(1).map(|out| out.rotated).collect();
+    assert_eq!(rotated, [0b10110, 0b01101, 0b01101, 0b01011]);
+}
+
+/// A product to a sum whose last one is one, two and three clocks before.
+#[test]
+fn products_in_two_stages() {
+    let mut sim = Simulation::of(&MultiplyAccumulate::new(2, 3, 8)).unwrap().seeded(7);
+    sim.reset();
+    let row = |valid, to, restart, left, right| MultiplyAccumulateIn { valid, to, restart, left, right };
+    let rows = [
+        row(1, 0, 1, 2, 3),
+        row(1, 0, 0, 4, 5),
+        row(1, 1, 1, 7, 7),
+        row(1, 0, 0, 1, 1),
+        row(0, 0, 0, 7, 7),
+        row(1, 1, 0, 1, 2),
+        row(0, 0, 0, 0, 0),
+        row(0, 0, 0, 0, 0),
+    ];
+    let seen = sim.stream(rows);
+    let added: Vec<_> = seen.iter().map(|out| (out.done == 1).then_some((out.at, out.sum))).collect();
+    let expected = [None, None, Some((0, 6)), Some((0, 26)), Some((1, 49)), Some((0, 27)), None, Some((1, 51))];
+    assert_eq!(added, expected);
+}
+
+#[test]
+fn a_reset_of_both_stages() {
+    let mut sim = Simulation::of(&MultiplyAccumulate::new(2, 3, 8)).unwrap().seeded(7);
+    sim.drive(MultiplyAccumulateIn { valid: 1, to: 0, restart: 1, left: 1, right: 1 });
+    sim.run(3);
+    sim.reset();
+    sim.set(sim.i.valid, 0);
+    for clock in 0..3 {
+        assert_eq!(sim.get_u64(sim.o.done), 0, "clock {clock}");
+        sim.step();
+    }
+}
+
+#[test]
+#[should_panic(expected = "a number is that of a sum")]
+fn a_sum_that_there_is_not() {
+    let mut sim = Simulation::of(&MultiplyAccumulate::new(3, 2, 4)).unwrap();
+    sim.set(sim.i.to, 3);
+    sim.step();
+}
+
+#[test]
+#[should_panic(
+    expected = "4 sums of 7 bits of factors of 4 bits: there are 2 sums or more, of 2 bits or more for each of a factor"
+)]
+fn sums_without_room_for_a_product() {
+    MultiplyAccumulate::new(4, 4, 7);
+}
+
+#[test]
+#[should_panic(expected = "a rotator of 1 bits has nothing to rotate: it has 2 or more")]
+fn a_rotator_of_a_bit() {
+    Rotator::new(1);
 }
 
 /// The checks of "123456789" in the catalogue of parametrised CRC algorithms.

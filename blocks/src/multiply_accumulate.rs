@@ -1,0 +1,114 @@
+//! Sums of products.
+
+use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, def, mux};
+
+bundle! {
+    /// What is added to a sum: in the last stage, that sum.
+    struct Term<T> { valid: T, to: T, restart: T, value: T }
+}
+
+block! {
+    /// Adds products to so many sums, to any of them in any clock, in two stages.
+    ///
+    /// ```text
+    ///                .---.                .---.
+    /// left, right ==>| x |==[1]==========>| + |==[2]=+==> sum
+    ///                '---'         .-.    |   |      |
+    ///           .--------. held    | |    |   |      |
+    ///    to ===>| sums   |========>| |===>'---'      |
+    ///           '--------'    .===>'-'               |
+    ///             ^           '======================+
+    ///             '==================================' newest
+    /// ```
+    ///
+    /// Latency 2 clocks, a product a clock. A sum that is being written is not read yet: who adds to it in the next clock gets it from the
+    /// last stage. A sum begins with `restart`; it is kept modulo 2 to its width.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{MultiplyAccumulate, MultiplyAccumulateIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// def!(count = m.reg(4).reset(0));
+    /// count.next(count + 1);
+    /// let product = MultiplyAccumulateIn { // 0, 2, 4 .. times 10, the even and the odd ones
+    ///     valid: lit(1, 1), to: count.bit(0), restart: count.lt(2), left: count.trunc(3).zext(4) << 1, right: lit(4, 10),
+    /// };
+    /// let added = m.instance("u_sums", &MultiplyAccumulate::new(2, 4, 12), product);
+    /// def!(sum = mux(added.done, added.sum, 0));
+    /// # });
+    /// assert_eq!(example.values("sum"), [0, 0, 0, 20, 40, 80, 120]); // 0, 20, 0 + 40, 20 + 60, 40 + 80
+    /// ```
+    pub struct MultiplyAccumulate {
+        sums: u32,
+        factor: u32,
+        width: u32,
+    }
+    latency = "2 clocks";
+    in(self) MultiplyAccumulateIn {
+        /// There is a product to add.
+        valid: bit(),
+        /// To which of the sums.
+        to: below(self.sums),
+        /// The sum begins with this product.
+        restart: bit(),
+        /// A factor.
+        left: bits(self.factor),
+        /// The other one.
+        right: bits(self.factor),
+    }
+    out(self) MultiplyAccumulateOut {
+        /// A product was added.
+        done: bit(),
+        /// To which of the sums.
+        at: below(self.sums),
+        /// What that is now.
+        sum: bits(self.width),
+    }
+}
+
+impl MultiplyAccumulate {
+    /// So many sums of `width` bits, of products of two factors of `factor` bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::MultiplyAccumulate;
+    ///
+    /// assert_eq!(MultiplyAccumulate::new(64, 8, 24).name(), "multiply_accumulate_sums64_factor8_width24");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two sums, factors of no bits, or sums in which a product has no room.
+    #[track_caller]
+    pub fn new(sums: u32, factor: u32, width: u32) -> MultiplyAccumulate {
+        assert!(
+            sums > 1 && factor > 0 && width >= 2 * factor,
+            "{sums} sums of {width} bits of factors of {factor} bits: there are 2 sums or more, of 2 bits or more for each of a factor"
+        );
+        MultiplyAccumulate { sums, factor, width }
+    }
+
+    fn build(&self, m: Module, i: MultiplyAccumulateIn) -> MultiplyAccumulateOut {
+        if !self.sums.is_power_of_two() {
+            m.assume(i.to.lt(self.sums), "a number is that of a sum");
+        }
+        let term = Term { valid: bit(), to: below(self.sums), restart: bit(), value: bits(self.width) };
+        def!(newest = m.wire(term));
+        def!(sums = m.memory(self.sums, self.width, ReadUnderWrite::Any));
+        def!(held = sums.read(i.to));
+        let product = i.left.times(i.right).zext(self.width);
+        let start = Term { valid: i.valid, to: i.to, restart: i.restart, value: product };
+        let added = m.stages(2, None, start.cleared(|term| term.valid), |stage, term| {
+            if stage == 1 {
+                return term;
+            }
+            let is_written = newest.valid & newest.to.eq(term.to);
+            let before = mux(is_written, newest.value, held);
+            let value = mux(term.restart, 0, before) + term.value;
+            sums.write(term.valid, term.to, value);
+            Term { value, ..term }
+        });
+        newest.drive(added.any_stage());
+        MultiplyAccumulateOut { done: added.valid, at: added.to, sum: added.value }
+    }
+}

@@ -1,0 +1,89 @@
+//! A counter in both directions.
+
+use tilewright_hdl::{Module, arms, below, bit, block, def, select};
+
+block! {
+    /// Counts up and down, around from the last number to 0 and from 0 to the last number.
+    ///
+    /// ```text
+    ///             .-------.
+    /// restart --->|       |
+    ///      up --->| +1 -1 |=+==[count]==+==> count
+    ///    down --->|       | |           |
+    ///             '-------' '===========|==> next
+    ///                 ^                 |
+    ///                 '================='
+    /// ```
+    ///
+    /// Latency 1 clock; `next` is within the clock what `count` will be after it, as the address of a memory has to be that is read at an edge.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_blocks::{UpDownCounter, UpDownCounterIn};
+    /// # let example = tilewright_sim::traced(|m| {
+    /// def!(turns = m.reg(1).reset(1));
+    /// turns.next(0);
+    /// let moves = UpDownCounterIn { restart: lit(1, 0), up: *turns, down: !*turns };
+    /// let counter = m.instance("u_counter", &UpDownCounter::new(10), moves);
+    /// def!(count = counter.count);
+    /// def!(next = counter.next);
+    /// # });
+    /// assert_eq!(example.values("count"), [0, 1, 0, 9, 8]);
+    /// assert_eq!(example.values("next"), [1, 0, 9, 8, 7]);
+    /// ```
+    pub struct UpDownCounter {
+        limit: u64,
+    }
+    latency = "1 clock to `count`, none to `next`";
+    in UpDownCounterIn {
+        /// Back to 0; wins.
+        restart: bit(),
+        /// One more; with `down`, none.
+        up: bit(),
+        /// One less; with `up`, none.
+        down: bit(),
+    }
+    out(self) UpDownCounterOut {
+        /// The number.
+        count: below(self.limit),
+        /// What it is after the edge.
+        next: below(self.limit),
+    }
+}
+
+impl UpDownCounter {
+    /// A counter of so many numbers, from 0 on.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// use tilewright_blocks::UpDownCounter;
+    ///
+    /// assert_eq!(UpDownCounter::new(100).name(), "up_down_counter_limit100");
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// There are less than two numbers.
+    #[track_caller]
+    pub fn new(limit: u64) -> UpDownCounter {
+        assert!(limit > 1, "a counter of {limit} numbers has no two directions: it has 2 or more");
+        UpDownCounter { limit }
+    }
+
+    fn build(&self, m: Module, i: UpDownCounterIn) -> UpDownCounterOut {
+        let last = self.limit - 1;
+        def!(count = m.reg(below(self.limit)).reset(0));
+        def!(rises = i.up & !i.down);
+        def!(falls = i.down & !i.up);
+        let arms = arms![
+            i.restart => 0,
+            rises & count.eq(last) => 0,
+            rises => count + 1,
+            falls & count.eq(0) => last,
+            falls => count - 1,
+        ];
+        def!(next = select(arms, *count));
+        count.next(next);
+        UpDownCounterOut { count: *count, next }
+    }
+}
