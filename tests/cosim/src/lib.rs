@@ -5,6 +5,7 @@
 //! - [`drawn`]: a random design of one of three kinds;
 //! - [`shaped`]: random circuits whose values have shapes, built node by node;
 //! - [`streams`]: random networks of streams, of the library's blocks;
+//! - [`features`]: what of the language a random design uses;
 //! - [`reduce`]: a circuit that fails made smaller, node by node;
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
@@ -18,6 +19,7 @@ pub mod check;
 pub mod drawn;
 mod dump;
 mod edit;
+pub mod features;
 pub mod fuzz;
 pub mod many;
 pub mod matrix;

@@ -7,10 +7,16 @@
 //! A design has one or two clocks; each step belongs to one of them and sees its values alone, but for the declared
 //! crossings. A value that no other step reads is an output, so that nothing goes unobserved.
 
+mod control;
+mod form;
 mod lanes;
+mod stores;
 
+pub use control::{Ask, Coded, Exits, Machine};
+pub use form::{Form, Meaning};
 pub use lanes::{End, LaneWork, Work};
-use tilewright_hdl::ReadUnderWrite;
+pub use stores::{Contents, InParts, Memory, Read, Records, Rom, Write};
+use tilewright_hdl::Radix;
 use tilewright_hdl::ir::{Reduction, Relation, Shift};
 
 /// The widest value that a step makes, in bits.
@@ -53,11 +59,11 @@ pub struct Part {
 /// An input port.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Input {
-    /// Its width in bits.
-    pub width: u32,
+    /// What it is.
+    pub form: Form,
     /// The clock it is synchronous to.
     pub clock: ClockPick,
-    /// Adds an output of the same width, which an array may link to this input of a neighbour.
+    /// Adds an output like it, which an array may link to this input of a neighbour.
     pub link: Option<Link>,
 }
 
@@ -134,16 +140,22 @@ pub enum Make {
     Shift { shift: Shift, of: Pick, by: Pick },
     /// A shift by a constant: a number of the description, or a literal of the circuit.
     ShiftBy { shift: Shift, of: Pick, by: u32, literal: bool },
-    /// A value of 8, 16, 32 or 64 bits rotated to the left; which of them by the logarithm from 3 on.
-    Rotate { of: Pick, size: u32, by: u32 },
+    /// A value of 8, 16, 32 or 64 bits rotated, which of them by the logarithm from 3 on; beyond, one of its own width.
+    Rotate { of: Pick, size: u32, by: u32, right: bool },
+    /// An operator whose other operand is a number of the description.
+    WithNumber(WithNumber),
+    /// A value that takes over what operators make of it, one after the other.
+    Assigned(Pick, Vec<(Binary, Pick)>),
+    /// A condition that another one implies.
+    Implies([Pick; 2]),
     /// Constants by a small number.
     Lookup { subject: Pick, bits: u32, width: u32, words: Vec<Pattern> },
     /// A choice of two.
-    Mux { select: Pick, on_true: Pick, on_false: Pick },
+    Mux { meaning: Meaning, select: Pick, on_true: Pick, on_false: Arm },
     /// A choice by conditions.
-    Select { arms: Vec<(Pick, Pick)>, default: Pick },
+    Select { meaning: Meaning, arms: Vec<(Pick, Arm)>, default: Pick },
     /// A choice by value.
-    Case { subject: Pick, arms: Vec<(u64, Pick)>, default: Pick },
+    Case { meaning: Meaning, subject: Pick, arms: Vec<(u64, Arm)>, default: Pick },
     /// Some bits.
     Slice { of: Pick, low: u32, width: u32 },
     /// More bits.
@@ -155,41 +167,50 @@ pub enum Make {
     /// A named net.
     Name(Pick),
     /// A net read before it is driven.
-    Wire(Pick),
+    Wire(Meaning, Pick),
     /// A register: what it takes where a condition holds, the first of which wins, and what it takes else.
     Register {
-        width: u32,
+        form: Form,
+        attribute: bool,
         reset: Option<Pattern>,
         enable: Option<Pick>,
         updates: Vec<(Pick, Pick)>,
         next: Option<Pick>,
     },
     /// What a small number, an opcode, says is done.
-    Alu { subject: Pick, bits: u32, arms: Vec<Arm>, default: Pick },
+    Alu { subject: Pick, bits: u32, arms: Vec<Operation>, default: Pick },
     /// A comparison with a constant.
     Is(Pick, u64),
     /// Registers that each take over the one before; the first takes over the last one, or a value.
     Chain { width: u32, length: u32, ring: bool, enable: Option<Pick>, from: Pick },
+    /// A register of a value, which may be enabled.
+    Pipe { meaning: Meaning, of: Pick, enable: Option<Pick> },
+    /// A bit that turns over.
+    Toggle(Pick),
     /// A state machine.
     Machine(Machine),
     /// A memory.
     Memory(Memory),
     /// A register, a memory and a pipeline of a record.
     Records(Records),
+    /// A table of records.
+    Rom(Rom),
     /// Rows and grids.
     Lanes(LaneWork),
     /// A value of the other clock, brought into this one.
-    Cross { synchronize: bool, of: Pick },
+    Cross { by: Crossing, of: Pick },
     /// Something stated of a value.
     State(Statement, Pick),
     /// A register of an enum's codes.
     Coded(Coded),
     /// A register with a value at power-on.
-    PowerOn { initial: Pattern, reset: Option<Pattern>, next: Pick },
+    PowerOn { meaning: Meaning, initial: Pattern, reset: Option<Pattern>, next: Pick },
     /// A memory of words in parts.
     InParts(InParts),
     /// An instance of a declared block with ports of records, or an array of it.
     Declared(Declared),
+    /// A block of the library.
+    Library(Library),
     /// A condition that may fail: a value is never this one.
     Never(Pick, Pattern),
     /// An instance of an earlier part.
@@ -215,41 +236,13 @@ pub enum Statement {
     Past(u8),
 }
 
-/// A register of an enum's codes, and what is chosen by it.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Coded {
-    /// A reset gives its first code; else power-on.
-    pub begins_with_reset: bool,
-    /// The first code.
-    pub first: u8,
-    /// When it takes which code.
-    pub updates: Vec<(Pick, u8)>,
-    /// What it chooses from.
-    pub chosen: [Pick; 3],
-    /// Bits that are read as a code, and may be none.
-    pub raw: Pick,
-}
-
-/// A memory of words in parts, each with an enable of its own.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct InParts {
-    /// The parts of a word.
-    pub parts: u32,
-    /// The width of a part.
-    pub width: u32,
-    /// Words.
-    pub depth: u32,
-    /// It is read within the cycle.
-    pub asynchronous: bool,
-    /// The enables, where it is written, what, and where it is read.
-    pub ports: [Pick; 4],
-}
-
 /// A block that is declared with ports of records, and what is given to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Declared {
     /// The widths of the two fields of its records.
     pub widths: [u32; 2],
+    /// What the fields are; where that is codes, the upper one.
+    pub meaning: Meaning,
     /// How many records its list has.
     pub list: u32,
     /// The lanes, each with a constant record of its own; 0 for one instance alone.
@@ -292,110 +285,86 @@ pub enum Binary {
     AddCarry,
 }
 
+/// An operator whose other operand is a number of the description.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct WithNumber {
+    /// The operator.
+    pub op: NumberOp,
+    /// The value.
+    pub of: Pick,
+    /// The value is signed, and so is the number.
+    pub signed: bool,
+    /// The number, cut to what the operator takes.
+    pub number: u64,
+    /// How it is written, if it is not signed.
+    pub radix: Radix,
+    /// The number is the operand on the left, where the language takes it there.
+    pub on_left: bool,
+}
+
+/// What is computed with a number of the description.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum NumberOp {
+    /// An operator of operands of one width.
+    Binary(Binary),
+    /// A product, with a number of 12 bits.
+    Product,
+    /// A comparison.
+    Compare(Relation),
+}
+
+/// What a choice gives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Arm {
+    /// A value.
+    Value(Pick),
+    /// A number of the description.
+    Number(Pattern),
+}
+
+/// How a value of one clock comes to the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Crossing {
+    /// It is said not to change.
+    QuasiStatic,
+    /// Its lowest bit is synchronized, 0 after a reset.
+    Synchronize,
+    /// It is synchronized, and is so after a reset.
+    SynchronizeFrom(bool),
+}
+
+/// A block of the library, and what is given to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Library {
+    /// Which.
+    pub block: LibraryBlock,
+    /// A number of bits, which the block takes as many of as it can.
+    pub width: u32,
+    /// What is given to it.
+    pub picks: [Pick; 4],
+}
+
+/// The blocks of the library that have no streams.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "they have the names of the blocks")]
+pub enum LibraryBlock {
+    Counter,
+    ShiftRegister,
+    Lfsr,
+    /// One-hot codes and priorities.
+    Encoders,
+    Shifter,
+    Multiplier,
+    Crc,
+}
+
 /// What an opcode stands for: `(a op b) + (c - a)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Arm {
+pub struct Operation {
     /// The operator.
     pub op: Binary,
     /// Its operands, and the third value.
     pub operands: [Pick; 3],
-}
-
-/// A state machine of four states.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Machine {
-    /// Where it goes from each state.
-    pub states: [Exits; 4],
-    /// The values that it chooses from by its state.
-    pub chosen: [Pick; 4],
-}
-
-/// Where a state machine goes from a state.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Exits {
-    /// Conditions, and the states they lead to.
-    pub when: Vec<(Pick, u8)>,
-    /// The state otherwise; `None` means that it stays.
-    pub otherwise: Option<u8>,
-}
-
-/// A memory.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Memory {
-    /// Words.
-    pub depth: u32,
-    /// Bits.
-    pub width: u32,
-    /// [`ReadUnderWrite::Any`] keeps its synchronous reads off in cycles of writing, so that nothing depends on it.
-    pub policy: ReadUnderWrite,
-    /// What it holds at the start: nothing, one word everywhere, or words from address 0.
-    pub contents: Contents,
-    /// The ports that read.
-    pub reads: Vec<Read>,
-    /// The ports that write, all on one clock.
-    pub writes: Vec<Write>,
-    /// The writes are on the other clock than the reads.
-    pub crossing: bool,
-    /// There is another memory of this width with the same ports.
-    pub twin: Option<u32>,
-}
-
-/// A memory's contents at the start.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Contents {
-    /// None given.
-    Unknown,
-    /// One word everywhere.
-    Fill(Pattern),
-    /// Words from address 0.
-    Words(Vec<Pattern>),
-}
-
-/// A port that reads.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Read {
-    /// Within the cycle, where both ports have one clock.
-    pub asynchronous: bool,
-    /// When it reads.
-    pub enable: Option<Pick>,
-    /// Where.
-    pub address: Pick,
-}
-
-/// A port that writes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Write {
-    /// When it writes.
-    pub enable: Pick,
-    /// Where.
-    pub address: Pick,
-    /// What; may be a value of a later step.
-    pub data: Pick,
-}
-
-/// A register, a memory and a pipeline of a record, which has a field, an array of two records, and a list.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Records {
-    /// The widths of the field, of the two of each record, and of an element of the list.
-    pub widths: [u32; 4],
-    /// The length of the list.
-    pub list: u32,
-    /// The register's value after a reset, in all fields.
-    pub reset: Option<Pattern>,
-    /// When it takes what; none is a record of zeros. A record is made of one pick, each field of another value.
-    pub updates: Vec<(Pick, Option<Pick>)>,
-    /// What the register takes where no condition holds.
-    pub otherwise: Option<Pick>,
-    /// The memory's words.
-    pub depth: u32,
-    /// What they are at the start.
-    pub contents: Vec<Pattern>,
-    /// It is read within the cycle.
-    pub asynchronous: bool,
-    /// Where it is read, when it is written, and where.
-    pub ports: [Pick; 3],
-    /// The stages of the pipeline.
-    pub stages: u32,
 }
 
 /// What feeds an input of an array.

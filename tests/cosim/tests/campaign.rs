@@ -1,8 +1,9 @@
 //! Random designs, as many as every test run can afford; the command of this package runs more.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use tilewright_cosim::batch::Tool;
 use tilewright_cosim::drawn::Kind;
+use tilewright_cosim::features::{Feature, used_by};
 use tilewright_cosim::{Campaign, Failure};
 use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::Design;
@@ -164,6 +165,22 @@ fn every_statement_is_generated() {
         }
     }
     assert_eq!(seen, ["Assert", "Assume", "Cover", "code", "initial", "past"].map(String::from).into());
+}
+
+#[test]
+fn every_feature_of_the_language_is_used_by_several_designs() {
+    let campaign = Campaign::icarus(SEED, 0);
+    let mut designs: BTreeMap<Feature, u32> = Feature::ALL.iter().map(|feature| (*feature, 0)).collect();
+    for number in 0..1500 {
+        let (design, used) = used_by(|| campaign.design(number).design(number));
+        design.unwrap();
+        for feature in used {
+            *designs.entry(feature).or_default() += 1;
+        }
+    }
+    println!("{designs:?}");
+    let rare: Vec<_> = designs.iter().filter(|(_, designs)| **designs < 5).collect();
+    assert!(rare.is_empty(), "used by few designs of 1500: {rare:?}");
 }
 
 /// The name of a node's variant.

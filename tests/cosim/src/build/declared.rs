@@ -3,6 +3,7 @@
 
 use super::records::Pair;
 use super::{Builder, Kind};
+use crate::features::Feature;
 use crate::spec::*;
 use crate::stimulus::Numbers;
 use tilewright_hdl::*;
@@ -12,6 +13,7 @@ block! {
     pub struct Mixer {
         low: u32,
         high: u32,
+        meaning: Meaning,
         list: u32,
     }
     in(self) MixerIn {
@@ -24,7 +26,7 @@ block! {
             /// It takes.
             takes: bit(),
             /// What is added to the lower field.
-            adds: bits(self.low),
+            adds: self.pair().low,
         },
     }
     out(self) MixerOut {
@@ -38,31 +40,50 @@ block! {
 }
 
 impl Mixer {
+    /// What its fields are; the lower one is computed with, which codes are not.
+    fn forms(&self) -> Pair<Form> {
+        let low = if self.meaning == Meaning::Code { Meaning::Number } else { self.meaning };
+        Pair { low: Form { width: self.low, meaning: low }, high: Form { width: self.high, meaning: self.meaning } }
+    }
+
     fn pair(&self) -> Pair<Width> {
-        Pair { low: bits(self.low), high: bits(self.high) }
+        self.forms().map(|form| form.layout())
     }
 
     fn build(&self, m: Module, i: MixerIn) -> MixerOut {
         def!(held = m.reg(self.pair()).reset(0));
-        let mixed: Vec<Pair> =
-            i.list.iter().map(|pair| Pair { low: pair.low ^ held.low, high: pair.high & !held.high }).collect();
+        def!(turned = m.toggle(i.control.takes));
+        let high = |pair: Pair| match self.meaning {
+            Meaning::Code => mux(turned, pair.high, held.high),
+            Meaning::Number | Meaning::Signed => pair.high & !held.high,
+        };
+        let mixed: Vec<Pair> = i.list.iter().map(|pair| Pair { low: pair.low ^ held.low, high: high(*pair) }).collect();
         held.when(i.control.takes, Pair { low: i.pair.low + i.control.adds, ..i.pair });
-        let any = mixed.iter().fold(held.low.any_one(), |any, pair| any & pair.low.ne(0) | pair.high.all_ones());
+        def!(some = held.low.any_one());
+        let any = mixed.iter().fold(some, |any, pair| any & pair.low.ne(0) | pair.high.all_ones());
         MixerOut { held: *held, mixed, any }
     }
 }
 
 impl Builder<'_> {
     pub fn declared(&mut self, d: usize, number: usize, declared: &Declared) {
-        let Declared { widths: [low, high], list, lanes, numbers, picks: [takes, adds, pair, others] } = *declared;
-        let mixer = Mixer { low, high, list };
-        let mut pair_of = |pick: Pick| Pair {
-            low: self.pick_fit(d, pick, low),
-            high: self.pick_fit(d, Pick(pick.0.wrapping_add(1)), high),
+        let Declared { widths: [low, high], meaning, list, lanes, numbers, picks: [takes, adds, pair, others] } =
+            *declared;
+        meaning.used(Feature::SignedPort, Feature::CodePort);
+        meaning.used(Feature::SignedField, Feature::CodeField);
+        let mixer = Mixer { low, high, meaning, list };
+        let forms = mixer.forms();
+        let mut pair_of = |pick: Pick| {
+            let mut pick = (0..).map(|more| Pick(pick.0.wrapping_add(more)));
+            forms.map(|form| {
+                let pick = pick.next().expect("endless");
+                self.pick_fit_as(d, pick, form.meaning, form.width)
+            })
         };
         let pair = pair_of(pair);
         let list = (0..list as u16).map(|place| pair_of(Pick(others.0.wrapping_add(2 * place)))).collect();
-        let control = Control { takes: self.pick_fit(d, takes, 1), adds: self.pick_fit(d, adds, low) };
+        let adds = self.pick_fit_as(d, adds, forms.low.meaning, low);
+        let control = Control { takes: self.pick_fit(d, takes, 1), adds };
         if lanes == 0 {
             let name = self.instance_name(number);
             let MixerOut { held, mixed, any } = self.on(d).instance(&name, &mixer, MixerIn { pair, list, control });
@@ -73,7 +94,8 @@ impl Builder<'_> {
         let number_of =
             |lane: u32, width: u32| Numbers(numbers.wrapping_add(lane.into())).bits(width.min(64)).limbs()[0];
         let layout = mixer.pair().map(|width| width.of(row(lanes)));
-        let own = constants(layout, |lane| Pair { low: number_of(lane, low), high: number_of(!lane, high) });
+        let high_of = |number: u64| if meaning == Meaning::Code { number % 5 } else { number };
+        let own = constants(layout, |lane| Pair { low: number_of(lane, low), high: high_of(number_of(!lane, high)) });
         let name = self.namer.draw(&format!("u{}_{number}", self.block.index), Kind::Inner);
         let module = self.on(d);
         let out = module.array(&name, lanes, &mixer, |mixers| {
@@ -82,8 +104,8 @@ impl Builder<'_> {
             MixerIn { pair: mux(own.low.bit(0), own, held), list: list.clone(), control }
         });
         for lanes in out.mixed.into_iter().chain([out.held]).flat_map(|pair| [pair.low, pair.high]).chain([out.any]) {
-            self.push(d, lanes.xor_all());
-            self.rows[d].push(lanes);
+            self.push(d, lanes.bits().xor_all());
+            self.rows[d].push(lanes.bits());
         }
     }
 }

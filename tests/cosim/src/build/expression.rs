@@ -1,6 +1,7 @@
 //! Steps that are expressions.
 
 use super::{Builder, narrow};
+use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::ir::{Relation, Shift};
 use tilewright_hdl::*;
@@ -16,7 +17,7 @@ impl Builder<'_> {
                 let a = self.pick(d, *a);
                 match op {
                     Unary::Not => !a,
-                    Unary::Negative => (-a.signed()).bits(),
+                    Unary::Negative => -a.signed(),
                     Unary::AllOnes => a.all_ones(),
                     Unary::AnyOne => a.any_one(),
                     Unary::Parity => a.parity(),
@@ -30,7 +31,7 @@ impl Builder<'_> {
             Make::Alu { subject, bits, arms, default } => {
                 let (subject, default) = (self.pick_fit(d, *subject, *bits), self.pick(d, *default));
                 let width = default.width();
-                let arm = |arm: &Arm| {
+                let arm = |arm: &Operation| {
                     let [a, b, c] = arm.operands.map(|pick| self.pick_fit(d, pick, width));
                     binary(arm.op, a, b).trunc(width) + (c - a)
                 };
@@ -44,7 +45,7 @@ impl Builder<'_> {
             Make::Product { signed, operands } => {
                 let [a, b] = operands.map(|pick| self.pick(d, pick));
                 let [a, b] = [a, b].map(|s| s.trunc(s.width().min(WIDEST / 2)));
-                if *signed { (a.signed() * b.signed()).bits() } else { a * b }
+                if *signed { a.signed() * b.signed() } else { a * b }
             }
             Make::Compare { relation, signed, operands: [a, b] } => {
                 let a = self.pick(d, *a);
@@ -53,24 +54,35 @@ impl Builder<'_> {
             }
             Make::Shift { shift, of, by } => {
                 let (of, by) = (self.pick(d, *of), self.pick(d, *by));
-                match shift {
-                    Shift::Left => of << by,
-                    Shift::Right => of >> by,
-                    Shift::RightSigned => (of.signed() >> by).bits(),
+                shifted(*shift, of, by)
+            }
+            Make::ShiftBy { shift, of, by, literal } => {
+                let of = self.pick(d, *of);
+                if *literal { shifted(*shift, of, lit(7, u64::from(*by))) } else { shifted(*shift, of, *by) }
+            }
+            Make::Rotate { of, size, by, right } => {
+                let of = if *size < 4 { self.pick_fit(d, *of, 8 << size) } else { self.pick(d, *of) };
+                if *right {
+                    Feature::RotateRight.used();
+                    of.rotate_right(*by)
+                } else {
+                    Feature::RotateLeft.used();
+                    of.rotate_left(*by)
                 }
             }
-            Make::ShiftBy { shift, of, by, literal: true } => {
-                let (of, by) = (self.pick(d, *of), lit(7, u64::from(*by)));
-                match shift {
-                    Shift::Left => of << by,
-                    Shift::Right => of >> by,
-                    Shift::RightSigned => (of.signed() >> by).bits(),
+            Make::WithNumber(with) => self.with_number(d, with),
+            Make::Assigned(of, with) => {
+                let mut value = self.pick(d, *of);
+                for (op, pick) in with {
+                    let with = self.pick_fit(d, *pick, value.width());
+                    assign(*op, &mut value, with);
                 }
+                value
             }
-            Make::Rotate { of, size, by } => {
-                let width = 8 << size;
-                let (of, by) = (self.pick_fit(d, *of, width), 1 + by % (width - 1));
-                cat!(of.slice(0..width - by), of.slice(width - by..width))
+            Make::Implies(operands) => {
+                Feature::Implies.used();
+                let [condition, other] = operands.map(|pick| self.pick_fit(d, pick, 1));
+                condition.implies(other)
             }
             Make::Lookup { subject, bits, width, words } => {
                 let subject = self.pick_fit(d, *subject, *bits);
@@ -78,37 +90,38 @@ impl Builder<'_> {
                 let words: Vec<Signal> = words.iter().take(1 << bits).map(word).collect();
                 case(subject, (0..).zip(words), lit(*width, 1))
             }
-            Make::ShiftBy { shift, of, by, .. } => {
-                let of = self.pick(d, *of);
-                match shift {
-                    Shift::Left => of << *by,
-                    Shift::Right => of >> *by,
-                    Shift::RightSigned => (of.signed() >> *by).bits(),
-                }
-            }
-            Make::Mux { select, on_true, on_false } => {
+            Make::Mux { meaning, select, on_true, on_false } => {
+                meaning.used(Feature::SignedArm, Feature::CodeArm);
                 let select = self.pick_fit(d, *select, 1);
-                let on_true = self.pick(d, *on_true);
-                mux(select, on_true, self.pick_fit(d, *on_false, on_true.width()))
+                let on_true = self.pick_as(d, *on_true, *meaning);
+                mux(select, on_true, self.arm(d, *on_false, *meaning, on_true.width()))
             }
-            Make::Select { arms, default } => {
-                let default = self.pick(d, *default);
-                let arm = |(condition, value): &(Pick, Pick)| {
-                    (self.pick_fit(d, *condition, 1), self.pick_fit(d, *value, default.width()))
+            Make::Select { meaning, arms, default } => {
+                meaning.used(Feature::SignedArm, Feature::CodeArm);
+                let default = self.pick_as(d, *default, *meaning);
+                let arm = |(condition, value): &(Pick, Arm)| {
+                    (self.pick_fit(d, *condition, 1), self.arm(d, *value, *meaning, default.width()))
                 };
-                let arms: Vec<_> = arms.iter().map(arm).collect();
-                select(arms, default)
+                let values: Vec<_> = arms.iter().map(arm).collect();
+                if is_mixed(arms.iter().map(|(_, arm)| arm)) {
+                    Feature::MixedArmsOfSelect.used();
+                }
+                select(values.into_iter().flat_map(|(condition, value)| arms![condition => value]), default)
             }
-            Make::Case { subject, arms, default } => {
-                let (subject, default) = (self.pick(d, *subject), self.pick(d, *default));
-                let mut known: Vec<(u64, Signal)> = Vec::new();
+            Make::Case { meaning, subject, arms, default } => {
+                meaning.used(Feature::SignedArm, Feature::CodeArm);
+                let (subject, default) = (self.pick(d, *subject), self.pick_as(d, *default, *meaning));
+                let mut known: Vec<(u64, Value)> = Vec::new();
                 for (key, value) in arms {
                     let key = Bits::new(subject.width(), *key).limbs()[0];
                     if known.iter().all(|(other, _)| *other != key) {
-                        known.push((key, self.pick_fit(d, *value, default.width())));
+                        known.push((key, self.arm(d, *value, *meaning, default.width())));
                     }
                 }
-                case(subject, known, default)
+                if is_mixed(arms.iter().map(|(_, arm)| arm)) {
+                    Feature::MixedArmsOfCase.used();
+                }
+                case(subject, known.into_iter().flat_map(|(key, value)| arms![key => value]), default)
             }
             Make::Slice { of, low, width } => {
                 let of = self.pick(d, *of);
@@ -138,11 +151,16 @@ impl Builder<'_> {
                 let name = self.inner_name(&format!("n{number}"));
                 self.pick(d, *of).named(&name)
             }
-            Make::Wire(of) => {
-                let of = self.pick(d, *of);
+            Make::Wire(meaning, of) => {
+                meaning.used(Feature::SignedWire, Feature::CodeWire);
+                let of = self.pick_as(d, *of, *meaning);
                 let name = self.inner_name(&format!("w{number}"));
-                let wire = self.on(d).wire(&name, of.width());
-                let read = !*wire;
+                let wire = self.on(d).wire(&name, meaning.layout(of.width()));
+                let read = match meaning {
+                    Meaning::Number => !*wire,
+                    Meaning::Signed => -*wire,
+                    Meaning::Code => meaning.changed(*wire),
+                };
                 wire.drive(of);
                 read
             }
@@ -151,8 +169,48 @@ impl Builder<'_> {
     }
 }
 
+impl Builder<'_> {
+    /// What an arm of a choice gives.
+    fn arm(&mut self, d: usize, arm: Arm, meaning: Meaning, width: u32) -> Value {
+        match arm {
+            Arm::Value(pick) => self.pick_fit_as(d, pick, meaning, width).operand(),
+            Arm::Number(pattern) => meaning.constant(pattern, width),
+        }
+    }
+}
+
+/// Whether some are values and some are numbers.
+fn is_mixed<'a>(arms: impl Iterator<Item = &'a Arm> + Clone) -> bool {
+    let is_number = |arm: &Arm| matches!(arm, Arm::Number(_));
+    arms.clone().any(is_number) && !arms.clone().all(is_number)
+}
+
+/// A shift; one to the right with the sign is of a signed value, and gives one.
+fn shifted(shift: Shift, of: Signal, by: impl ShiftAmount) -> Signal {
+    match shift {
+        Shift::Left => of << by,
+        Shift::Right => of >> by,
+        Shift::RightSigned => {
+            Feature::SignedShift.used();
+            of.signed() >> by
+        }
+    }
+}
+
+/// `value op= with`.
+fn assign(op: Binary, value: &mut Signal, with: Signal) {
+    Feature::Assigned.used();
+    match op {
+        Binary::And => *value &= with,
+        Binary::Or => *value |= with,
+        Binary::Xor => *value ^= with,
+        Binary::Add | Binary::AddCarry => *value += with,
+        Binary::Sub => *value -= with,
+    }
+}
+
 /// An operator, with the carry if it has one.
-pub fn binary(op: Binary, a: Signal, b: Signal) -> Signal {
+pub fn binary(op: Binary, a: Signal, b: impl Operand) -> Signal {
     match op {
         Binary::And => a & b,
         Binary::Or => a | b,
@@ -165,19 +223,17 @@ pub fn binary(op: Binary, a: Signal, b: Signal) -> Signal {
 
 /// A comparison of two values of one width.
 pub fn compare(relation: Relation, signed: bool, a: Signal, b: Signal) -> Signal {
-    let (x, y) = (a.signed(), b.signed());
-    match (relation, signed) {
-        (Relation::Eq, false) => a.eq(b),
-        (Relation::Ne, false) => a.ne(b),
-        (Relation::Lt, false) => a.lt(b),
-        (Relation::Le, false) => a.le(b),
-        (Relation::Gt, false) => a.gt(b),
-        (Relation::Ge, false) => a.ge(b),
-        (Relation::Eq, true) => x.eq(y),
-        (Relation::Ne, true) => x.ne(y),
-        (Relation::Lt, true) => x.lt(y),
-        (Relation::Le, true) => x.le(y),
-        (Relation::Gt, true) => x.gt(y),
-        (Relation::Ge, true) => x.ge(y),
+    if signed { related(relation, a.signed(), b.signed()) } else { related(relation, a, b) }
+}
+
+/// A comparison.
+pub fn related(relation: Relation, a: Signal, b: impl Operand) -> Signal {
+    match relation {
+        Relation::Eq => a.eq(b),
+        Relation::Ne => a.ne(b),
+        Relation::Lt => a.lt(b),
+        Relation::Le => a.le(b),
+        Relation::Gt => a.gt(b),
+        Relation::Ge => a.ge(b),
     }
 }

@@ -14,6 +14,11 @@ impl Builder<'_> {
         (self.block.size(number) > 0).then(|| PartBlock { index, ..self.block.clone() })
     }
 
+    /// What is given to a port of that form, be it a code or not.
+    fn pick_into(&mut self, d: usize, pick: Pick, form: Form) -> Signal {
+        form.meaning.read(self.pick_fit(d, pick, form.width()))
+    }
+
     /// The pool that a child's clock is: seen from the second clock, both are the second.
     fn outside(d: usize, child_domain: usize) -> usize {
         d.max(child_domain)
@@ -30,7 +35,7 @@ impl Builder<'_> {
         let mut picks = inputs.iter().copied().chain(std::iter::repeat(Pick(1)));
         let [own, second] = [0, 1].map(|domain| {
             let feed =
-                |input: &Input| self.pick_fit(Self::outside(d, domain), picks.next().expect("endless"), input.width);
+                |input: &Input| self.pick_into(Self::outside(d, domain), picks.next().expect("endless"), input.form);
             child.ports_on(domain, feed)
         });
         let name = self.instance_name(number);
@@ -49,9 +54,10 @@ impl Builder<'_> {
             let [own, second] = [0, 1].map(|domain| {
                 let mut links = links[domain].iter();
                 let feed = |input: &Input| {
-                    let link = input.link.and_then(|link| Some((link, *links.next()?)));
+                    let link = input.link.and_then(|link| Some((link, links.next()?.bits())));
                     let (feed, pick) = feeds.next().expect("endless");
-                    self.feed(&row, Self::outside(d, domain), (feed, pick, input.width), link)
+                    let fed = self.feed(&row, Self::outside(d, domain), (feed, pick, input.form.width()), link);
+                    input.form.meaning.read(fed)
                 };
                 child.ports_on(domain, feed)
             });
@@ -60,9 +66,9 @@ impl Builder<'_> {
         let mut gathers = row.outputs.iter().copied().chain(std::iter::repeat(Gather::Reduce(Reduction::Xor)));
         for (domain, lanes) in [(0, out.out), (1, out.second_out), (0, out.link), (1, out.second_link)] {
             for lanes in lanes.values() {
-                let signal = gather(lanes, gathers.next().expect("endless"));
+                let signal = gather(lanes.bits(), gathers.next().expect("endless"));
                 self.push(Self::outside(d, domain), signal);
-                self.rows[Self::outside(d, domain)].push(lanes);
+                self.rows[Self::outside(d, domain)].push(lanes.bits());
             }
         }
     }

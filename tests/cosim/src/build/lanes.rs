@@ -1,6 +1,8 @@
 //! Steps that work on many lanes.
 
+use super::form::Colour;
 use super::{Builder, Kind, narrow};
+use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
 
@@ -18,6 +20,19 @@ fn turned(x: Signal, columns: u32) -> Signal {
 
 fn combined(a: Signal, b: Signal) -> Signal {
     a + !b
+}
+
+bundle! {
+    /// A lane, and which it is.
+    struct Found<T> { value: T, lane: T }
+}
+
+/// The smallest lane, beside the first that is so.
+fn least(x: Signal) -> Signal {
+    Feature::TreeOfRecords.used();
+    let numbers = constants(below(x.count()).of(x.shape()), u64::from);
+    let found = tree(Found { value: x, lane: numbers }, |a, b| mux(b.value.lt(a.value), b, a));
+    cat!(found.lane, found.value.bits())
 }
 
 impl Builder<'_> {
@@ -50,6 +65,7 @@ impl Builder<'_> {
                 let name = self.namer.draw_with(&format!("t{number}_"), Kind::Inner, &levels);
                 self.on(d).tree_of_stages(&name, x, combined)
             }
+            End::Least => narrow(least(x)),
         };
         plain.bits()
     }
@@ -88,15 +104,28 @@ impl Builder<'_> {
             Work::Reversed if matches!(x.shape(), Shape::Grid(..)) => x.rows().reversed(),
             Work::Reversed => x.reversed(),
             Work::Take(first) if matches!(x.shape(), Shape::Grid(..)) => {
+                Feature::TakeOr.used();
                 x.columns().take_or(work.columns, |i| 2 * i + i32::from(*first % 3), lane)
             }
-            Work::Take(first) => interleave([x, !x]).take(work.lanes, |i| 2 * i + i32::from(*first % 2)),
+            Work::Take(first) if first % 3 == 0 => {
+                Feature::TakeOr.used();
+                x.take_or(work.lanes, |i| 3 * i - i32::from(*first % 4), lane)
+            }
+            Work::Take(first) => {
+                Feature::Interleave.used();
+                interleave([x, !x]).take(work.lanes, |i| 2 * i + i32::from(*first % 2))
+            }
             Work::Turn => turned(x, work.columns),
-            Work::Hold { reset, count } => {
+            Work::Hold { reset, initial, count } => {
                 let name = self.inner_name(&format!("g{}_{}", at.0, at.1));
                 let layout = bits(work.width).of(x.shape());
                 let mut held = self.on(d).reg(&name, if work.signed { layout.signed() } else { layout });
+                if let Some(initial) = initial {
+                    Feature::InitialOfLanes.used();
+                    held = held.initial(initial.bits(work.width));
+                }
                 if let Some(reset) = reset {
+                    Feature::ResetEach.used();
                     held = held.reset_each((0..x.shape().lanes()).map(|lane| match lane % 2 {
                         0 => reset.bits(work.width),
                         _ => reset.bits(work.width).not(),
@@ -104,6 +133,29 @@ impl Builder<'_> {
                 }
                 held.when(x.bit(0), x).when(self.pick_fit(d, *count, 1), *held + *held);
                 *held
+            }
+            Work::Colours { initial, chosen } => {
+                Feature::CodeLanes.used();
+                let name = self.inner_name(&format!("v{}_{}", at.0, at.1));
+                let held = self.on(d).reg(&name, one_of::<Colour>().of(x.shape()));
+                let held = match initial {
+                    Some(initial) => {
+                        Feature::InitialOfLanes.used();
+                        held.initial(Colour::of(u64::from(*initial)))
+                    }
+                    None => held.reset(Colour::Green),
+                };
+                let codes = Meaning::Code.made_of(x.bits().zext(work.width.max(3)).trunc(3));
+                held.when(x.bit(0), codes);
+                let chosen = plain(self, *chosen);
+                Feature::ChooseByLanes.used();
+                let value: Signal = held.choose(|colour: Colour| match colour {
+                    Colour::Red | Colour::White => x,
+                    Colour::Green => !x,
+                    Colour::Blue => x + chosen,
+                    Colour::Black => x - chosen,
+                });
+                mux(held.is(Colour::Blue), value, x)
             }
             Work::Remember { address, own } => {
                 let name = self.namer.draw_with(&format!("h{}_{}", at.0, at.1), Kind::Inner, &["_read".to_owned()]);

@@ -2,13 +2,19 @@
 
 mod declared;
 mod expression;
+mod form;
 mod instances;
 mod lanes;
+mod library;
 pub(crate) mod names;
+mod numbers;
 mod objects;
 mod records;
+mod registers;
+mod rom;
 mod statements;
 
+use crate::features::Feature;
 use crate::spec::*;
 pub use expression::compare;
 use instances::Row;
@@ -129,8 +135,12 @@ impl Block for PartBlock {
     type Out = PartOut;
 
     fn inputs(&self) -> PartIn<Width> {
-        let own = self.ports_on(0, |input| bits(input.width));
-        let second = self.second().map(|clock| self.ports_on(1, |input| bits(input.width).on(clock)));
+        let layout = |input: &Input| {
+            input.form.meaning.used(Feature::SignedPort, Feature::CodePort);
+            input.form.layout()
+        };
+        let own = self.ports_on(0, layout);
+        let second = self.second().map(|clock| self.ports_on(1, |input| layout(input).on(clock)));
         PartIn { own, second: second.unwrap_or_default() }
     }
 
@@ -149,7 +159,7 @@ impl Block for PartBlock {
 }
 
 /// A value that later steps may pick.
-struct Value {
+struct Pooled {
     signal: Signal,
     /// Something observable depends on it.
     is_read: bool,
@@ -157,9 +167,9 @@ struct Value {
 
 /// A connection made when all values are known.
 enum Late {
-    Next(Reg, Pick),
-    Updates { register: Reg, updates: Vec<(Pick, Pick)>, otherwise: Option<Pick> },
-    Write { memory: Mem, enable: Signal, address: Signal, data: Pick },
+    Next(Reg, Meaning, Pick),
+    Updates { register: Reg, meaning: Meaning, updates: Vec<(Pick, Pick)>, otherwise: Option<Pick> },
+    Write { memory: Mem, meaning: Meaning, enable: Signal, address: Signal, data: Pick },
     Records { register: Reg<records::Mixed>, records: Records },
 }
 
@@ -167,7 +177,7 @@ struct Builder<'a> {
     block: &'a PartBlock,
     module: Module,
     /// By clock.
-    pools: [Vec<Value>; 2],
+    pools: [Vec<Pooled>; 2],
     late: Vec<(usize, Late)>,
     /// Outputs of arrays, by clock.
     rows: [Vec<Signal>; 2],
@@ -176,7 +186,7 @@ struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     fn new(block: &'a PartBlock, module: Module, inputs: [Vec<Signal>; 2]) -> Self {
-        let pools = inputs.map(|of| of.into_iter().map(|signal| Value { signal, is_read: true }).collect());
+        let pools = inputs.map(|of| of.into_iter().map(|signal| Pooled { signal, is_read: true }).collect());
         let mut builder = Builder {
             block,
             module,
@@ -187,6 +197,7 @@ impl<'a> Builder<'a> {
         };
         if block.second().is_some() {
             // With state on the own clock, inputs that name no clock belong to it.
+            Feature::Def.used();
             def!(beat = module.reg(1).reset(0));
             beat.next(!beat);
             builder.push(0, *beat);
@@ -195,7 +206,7 @@ impl<'a> Builder<'a> {
     }
 
     fn push(&mut self, domain: usize, signal: Signal) {
-        self.pools[domain].push(Value { signal, is_read: false });
+        self.pools[domain].push(Pooled { signal, is_read: false });
     }
 
     /// Odd picks favour recent values, so that expressions get deep; 0 is the first value.
@@ -211,12 +222,23 @@ impl<'a> Builder<'a> {
     fn pick(&mut self, domain: usize, pick: Pick) -> Signal {
         let Some(index) = self.index(domain, pick) else { return lit(1, 1) };
         self.pools[domain][index].is_read = true;
-        self.pools[domain][index].signal
+        self.pools[domain][index].signal.bits()
     }
 
     fn pick_fit(&mut self, domain: usize, pick: Pick, width: u32) -> Signal {
         let signal = self.pick(domain, pick);
         fit(signal, width, pick)
+    }
+
+    /// A value read as something of that meaning, as wide as it is itself.
+    fn pick_as(&mut self, domain: usize, pick: Pick, meaning: Meaning) -> Signal {
+        let signal = self.pick(domain, pick);
+        meaning.made_of(fit(signal, meaning.width(signal.width()), pick))
+    }
+
+    /// A value read as something of that meaning, as if so many bits were wanted.
+    fn pick_fit_as(&mut self, domain: usize, pick: Pick, meaning: Meaning, width: u32) -> Signal {
+        meaning.made_of(self.pick_fit(domain, pick, meaning.width(width)))
     }
 
     /// A pick that does not make its value observed: the way to an output may lead through itself.
@@ -247,51 +269,42 @@ impl<'a> Builder<'a> {
         Ports(named.collect())
     }
 
-    /// What a register takes by priority.
-    fn updates(&mut self, d: usize, register: Reg, updates: &[(Pick, Pick)], otherwise: Option<Pick>) {
-        let Some((first, rest)) = updates.split_first() else { return register.next(*register) };
-        let width = register.width();
-        let arm = |&(condition, value)| (self.pick_late(d, condition, 1), self.pick_late(d, value, width));
-        let (condition, value) = arm(first);
-        let mut chain = register.when(condition, value);
-        for (condition, value) in rest.iter().map(arm) {
-            chain = chain.when(condition, value);
+    /// What goes into something as wide as that, as [`Builder::pick_late`]: of wide numbers the low bits, in some.
+    fn given_late(&self, domain: usize, pick: Pick, meaning: Meaning, width: u32) -> Value {
+        if let Some(index) = self.index(domain, pick) {
+            let signal = self.pools[domain][index].signal.bits();
+            if meaning == Meaning::Number && signal.width() > width && pick.0 % 3 == 0 {
+                Feature::Low.used();
+                return signal.low().operand();
+            }
         }
-        if let Some(otherwise) = otherwise {
-            chain.otherwise(self.pick_late(d, otherwise, width));
-        }
+        meaning.made_of(self.pick_late(domain, pick, meaning.width(width))).operand()
     }
 
     fn step(&mut self, number: usize, step: &Step) {
         let d = self.block.domain(step.clock);
         match &step.make {
-            Make::Register { width, reset, enable, updates, next } => {
-                let name = self.inner_name(&format!("r{number}"));
-                let mut register = self.on(d).reg(&name, *width);
-                if let Some(reset) = reset {
-                    register = register.reset(reset.bits(*width));
-                }
-                if let Some(enable) = enable {
-                    register = register.enable(self.pick_fit(d, *enable, 1));
-                }
-                self.push(d, *register);
-                let late = match (&updates[..], *next) {
-                    ([], Some(next)) => Late::Next(register, next),
-                    (_, otherwise) => Late::Updates { register, updates: updates.clone(), otherwise },
-                };
-                self.late.push((d, late));
+            Make::Register { .. } => self.register(d, number, &step.make),
+            Make::Pipe { meaning, of, enable } => self.pipe(d, number, *meaning, *of, *enable),
+            Make::Toggle(turns) => {
+                Feature::Toggle.used();
+                let (name, turns) = (self.inner_name(&format!("t{number}")), self.pick_fit(d, *turns, 1));
+                let toggle = self.on(d).toggle(&name, turns);
+                self.push(d, toggle);
             }
             Make::Machine(machine) => self.machine(d, number, machine),
             Make::Memory(memory) => self.memory(d, number, memory),
             Make::Records(records) => self.records(d, number, records),
+            Make::Rom(rom) => self.rom(d, number, rom),
+            Make::Library(library) => self.library(d, number, library),
             Make::Lanes(work) => {
                 let signal = self.lanes(d, number, work);
                 self.push(d, signal);
             }
-            Make::Cross { synchronize, of } => self.cross(d, number, *synchronize, *of),
+            Make::Cross { by, of } => self.cross(d, number, *by, *of),
             Make::State(statement, pick) => self.state(d, number, *statement, *pick),
             Make::Coded(coded) => self.coded(d, number, coded),
-            Make::PowerOn { initial, reset, next } => self.power_on(d, number, *initial, *reset, *next),
+            Make::PowerOn { .. } => self.power_on(d, number, &step.make),
             Make::InParts(parts) => self.parts(d, number, parts),
             Make::Declared(declared) => self.declared(d, number, declared),
             Make::Never(pick, pattern) => {
@@ -323,11 +336,15 @@ impl<'a> Builder<'a> {
     fn finish(mut self) -> PartOut {
         for (d, late) in std::mem::take(&mut self.late) {
             match late {
-                Late::Next(register, next) => register.next(self.pick_late(d, next, register.width())),
-                Late::Updates { register, updates, otherwise } => self.updates(d, register, &updates, otherwise),
+                Late::Next(register, meaning, next) => {
+                    register.next(self.given_late(d, next, meaning, register.width()));
+                }
+                Late::Updates { register, meaning, updates, otherwise } => {
+                    self.updates(d, register, meaning, &updates, otherwise);
+                }
                 Late::Records { register, records } => self.update_record(d, &register, &records),
-                Late::Write { memory, enable, address, data } => {
-                    memory.write(enable, address, self.pick_late(d, data, memory.width()));
+                Late::Write { memory, meaning, enable, address, data } => {
+                    memory.write(enable, address, self.given_late(d, data, meaning, memory.width()));
                 }
             }
         }
@@ -335,7 +352,7 @@ impl<'a> Builder<'a> {
         let [link, second_link] = [0, 1].map(|domain| {
             let link = |(number, input): (usize, &Input)| {
                 let Link { of, registered } = input.link?;
-                let signal = self.pick_fit(domain, of, input.width);
+                let signal = self.pick_fit_as(domain, of, input.form.meaning, input.form.width);
                 let name = self.inner_name(&format!("l{domain}_{number}"));
                 Some(if registered { self.on(domain).pipe(&name, signal) } else { signal })
             };
@@ -356,9 +373,13 @@ impl<'a> Builder<'a> {
 
 /// The value cut or widened to a width; where it is cut and how it is widened follows from the pick.
 fn fit(signal: Signal, width: u32, pick: Pick) -> Signal {
-    let how = u32::from(pick.0 / 5);
+    let (signal, how) = (signal.bits(), u32::from(pick.0 / 5));
     if signal.width() > width {
         let low = how % (signal.width() - width + 1);
+        if pick.0.is_multiple_of(2) {
+            Feature::Part.used();
+            return signal.part(low, width);
+        }
         return signal.slice(low..low + width);
     }
     if how % 2 == 1 { signal.sext(width) } else { signal.zext(width) }

@@ -1,6 +1,7 @@
 //! Steps that hold state or cross clocks: state machines, memories, synchronizers.
 
 use super::{Builder, Kind, Late};
+use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
 
@@ -19,7 +20,7 @@ impl Builder<'_> {
             exits.when.iter().map(|(pick, to)| (self.pick_fit(d, *pick, 1), phase(*to))).collect::<Vec<_>>()
         });
         let conditions: Vec<Vec<(Signal, Phase)>> = conditions.collect();
-        state.next(|from| {
+        let moves = state.next(|from| {
             let arms = &conditions[from.code() as usize];
             let otherwise = machine.states[from.code() as usize].otherwise;
             let transition = arms.split_first().map(|((condition, to), rest)| {
@@ -35,44 +36,19 @@ impl Builder<'_> {
         self.push(d, chosen);
         self.push(d, state.is(Phase::Run));
         self.push(d, state.bits());
-    }
-
-    /// So many registers of some width, each taking over the one before; the first one `from`, or the last one.
-    pub fn chain(
-        &mut self,
-        d: usize,
-        number: usize,
-        (width, length): (u32, u32),
-        enable: Option<Pick>,
-        from: Option<Pick>,
-    ) {
-        let enable = enable.map(|pick| self.pick_fit(d, pick, 1));
-        let names = (0..length.max(1)).map(|place| self.inner_name(&format!("c{number}_{place}"))).collect::<Vec<_>>();
-        let register = |(place, name): (u32, &String)| {
-            let register = self.on(d).reg(name, width);
-            let register = if place.is_multiple_of(2) {
-                register.reset(Pattern::Number(0x9e37_79b9 << place).bits(width))
-            } else {
-                register
-            };
-            enable.map_or(register, |enable| register.enable(enable))
-        };
-        let registers: Vec<Reg> = (0..).zip(&names).map(register).collect();
-        registers.windows(2).for_each(|pair| pair[1].next(*pair[0]));
-        let last = registers[registers.len() - 1];
-        match from {
-            Some(from) => self.late.push((d, Late::Next(registers[0], from))),
-            None => registers[0].next(*last),
+        Feature::Constants.used();
+        self.push(d, state.constants(5, |phase| 7 * phase.code()));
+        for ask in &machine.asks {
+            self.push(d, asked(&moves, *ask));
         }
-        self.push(d, *last);
-        self.push(d, *registers[0]);
     }
 
     pub fn memory(&mut self, d: usize, number: usize, memory: &Memory) {
         let crossing = memory.crossing && self.block.second().is_some();
         let policy = if crossing { ReadUnderWrite::Old } else { memory.policy };
         let writer = if crossing { 1 - d } else { d };
-        let address_width = index_width(memory.depth.into());
+        let (form, address_width) = (memory.form, index_width(memory.depth.into()));
+        form.meaning.used(Feature::SignedWord, Feature::CodeWord);
         let writes = memory
             .writes
             .iter()
@@ -92,19 +68,24 @@ impl Builder<'_> {
         let numbers = (0..clocked).map(|port| if clocked > 1 { format!("_read{port}") } else { "_read".to_owned() });
         let numbers: Vec<String> = numbers.collect();
         let mut name = |plain: String| self.namer.draw_with(&plain, Kind::Inner, &numbers);
-        let first = (name(format!("m{number}")), memory.width);
-        let twin = memory.twin.map(|width| (name(format!("m{number}_twin")), width));
-        for (name, width) in [first].into_iter().chain(twin) {
+        let first = (name(format!("m{number}")), form);
+        let twin = memory.twin.map(|width| (name(format!("m{number}_twin")), Form { width, ..form }));
+        for (name, Form { width, meaning }) in [first].into_iter().chain(twin) {
             // A memory handle goes from the own clock to the second one, not back.
-            let mut mem = self.on(if crossing { 0 } else { d }).memory(&name, memory.depth, width, policy);
+            let mut mem =
+                self.on(if crossing { 0 } else { d }).memory(&name, memory.depth, meaning.layout(width), policy);
+            if memory.attribute {
+                Feature::AttributeOfAMemory.used();
+                mem = mem.attribute("ram_style", "distributed");
+            }
             if writes.len() > 1 {
                 mem = mem.true_dual_port();
             }
             mem = match &memory.contents {
                 Contents::Unknown => mem,
-                Contents::Fill(word) => mem.fill(word.bits(width)),
+                Contents::Fill(word) => mem.fill(meaning.constant(*word, width)),
                 Contents::Words(words) => {
-                    mem.words(words.iter().take(memory.depth as usize).map(|word| word.bits(width)))
+                    mem.words(words.iter().take(memory.depth as usize).map(|word| meaning.constant(*word, width)))
                 }
             };
             let second = self.block.second().filter(|_| crossing);
@@ -119,26 +100,50 @@ impl Builder<'_> {
                 self.push(d, data);
             }
             for (port, &(enable, address)) in memory.writes.iter().zip(&writes) {
-                self.late.push((writer, Late::Write { memory: writing, enable, address, data: port.data }));
+                let write = Late::Write { memory: writing, meaning, enable, address, data: port.data };
+                self.late.push((writer, write));
             }
         }
     }
 
-    pub fn cross(&mut self, d: usize, number: usize, synchronize: bool, of: Pick) {
+    pub fn cross(&mut self, d: usize, number: usize, by: Crossing, of: Pick) {
         if self.block.second().is_none() {
             return;
         }
-        let signal = match synchronize {
-            true => {
+        let signal = match by {
+            Crossing::QuasiStatic => self.pick(1 - d, of).quasi_static("the simulators agree on every instant"),
+            Crossing::Synchronize | Crossing::SynchronizeFrom(_) => {
                 let logic = self.pick_fit(1 - d, of, 1);
                 let from = self.inner_name(&format!("y{number}_from"));
                 let steady = self.on(1 - d).pipe(&from, logic);
                 let name = self.namer.draw_with(&format!("y{number}"), Kind::Inner, &["_meta".to_owned()]);
-                self.on(d).synchronize(&name, steady)
+                if let Crossing::SynchronizeFrom(reset) = by {
+                    Feature::SynchronizeFrom.used();
+                    self.on(d).synchronize_from(reset, &name, steady)
+                } else {
+                    self.on(d).synchronize(&name, steady)
+                }
             }
-            false => self.pick(1 - d, of).quasi_static("the simulators agree on every instant"),
         };
         self.push(d, signal);
+    }
+}
+
+/// 1 bit: what is asked of the transitions is so.
+fn asked(moves: &Moves<Phase>, ask: Ask) -> Signal {
+    match ask {
+        Ask::Leaves(state) => {
+            Feature::Leaves.used();
+            moves.leaves(phase(state))
+        }
+        Ask::Enters(state) => {
+            Feature::Enters.used();
+            moves.enters(phase(state))
+        }
+        Ask::Goes(from, to) => {
+            Feature::Goes.used();
+            moves.goes(phase(from), phase(to))
+        }
     }
 }
 

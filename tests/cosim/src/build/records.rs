@@ -1,6 +1,7 @@
 //! Steps that hold a record: in a register, in the words of a memory, in the stages of a pipeline.
 
 use super::{Builder, Kind, Late, narrow};
+use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
 
@@ -20,14 +21,23 @@ bundle! {
 }
 
 impl Records {
-    fn layout(&self) -> Mixed<Width> {
-        let [head, low, high, rest] = self.widths.map(bits);
+    /// The form of each field.
+    fn forms(&self) -> Mixed<Form> {
+        let [head, low, high, rest] = self.forms;
         Mixed { head, pairs: [Pair { low, high }; 2], rest: vec![rest; self.list as usize] }
     }
 
-    /// The pattern in each field.
-    fn constant(&self, pattern: Pattern) -> Mixed<Bits> {
-        self.layout().map(|width| pattern.bits(width.bits()))
+    fn layout(&self) -> Mixed<Width> {
+        self.forms().map(|form| form.layout())
+    }
+
+    fn has_codes(&self) -> bool {
+        self.forms.iter().any(|form| form.meaning == Meaning::Code)
+    }
+
+    /// The pattern in each field, as a description writes it.
+    fn constant(&self, pattern: Pattern) -> Mixed<Value> {
+        self.forms().map(|form| form.meaning.constant(pattern, form.width))
     }
 }
 
@@ -39,7 +49,8 @@ fn each(pick: Pick) -> impl FnMut() -> Pick {
 
 impl Builder<'_> {
     pub fn records(&mut self, d: usize, number: usize, records: &Records) {
-        let layout = records.layout();
+        let (layout, [head, low, ..]) = (records.layout(), records.forms.map(|form| form.meaning));
+        records.forms.iter().for_each(|form| form.meaning.used(Feature::SignedField, Feature::CodeField));
         let paths: Vec<String> =
             layout.leaves().iter().map(|(path, _)| format!("_{}", path.replace('.', "_"))).collect();
         let mut name =
@@ -56,6 +67,14 @@ impl Builder<'_> {
         if let Some(reset) = records.reset {
             register = register.reset(records.constant(reset));
         }
+        if let Some(initial) = records.initial {
+            Feature::InitialOfARecord.used();
+            register = register.initial(records.constant(initial));
+        }
+        if records.attribute {
+            Feature::AttributeOfARecord.used();
+            register = register.attribute("keep", "true");
+        }
         self.push_fields(d, &register);
 
         let contents = records.contents.iter().take(records.depth as usize).map(|word| records.constant(*word));
@@ -67,16 +86,27 @@ impl Builder<'_> {
         memory.write(enable, write, register.clone());
 
         let wire = m.wire(&net_name, layout.clone());
-        wire.drive(mux(enable, found.clone(), select(arms![found.head.any_one() => register.clone()], 0)));
+        // Among what is chosen from, 0 is no code.
+        let zero = records.constant(Pattern::Zero);
+        let kept = match records.has_codes() {
+            true => select(arms![found.head.any_one() => register.clone()], zero),
+            false => select(arms![found.head.any_one() => register.clone()], 0),
+        };
+        wire.drive(mux(enable, found.clone(), kept));
         self.push(d, narrow(layout.unpack(wire.pack()).pack()));
         // What looks a record up by another one of a pipeline is a stage behind it.
         self.push_fields(d, &found.any_stage());
 
         let accepts = found.head.any_one();
-        let start = found.cleared(|start| [start.head, start.pairs[1].low]).called(&pipe_name);
+        // A code cannot be cleared.
+        let cleared = |start: Mixed<usize>| {
+            let fields = [(head, start.head), (low, start.pairs[1].low)].into_iter();
+            fields.filter(|(meaning, _)| *meaning != Meaning::Code).map(|(_, field)| field).collect::<Vec<_>>()
+        };
+        let start = found.cleared(cleared).called(&pipe_name);
         let last = m.stages(records.stages, enable, start, |stage, now| {
             let [left, right] = now.pairs;
-            let pairs = [right, Pair { low: left.low + u64::from(stage % 2), ..left }];
+            let pairs = [right, Pair { low: if stage % 2 == 0 { left.low } else { low.changed(left.low) }, ..left }];
             Mixed { pairs, ..now }
         });
         // Later steps let these meet what entered.
@@ -85,7 +115,7 @@ impl Builder<'_> {
         let (sent, _) = m.offer(enable, last.clone());
         let taken = m.stream_stages(records.stages, Start::from(sent).called(&stream_name), |_, now| {
             let [left, right] = now.pairs;
-            Mixed { pairs: [right, left], head: !now.head, ..now }
+            Mixed { pairs: [right, left], head: head.changed(now.head), ..now }
         });
         let taken = taken.take_when(accepts);
         self.push(d, taken.taken);
@@ -101,7 +131,7 @@ impl Builder<'_> {
     pub fn update_record(&self, d: usize, register: &Reg<Mixed>, records: &Records) {
         let value = |pick: Pick| {
             let mut pick = each(pick);
-            register.map(|field| self.pick_late(d, pick(), field.width()))
+            records.forms().map(|form| form.meaning.made_of(self.pick_late(d, pick(), form.width())))
         };
         let condition = |pick: Pick| self.pick_late(d, pick, 1);
         let Some(((first, taken), rest)) = records.updates.split_first() else {

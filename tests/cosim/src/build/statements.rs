@@ -1,13 +1,11 @@
-//! Steps that state something, look back, or hold codes of an enum; and memories whose words are written in parts.
+//! Steps that state something, look back, or choose by codes of an enum; and memories whose words are written in parts.
 
+use super::form::Colour;
+use super::records::Pair;
 use super::{Builder, Kind};
+use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
-
-codes! {
-    /// Fewer codes than three bits have.
-    enum Colour { Red, Green, Blue, White, Black }
-}
 
 impl Builder<'_> {
     /// States what always holds, or counts what may happen.
@@ -38,7 +36,7 @@ impl Builder<'_> {
     /// A register of an enum's codes, and what is chosen by it, and by bits that may be no code.
     pub fn coded(&mut self, d: usize, number: usize, coded: &Coded) {
         let name = self.inner_name(&format!("k{number}"));
-        let code = |pick: &u8| Colour::ALL[usize::from(*pick) % Colour::ALL.len()];
+        let code = |pick: &u8| Colour::of(u64::from(*pick));
         let register = self.on(d).reg(&name, one_of::<Colour>());
         let register = match coded.begins_with_reset {
             true => register.reset(code(&coded.first)),
@@ -50,32 +48,36 @@ impl Builder<'_> {
         let chosen = coded.chosen.map(|pick| self.pick_fit(d, pick, width));
         let raw = self.pick_fit(d, coded.raw, 3).code::<Colour>();
         for subject in [*register, raw] {
-            let value = subject.choose(|colour: Colour| chosen[colour.code() as usize % chosen.len()]);
-            self.push(d, value);
+            if coded.records {
+                Feature::ChooseARecord.used();
+                let pair: Pair = subject.choose(|colour: Colour| match colour {
+                    Colour::Red => Pair { low: chosen[0], high: chosen[1] },
+                    Colour::Green | Colour::White => Pair { low: chosen[1], high: !chosen[2] },
+                    Colour::Blue | Colour::Black => Pair { low: chosen[2], high: lit(width, 1) },
+                });
+                [pair.low, pair.high].into_iter().for_each(|signal| self.push(d, signal));
+            } else {
+                Feature::ChooseASignal.used();
+                let value = subject.choose(|colour: Colour| chosen[colour.code() as usize % chosen.len()]);
+                self.push(d, value);
+            }
         }
+        Feature::Is.used();
+        self.push(d, register.is(code(&coded.first)));
+        Feature::IsCode.used();
         self.push(d, raw.is_code());
-    }
-
-    /// A register with a value at power-on.
-    pub fn power_on(&mut self, d: usize, number: usize, initial: Pattern, reset: Option<Pattern>, next: Pick) {
-        let name = self.inner_name(&format!("o{number}"));
-        let next = self.pick(d, next);
-        let width = next.width();
-        let register = self.on(d).reg(&name, width).initial(initial.bits(width));
-        let register = reset.map_or(register, |reset| register.reset(reset.bits(width)));
-        register.next(next);
-        self.push(d, *register);
     }
 
     /// A memory of words in parts, each with an enable of its own.
     pub fn parts(&mut self, d: usize, number: usize, parts: &InParts) {
-        let InParts { parts: count, width, depth, asynchronous, ports: [enables, write_at, data, read_at] } = *parts;
+        let InParts { parts: count, form, depth, asynchronous, ports: [enables, write_at, data, read_at] } = *parts;
+        form.meaning.used(Feature::SignedWord, Feature::CodeWord);
         let name = self.namer.draw_with(&format!("p{number}"), Kind::Inner, &["_read".to_owned()]);
-        let words = self.on(d).memory(&name, depth, bits(width).of(row(count)), ReadUnderWrite::Old);
+        let words = self.on(d).memory(&name, depth, form.layout().of(row(count)), ReadUnderWrite::Old);
         let address = words.address_width();
         let [write_at, read_at] = [write_at, read_at].map(|pick| self.pick_fit(d, pick, address));
         let enables = self.pick_fit(d, enables, count).unpack(row(count));
-        let data = self.pick_fit(d, data, count * width).unpack(row(count));
+        let data = form.meaning.made_of(self.pick_fit(d, data, count * form.width()).unpack(row(count)));
         words.write(enables, write_at, data);
         let word = if asynchronous { words.read_async(read_at) } else { words.read(read_at) };
         self.push(d, word.pack());

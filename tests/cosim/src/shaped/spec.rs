@@ -175,7 +175,11 @@ pub enum Make {
     /// The same, lane by lane through nodes of their own.
     Ladder { of: Pick, axis: u8, fold: Fold },
     /// A register; with a link, of what its neighbours hold.
-    Register { width: u32, shape: ShapePick, reset: Reset, enable: Option<Pick>, next: Pick, link: Option<Link> },
+    Register { start: Start, enable: Option<Pick>, next: Pick, link: Option<Link> },
+    /// A register that takes the value of the first condition that holds, and keeps what it has where none does.
+    Chosen { start: Start, updates: Vec<(Pick, Pick)> },
+    /// Values side by side, held together, and taken apart.
+    Record { fields: Vec<Pick>, held: Held },
     /// A memory.
     Memory(Store),
     /// Instances of an earlier part, plain or arrays, so many one by one.
@@ -184,6 +188,34 @@ pub enum Make {
     Assert(Pick),
     /// A condition that may fail: a value is never this one.
     Never(Pick, Pattern),
+    /// A value is this one at some time.
+    Sometimes(Pick, Pattern),
+    /// What a value was at the last edge, which is stated of it where there was one.
+    Past(Pick),
+}
+
+/// A register's width and shape, and what it holds at first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Start {
+    /// Bits.
+    pub width: u32,
+    /// Lanes.
+    pub shape: ShapePick,
+    /// After a reset.
+    pub reset: Reset,
+    /// At power-on.
+    pub initial: Option<Pattern>,
+}
+
+/// What holds a record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Held {
+    /// A net.
+    Net,
+    /// A register.
+    Register,
+    /// A memory of two words: where it is written and read.
+    Memory(Pick),
 }
 
 /// What a reset does to a register.

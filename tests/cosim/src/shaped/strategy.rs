@@ -186,6 +186,8 @@ fn operator(size: u32) -> impl Strategy<Value = Make> {
         1 => pick().prop_map(Make::Name),
         1 => pick().prop_map(Make::Assert),
         1 => (pick(), pattern()).prop_map(|(of, pattern)| Make::Never(of, pattern)),
+        1 => (pick(), pattern()).prop_map(|(of, pattern)| Make::Sometimes(of, pattern)),
+        1 => pick().prop_map(Make::Past),
     ]
 }
 
@@ -225,15 +227,13 @@ fn object(size: u32) -> impl Strategy<Value = Make> {
         2 => pattern().prop_map(Reset::Same),
         2 => any::<u64>().prop_map(Reset::Each),
     ];
-    let register = (width(size), shape_pick(), reset, of(pick()), pick(), weighted(0.3, link()));
-    let register = register.prop_map(|(width, shape, reset, enable, next, link)| Make::Register {
-        width,
-        shape,
-        reset,
-        enable,
-        next,
-        link,
-    });
+    let start = (width(size), shape_pick(), reset, weighted(0.2, pattern()));
+    let start = start.prop_map(|(width, shape, reset, initial)| Start { width, shape, reset, initial }).boxed();
+    let register = (start.clone(), of(pick()), pick(), weighted(0.3, link()));
+    let register = register.prop_map(|(start, enable, next, link)| Make::Register { start, enable, next, link });
+    let chosen = (start, vec((pick(), pick()), 1..4)).prop_map(|(start, updates)| Make::Chosen { start, updates });
+    let held = prop_oneof![Just(Held::Net), Just(Held::Register), pick().prop_map(Held::Memory)];
+    let record = (vec(pick(), 2..5), held).prop_map(|(fields, held)| Make::Record { fields, held });
     let feed = prop_oneof![
         4 => Just(Feed::Value),
         1 => Just(Feed::Index),
@@ -249,7 +249,9 @@ fn object(size: u32) -> impl Strategy<Value = Make> {
     });
     let ladder = (pick(), axis(), fold()).prop_map(|(of, axis, fold)| Make::Ladder { of, axis, fold });
     prop_oneof![
-        8 => register,
+        7 => register,
+        2 => chosen,
+        1 => record,
         4 => memory(size).prop_map(Make::Memory),
         6 => instance,
         4 => chain,

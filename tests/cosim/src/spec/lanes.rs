@@ -46,8 +46,17 @@ pub enum Work {
     Hold {
         /// The value after a reset, in every second lane its inverse.
         reset: Option<Pattern>,
+        /// The value at power-on, in all lanes.
+        initial: Option<Pattern>,
         /// When it counts.
         count: Pick,
+    },
+    /// Into a register of a code in each lane, where a lane's own bit says so; what it is then is chosen by that.
+    Colours {
+        /// The code at power-on, if it is not that after a reset.
+        initial: Option<u8>,
+        /// What one of the codes stands for.
+        chosen: Pick,
     },
     /// Through a memory in each lane, with one address or an address a lane.
     Remember {
@@ -75,4 +84,6 @@ pub enum End {
     Tree,
     /// A tree with a register a level.
     Stages,
+    /// A tree of records: the smallest lane with its number.
+    Least,
 }

@@ -52,12 +52,12 @@ impl Size {
 
 /// The part with inputs and registers of some size. Memories keep their widths, so that there are some of another one.
 fn resized(mut part: Part, size: Size) -> Part {
-    part.inputs.iter_mut().for_each(|input| input.width = size.fit(input.width));
+    part.inputs.iter_mut().for_each(|input| input.form.width = size.fit(input.form.width));
     for step in &mut part.steps {
         match &mut step.make {
-            Make::Register { width, .. } | Make::Chain { width, .. } => *width = size.fit(*width),
+            Make::Register { form: Form { width, .. }, .. } | Make::Chain { width, .. } => *width = size.fit(*width),
             Make::Lanes(work) => work.width = size.fit(work.width),
-            Make::Records(records) => records.widths.iter_mut().for_each(|width| *width = size.fit(*width)),
+            Make::Records(records) => records.forms.iter_mut().for_each(|form| form.width = size.fit(form.width)),
             Make::Declared(declared) => declared.widths = declared.widths.map(|width| size.fit(width)),
             _ => {}
         }

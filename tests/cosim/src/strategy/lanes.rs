@@ -28,7 +28,9 @@ fn work() -> impl Strategy<Value = Work> {
         1 => Just(Work::Reversed),
         1 => any::<u8>().prop_map(Work::Take),
         2 => Just(Work::Turn),
-        2 => (of(pattern()), control()).prop_map(|(reset, count)| Work::Hold { reset, count }),
+        2 => (of(pattern()), weighted(0.3, pattern()), control())
+            .prop_map(|(reset, initial, count)| Work::Hold { reset, initial, count }),
+        1 => (of(any::<u8>()), pick()).prop_map(|(initial, chosen)| Work::Colours { initial, chosen }),
         1 => (pick(), any::<bool>()).prop_map(|(address, own)| Work::Remember { address, own }),
     ]
 }
@@ -42,5 +44,6 @@ fn end() -> impl Strategy<Value = End> {
         1 => Just(End::Pack),
         1 => Just(End::Tree),
         1 => Just(End::Stages),
+        1 => Just(End::Least),
     ]
 }

@@ -12,6 +12,15 @@ impl Builder<'_> {
                     let of = self.build.module.registers.iter_mut().find(|it| it.node == register);
                     of.expect("it is a register").next = next;
                 }
+                Late::Updates(register, updates) => {
+                    let (width, shape) = (self.build.width(register), self.build.shape(register));
+                    let arms = updates
+                        .iter()
+                        .map(|&(condition, value)| (self.fit(condition, 1, shape), self.fit(value, width, shape)));
+                    let op = Op::Select { arms: arms.collect(), default: register };
+                    let next = self.build.node(op, width, shape);
+                    self.build.next(register, None, next);
+                }
                 Late::Data { memory, port, data } => {
                     let (width, shape) = {
                         let memory = &self.build.module.memories[memory];

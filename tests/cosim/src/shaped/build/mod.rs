@@ -9,9 +9,12 @@ mod instances;
 mod lanes;
 mod memory;
 mod operators;
+mod registers;
+mod statements;
 
 use super::spec::*;
 use crate::build::names::{Kind, Namer};
+use crate::features::Feature;
 use crate::reduce::sweep::drop_unused;
 use crate::stimulus::Numbers;
 use circuit::Build;
@@ -52,6 +55,7 @@ struct Builder<'a> {
 /// What may be a value of a later step.
 enum Late {
     Next(NodeId, Pick),
+    Updates(NodeId, Vec<(Pick, Pick)>),
     Data { memory: usize, port: usize, data: Pick },
 }
 
@@ -117,21 +121,16 @@ impl<'a> Builder<'a> {
             }
             Make::Chain { width, shape, links } => self.chain(number, *width, *shape, links),
             Make::Ladder { of, axis, fold } => self.ladder(number, *of, *axis, *fold),
-            Make::Register { width, shape, reset, enable, next, link } => {
-                let shape = self.shape(*shape);
-                let register = self.register(number, clock, *width, shape, *reset);
-                let enable = enable.map(|pick| self.fit(pick, 1, shape));
-                let build = &mut self.build;
-                build.next(register, enable, register);
-                match link {
-                    Some(link) if !shape.is_plain() => {
-                        let next = self.follow(register, link, None);
-                        self.build.next(register, enable, next);
-                    }
-                    _ => self.late.push(Late::Next(register, *next)),
-                }
+            Make::Register { start, enable, next, link } => {
+                self.register(number, clock, *start, *enable, *next, link.as_ref());
+            }
+            Make::Chosen { start, updates } => {
+                Feature::UpdatesInShapes.used();
+                let register = self.started(number, clock, *start);
+                self.late.push(Late::Updates(register, updates.clone()));
                 self.values.push(register);
             }
+            Make::Record { fields, held } => self.record(number, clock, fields, *held),
             Make::Memory(memory) => self.memory(number, clock, memory),
             Make::Instance { part, shape, copies, inputs } => {
                 self.instances(number, clock, *part, *shape, *copies, inputs);
@@ -141,16 +140,9 @@ impl<'a> Builder<'a> {
                 let directive = [Directive::Assert, Directive::Assume, Directive::Cover][number % 3];
                 self.states(directive, clock, condition, "this always holds");
             }
-            Make::Never(of, pattern) => {
-                let of = self.any(*of);
-                let (width, shape) = (self.build.width(of), self.build.shape(of));
-                // What is narrow meets it too soon.
-                if width > 4 {
-                    let never = self.build.node(Op::Const(pattern.bits(width)), width, shape);
-                    let condition = self.compare(Relation::Ne, false, of, never);
-                    self.states(Directive::Assert, clock, condition, "this may fail");
-                }
-            }
+            Make::Never(of, pattern) => self.compared(Directive::Assert, clock, *of, *pattern),
+            Make::Sometimes(of, pattern) => self.compared(Directive::Cover, clock, *of, *pattern),
+            Make::Past(of) => self.past(number, clock, *of),
             other => {
                 let value = self.operator(other);
                 let value = if let Make::Name(_) = other { self.named(number, value) } else { value };
@@ -185,40 +177,5 @@ impl<'a> Builder<'a> {
         }
         let value = self.cut(value, WIDEST);
         self.values.push(value);
-    }
-
-    fn register(&mut self, number: usize, clock: ClockId, width: u32, shape: Shape, reset: Reset) -> NodeId {
-        let name = self.name(&format!("r{number}"), Kind::Inner);
-        let each = |seed| {
-            let mut numbers = Numbers(seed);
-            (0..shape.lanes()).map(|_| numbers.bits(width)).collect()
-        };
-        let reset = match reset {
-            Reset::Keeps => None,
-            Reset::Same(pattern) => Some(Init::Same(pattern.bits(width))),
-            Reset::Each(seed) if shape.is_plain() => Some(Init::Same(Numbers(seed).bits(width))),
-            Reset::Each(seed) => Some(Init::Each(each(seed))),
-        };
-        let register = self.build.register(&name, width, shape, reset);
-        self.build.module.registers.last_mut().expect("there is one").clock = clock;
-        register
-    }
-
-    fn states(&mut self, directive: Directive, clock: ClockId, condition: NodeId, message: &str) {
-        self.build.assert(condition, message);
-        let property = self.build.module.properties.last_mut().expect("there is one");
-        (property.directive, property.clock) = (directive, clock);
-    }
-
-    /// A condition that always holds, in each lane of a value.
-    fn always(&mut self, of: Pick) -> NodeId {
-        let (of, how) = self.choose(of, Shape::Plain);
-        let inverse = self.build.not(of);
-        if how.is_multiple_of(2) {
-            let both = self.build.or(of, inverse);
-            return self.build.node(Op::Unary(Unary::AllOnes, both), 1, self.build.shape(of));
-        }
-        let both = self.build.and(of, inverse);
-        self.compare(Relation::Le, false, both, of)
     }
 }

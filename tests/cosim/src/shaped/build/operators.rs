@@ -10,7 +10,7 @@ impl Builder<'_> {
     }
 
     /// Several values of one shape, that of the first.
-    fn alike(&mut self, picks: &[Pick]) -> Vec<NodeId> {
+    pub fn alike(&mut self, picks: &[Pick]) -> Vec<NodeId> {
         let first = self.any(picks[0]);
         let shape = self.build.shape(first);
         let others = picks[1..].iter().map(|pick| {
