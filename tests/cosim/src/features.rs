@@ -24,7 +24,7 @@ features! {
     Leaves Enters Goes Constants
     Rom Toggle AttributeOfARegister AttributeOfAMemory AttributeOfARecord
     Hex Binary NumberOnTheLeft ProductWithANumber
-    Assigned Implies PipeWhen SynchronizeFrom RotateLeft RotateRight
+    Assigned Implies PipeWhen PipeOfARecord SynchronizeFrom RotateLeft RotateRight
     MixedArmsOfSelect MixedArmsOfCase Part Low Def
     InitialOfLanes InitialOfARecord ResetEach TakeOr Interleave TreeOfRecords
     CrossByFifo StreamStages ForkToMany SplitToMany ArbiterOfMany CodeInAStream SignedInAStream

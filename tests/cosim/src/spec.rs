@@ -9,15 +9,17 @@
 
 mod control;
 mod form;
+mod instances;
 mod lanes;
 mod stores;
 
 pub use control::{Ask, Coded, Exits, Machine};
 pub use form::{Form, Meaning};
+pub use instances::{Declared, Feed, Gather, Library, LibraryBlock};
 pub use lanes::{End, LaneWork, Work};
 pub use stores::{Contents, InParts, Memory, Read, Records, Rom, Write};
 use tilewright_hdl::Radix;
-use tilewright_hdl::ir::{Reduction, Relation, Shift};
+use tilewright_hdl::ir::{Relation, Shift};
 
 /// The widest value that a step makes, in bits.
 pub const WIDEST: u32 = 280;
@@ -183,8 +185,8 @@ pub enum Make {
     Is(Pick, u64),
     /// Registers that each take over the one before; the first takes over the last one, or a value.
     Chain { width: u32, length: u32, ring: bool, enable: Option<Pick>, from: Pick },
-    /// A register of a value, which may be enabled.
-    Pipe { meaning: Meaning, of: Pick, enable: Option<Pick> },
+    /// A register of a value, or of a record of it and a number; it may be enabled.
+    Pipe { meaning: Meaning, of: Pick, beside: Option<Pick>, enable: Option<Pick> },
     /// A bit that turns over.
     Toggle(Pick),
     /// A state machine.
@@ -234,23 +236,6 @@ pub enum Statement {
     Falls,
     /// What it was one edge ago, and so many more, is what registers held that long.
     Past(u8),
-}
-
-/// A block that is declared with ports of records, and what is given to it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Declared {
-    /// The widths of the two fields of its records.
-    pub widths: [u32; 2],
-    /// What the fields are; where that is codes, the upper one.
-    pub meaning: Meaning,
-    /// How many records its list has.
-    pub list: u32,
-    /// The lanes, each with a constant record of its own; 0 for one instance alone.
-    pub lanes: u32,
-    /// The seed of those constants.
-    pub numbers: u64,
-    /// When it takes a record, what is added, the record, and the list.
-    pub picks: [Pick; 4],
 }
 
 /// Operators of one operand.
@@ -333,31 +318,6 @@ pub enum Crossing {
     SynchronizeFrom(bool),
 }
 
-/// A block of the library, and what is given to it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Library {
-    /// Which.
-    pub block: LibraryBlock,
-    /// A number of bits, which the block takes as many of as it can.
-    pub width: u32,
-    /// What is given to it.
-    pub picks: [Pick; 4],
-}
-
-/// The blocks of the library that have no streams.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "they have the names of the blocks")]
-pub enum LibraryBlock {
-    Counter,
-    ShiftRegister,
-    Lfsr,
-    /// One-hot codes and priorities.
-    Encoders,
-    Shifter,
-    Multiplier,
-    Crc,
-}
-
 /// What an opcode stands for: `(a op b) + (c - a)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Operation {
@@ -365,41 +325,4 @@ pub struct Operation {
     pub op: Binary,
     /// Its operands, and the third value.
     pub operands: [Pick; 3],
-}
-
-/// What feeds an input of an array.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Feed {
-    /// One value to all lanes.
-    Broadcast,
-    /// A value for each lane.
-    Each,
-    /// The lane's number.
-    Index,
-    /// A constant for each lane.
-    Table(u64),
-    /// The linked output of the lane so many places away; a broadcast if the input has no link.
-    Link(u8),
-    /// All lanes of the linked output combined, if that is a register; else a broadcast.
-    Back(Reduction),
-    /// The linked output so many lanes on, around the end, if that is a register; else a broadcast.
-    Rotate(u8),
-    /// An array that was made before, if it has as many lanes, seen from so many lanes away; its lanes over and over
-    /// otherwise.
-    Other(Pick, i8),
-    /// As [`Feed::Other`], but lanes are taken one by one, each put through the same operator with the broadcast.
-    Lifted(Binary, Pick),
-    /// As [`Feed::Lifted`], with a constant for each lane.
-    LiftedTable(Binary, Pick),
-}
-
-/// How the lanes of an output become one value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Gather {
-    /// All lanes combined.
-    Reduce(Reduction),
-    /// One lane.
-    Lane(u32),
-    /// All lanes side by side.
-    Concat,
 }

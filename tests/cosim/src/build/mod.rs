@@ -2,6 +2,7 @@
 
 mod declared;
 mod expression;
+mod fit;
 mod form;
 mod instances;
 mod lanes;
@@ -17,6 +18,7 @@ mod statements;
 use crate::features::Feature;
 use crate::spec::*;
 pub use expression::compare;
+use fit::{fit, narrow};
 use instances::Row;
 use names::{Kind, Namer, Ports};
 use std::fmt;
@@ -273,7 +275,7 @@ impl<'a> Builder<'a> {
     fn given_late(&self, domain: usize, pick: Pick, meaning: Meaning, width: u32) -> Value {
         if let Some(index) = self.index(domain, pick) {
             let signal = self.pools[domain][index].signal.bits();
-            if meaning == Meaning::Number && signal.width() > width && pick.0 % 3 == 0 {
+            if meaning == Meaning::Number && signal.width() > width && pick.0.is_multiple_of(3) {
                 Feature::Low.used();
                 return signal.low().operand();
             }
@@ -285,7 +287,7 @@ impl<'a> Builder<'a> {
         let d = self.block.domain(step.clock);
         match &step.make {
             Make::Register { .. } => self.register(d, number, &step.make),
-            Make::Pipe { meaning, of, enable } => self.pipe(d, number, *meaning, *of, *enable),
+            Make::Pipe { .. } => self.pipe(d, number, &step.make),
             Make::Toggle(turns) => {
                 Feature::Toggle.used();
                 let (name, turns) = (self.inner_name(&format!("t{number}")), self.pick_fit(d, *turns, 1));
@@ -367,40 +369,6 @@ impl<'a> Builder<'a> {
             second_out: self.outputs("second_out", second_out),
             link: self.outputs("link", link),
             second_link: self.outputs("second_link", second_link),
-        }
-    }
-}
-
-/// The value cut or widened to a width; where it is cut and how it is widened follows from the pick.
-fn fit(signal: Signal, width: u32, pick: Pick) -> Signal {
-    let (signal, how) = (signal.bits(), u32::from(pick.0 / 5));
-    if signal.width() > width {
-        let low = how % (signal.width() - width + 1);
-        if pick.0.is_multiple_of(2) {
-            Feature::Part.used();
-            return signal.part(low, width);
-        }
-        return signal.slice(low..low + width);
-    }
-    if how % 2 == 1 { signal.sext(width) } else { signal.zext(width) }
-}
-
-fn narrow(signal: Signal) -> Signal {
-    signal.trunc(signal.width().min(WIDEST))
-}
-
-impl Pattern {
-    /// The constant in `width` bits.
-    pub fn bits(self, width: u32) -> Bits {
-        let every = |number: u64| Bits::from_limbs(width, &vec![number; limbs_for(width)]);
-        match self {
-            Pattern::Zero => Bits::zero(width),
-            Pattern::Ones => Bits::ones(width),
-            Pattern::One => Bits::new(width, 1),
-            Pattern::Sign if width == 1 => Bits::new(1, 1),
-            Pattern::Sign => Bits::new(1, 1).concat(&Bits::zero(width - 1)),
-            Pattern::Alternating => every(0x5555_5555_5555_5555),
-            Pattern::Number(number) => every(number),
         }
     }
 }

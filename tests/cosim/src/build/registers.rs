@@ -1,6 +1,7 @@
 //! Steps that are registers of one value.
 
-use super::{Builder, Late};
+use super::records::Pair;
+use super::{Builder, Kind, Late};
 use crate::features::Feature;
 use crate::spec::*;
 use tilewright_hdl::*;
@@ -67,19 +68,23 @@ impl Builder<'_> {
         self.push(d, *register);
     }
 
-    /// A register that takes over a value, where an enable holds if there is one.
-    pub fn pipe(&mut self, d: usize, number: usize, meaning: Meaning, of: Pick, enable: Option<Pick>) {
+    /// A register that takes over a value, or a record.
+    pub fn pipe(&mut self, d: usize, number: usize, make: &Make) {
+        let Make::Pipe { meaning, of, beside, enable } = make else { unreachable!("it is a register") };
         meaning.used(Feature::SignedPipe, Feature::CodePipe);
-        let (name, of) = (self.inner_name(&format!("d{number}")), self.pick_as(d, of, meaning));
-        let held = match enable {
-            Some(enable) => {
-                Feature::PipeWhen.used();
-                let enable = self.pick_fit(d, enable, 1);
-                self.on(d).pipe_when(enable, &name, of)
-            }
-            None => self.on(d).pipe(&name, of),
+        let of = self.pick_as(d, *of, *meaning);
+        let enable = enable.map(|enable| self.pick_fit(d, enable, 1));
+        let plain = format!("d{number}");
+        let Some(beside) = beside else {
+            let name = self.inner_name(&plain);
+            let held = taken_over(self.on(d), enable, &name, of);
+            return self.push(d, held);
         };
-        self.push(d, held);
+        Feature::PipeOfARecord.used();
+        let pair = Pair { low: of, high: self.pick(d, *beside) };
+        let name = self.namer.draw_with(&plain, Kind::Inner, &["_low", "_high"].map(str::to_owned));
+        let held: Pair = taken_over(self.on(d), enable, &name, pair);
+        [held.low, held.high].into_iter().for_each(|signal| self.push(d, signal));
     }
 
     /// So many registers of some width, each taking over the one before; the first one `from`, or the last one.
@@ -112,4 +117,11 @@ impl Builder<'_> {
         self.push(d, *last);
         self.push(d, *registers[0]);
     }
+}
+
+/// What a register of a value, or of each field of a record, holds, which takes it where the enable holds if there is one.
+fn taken_over<B: Fields<Signal>>(m: Module, enable: Option<Signal>, name: &str, value: B) -> B::With<Signal> {
+    let Some(enable) = enable else { return m.pipe(name, value) };
+    Feature::PipeWhen.used();
+    m.pipe_when(enable, name, value)
 }

@@ -8,7 +8,8 @@ pub fn object() -> impl Strategy<Value = Make> {
     prop_oneof![
         8 => register(),
         2 => chain(),
-        1 => (meaning(), pick(), of(control())).prop_map(|(meaning, of, enable)| Make::Pipe { meaning, of, enable }),
+        1 => (meaning(), pick(), of(pick()), of(control()))
+            .prop_map(|(meaning, of, beside, enable)| Make::Pipe { meaning, of, beside, enable }),
         1 => control().prop_map(Make::Toggle),
         2 => machine().prop_map(Make::Machine),
         3 => memory().prop_map(Make::Memory),
