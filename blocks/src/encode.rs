@@ -144,7 +144,7 @@ impl Decoder {
     }
 
     fn build(&self, m: Module, i: DecoderIn) -> DecoderOut {
-        let one_hot = one_hot(i.index, self.lines.into());
+        let one_hot = one_hot(i.index, self.lines);
         m.assert(first(one_hot).eq(one_hot), "one line is high at most");
         DecoderOut { one_hot }
     }

@@ -78,7 +78,7 @@ impl Split {
 /// The stream to so many receivers, of which each word goes to that of number `to`.
 #[track_caller]
 pub(crate) fn split<P: Data>(m: Module, stream: &Stream<P>, to: Signal, receivers: u32) -> Vec<Stream<P>> {
-    let chosen = one_hot(to, receivers.into());
+    let chosen = one_hot(to, receivers);
     let mut ready = lit(1, 0);
     // A loop, as a closure would be the caller that messages name.
     let mut streams = Vec::new();

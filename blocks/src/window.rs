@@ -11,7 +11,7 @@ use tilewright_hdl::{Module, Signal, bit, bits, block, grid};
 /// # use tilewright_hdl::*;
 /// # use tilewright_blocks::window_sums;
 /// # let example = tilewright_sim::traced(|m| {
-/// let three_in_a_row = constants(bit().of(grid(5, 5)), |cell| matches!(cell, 11 | 12 | 13).into());
+/// let three_in_a_row = constants(bit().of(grid(5, 5)), |cell| matches!(cell, 11 | 12 | 13));
 /// def!(begun = m.reg(1).reset(0));
 /// begun.next(1);
 /// def!(alive = m.reg(bit().of(grid(5, 5))).reset(0));

@@ -29,7 +29,7 @@ impl Block for Encode {
             first: first(i.word),
             first_index: first_index(i.word),
             index_of: index_of(i.word),
-            one_hot: one_hot(i.index, self.width.into()),
+            one_hot: one_hot(i.index, self.width),
         }
     }
 }
