@@ -209,7 +209,7 @@ module pixel_array_width8_height4 (
         .value          (u_evaluator_value)
     );
 
-    communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a u_bank0 ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes32_port_network u_bank0 ( // rtl/src/pixelflow/array.rs:146
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -224,7 +224,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_0)
     );
 
-    communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a u_bank1 ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes32_port_network u_bank1 ( // rtl/src/pixelflow/array.rs:146
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -239,7 +239,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_1)
     );
 
-    communication_registers_width8_height4_bytes64_port_clock_name_array_period10000 u_texture ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes64_port_array u_texture ( // rtl/src/pixelflow/array.rs:146
         .array_clk    (array_clk),
         .read         (u_controller_control_read[5:0]),
         .write        (u_controller_control_write[5:0]),
