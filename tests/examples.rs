@@ -21,7 +21,7 @@ const CRATES: [Crate; 5] = [
     Crate {
         root: "hdl/src",
         uses: &["lib.rs", "ir/mod.rs"],
-        open: &["clock.rs", "ir/", "recording.rs", "scenario.rs"],
+        open: &["catalog/", "clock.rs", "ir/", "recording.rs", "scenario.rs"],
         closed: &[],
     },
     Crate { root: "blocks/src", uses: &["lib.rs"], open: &[], closed: &[] },
@@ -154,8 +154,10 @@ fn implemented(line: &str) -> Option<&str> {
 
 /// The name that a line declares for all to see.
 fn declared(code: &str, in_trait: bool) -> Option<&str> {
-    let kinds = ["pub fn ", "pub const fn ", "pub struct ", "pub enum ", "pub trait ", "pub type ", "macro_rules! "];
-    let kind = kinds.into_iter().find(|kind| code.starts_with(kind)).or(in_trait.then_some("fn "))?;
+    // A function that is `const` before other constants.
+    let functions = ["pub fn ", "pub const fn ", "macro_rules! "];
+    let others = ["pub struct ", "pub enum ", "pub trait ", "pub type ", "pub const ", "pub static "];
+    let kind = functions.into_iter().chain(others).find(|kind| code.starts_with(kind)).or(in_trait.then_some("fn "))?;
     Some(word(&code[kind.len()..]))
 }
 

@@ -8,6 +8,12 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// The widths at which a page is looked at, in CSS pixels: of a telephone, and of a desk's screen.
+///
+/// ```
+/// use tilewright_report::browser::WIDTHS;
+///
+/// assert!(WIDTHS.iter().any(|width| *width < 500), "a page is looked at as on a telephone, too");
+/// ```
 pub const WIDTHS: [u32; 2] = [390, 1280];
 
 /// Names of the browser, with that of its Debian package first.

@@ -7,6 +7,25 @@ use crate::ir::Design;
 use crate::scenario::Scenario;
 
 /// A block of the catalogue.
+///
+/// ```
+/// # use tilewright_hdl::catalog::*;
+/// # use tilewright_hdl::{DEFAULT_PERIOD, Script, elaborate};
+/// # use tilewright_sim::for_examples::{Counter, CounterIn};
+/// const COUNTER: Entry = Entry {
+///     name: "counter",
+///     summary: "counts",
+///     parameters: &[],
+///     design: |_| Ok(elaborate(&Counter)?),
+///     scenario: |_| {
+///         let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+///         script.hold(&CounterIn { enable: 1 }, 10);
+///         Ok(script.finish("it counts to 10"))
+///     },
+/// };
+/// assert_eq!(COUNTER.scenario(&COUNTER.values([])?)?.about, "it counts to 10");
+/// # Ok::<(), CatalogError>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
     /// Its name on the command line, such as `merging-unit`.
@@ -22,6 +41,12 @@ pub struct Entry {
 }
 
 /// A number that can be set.
+///
+/// ```
+/// # use tilewright_hdl::catalog::*;
+/// let units = Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units, one after another" };
+/// assert!((units.min..=units.max).contains(&units.default));
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Parameter {
     /// Its name.
@@ -37,11 +62,27 @@ pub struct Parameter {
 }
 
 /// The values of an entry's parameters.
+///
+/// ```
+/// # use tilewright_hdl::catalog::*;
+/// # use tilewright_sim::for_examples::COUNTER;
+/// let values: Values = COUNTER.values([])?;
+/// assert_eq!(values, COUNTER.values([("clocks", 4)])?); // the default
+/// # Ok::<(), CatalogError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Values(BTreeMap<&'static str, u64>);
 
 impl Entry {
     /// The defaults with `set` in their place.
+    ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// assert_eq!(COUNTER.values([("clocks", 7)])?.get("clocks"), 7);
+    /// assert_eq!(COUNTER.values([("clock", 7)]).unwrap_err().to_string(), "counter has no parameter `clock`; it has clocks");
+    /// # Ok::<(), CatalogError>(())
+    /// ```
     ///
     /// # Errors
     ///
@@ -64,6 +105,13 @@ impl Entry {
 
     /// The circuit.
     ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// assert_eq!(COUNTER.design(&COUNTER.values([])?)?.top().name, "counter");
+    /// # Ok::<(), CatalogError>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The values do not go together.
@@ -72,6 +120,13 @@ impl Entry {
     }
 
     /// A run that shows what the block does.
+    ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// let [short, long] = [3, 30].map(|clocks| COUNTER.scenario(&COUNTER.values([("clocks", clocks)]).unwrap()).unwrap());
+    /// assert_eq!(long.end_ps - short.end_ps, 270_000); // in clocks of 10 ns
+    /// ```
     ///
     /// # Errors
     ///
@@ -84,6 +139,13 @@ impl Entry {
 impl Values {
     /// The value of one of the entry's parameters.
     ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// assert_eq!(COUNTER.values([])?.get("clocks"), 4);
+    /// # Ok::<(), CatalogError>(())
+    /// ```
+    ///
     /// # Panics
     ///
     /// The entry has no such parameter.
@@ -92,11 +154,26 @@ impl Values {
     }
 
     /// Each parameter with its value, by name.
+    ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// assert_eq!(COUNTER.values([])?.iter().collect::<Vec<_>>(), [("clocks", 4)]);
+    /// # Ok::<(), CatalogError>(())
+    /// ```
     pub fn iter(&self) -> impl Iterator<Item = (&'static str, u64)> + '_ {
         self.0.iter().map(|(name, value)| (*name, *value))
     }
 
     /// As [`Values::get`], for a parameter whose range is within 32 bits.
+    ///
+    /// ```
+    /// # use tilewright_hdl::catalog::*;
+    /// # use tilewright_sim::for_examples::COUNTER;
+    /// let clocks: u32 = COUNTER.values([])?.get_u32("clocks");
+    /// assert_eq!(clocks, 4);
+    /// # Ok::<(), CatalogError>(())
+    /// ```
     ///
     /// # Panics
     ///

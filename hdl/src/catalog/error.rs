@@ -6,6 +6,14 @@ use crate::problem::Problems;
 use crate::ranges::OutOfRange;
 
 /// Why an entry cannot be had.
+///
+/// ```
+/// # use tilewright_hdl::catalog::*;
+/// # use tilewright_sim::for_examples::COUNTER;
+/// let error = COUNTER.values([("clocks", 1000)]).unwrap_err();
+/// assert_eq!(error, CatalogError::OutOfRange { name: "clocks", value: 1000, range: [1, 100] });
+/// assert_eq!(error.to_string(), "clocks = 1000 is out of range: it is from 1 to 100");
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum CatalogError {
     /// There is no such parameter.

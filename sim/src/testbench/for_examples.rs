@@ -1,6 +1,7 @@
 //! Blocks that the examples of this crate run.
 
-use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, def};
+use tilewright_hdl::catalog::{Entry, Parameter};
+use tilewright_hdl::{DEFAULT_PERIOD, Module, ReadUnderWrite, Script, bit, bits, block, def, elaborate};
 
 block! {
     /// Counts, and squares how far it is.
@@ -29,6 +30,19 @@ impl Counter {
         CounterOut { count: *count, square }
     }
 }
+
+/// The counter with the clocks of its scenario.
+pub const COUNTER: Entry = Entry {
+    name: "counter",
+    summary: "counts",
+    parameters: &[Parameter { name: "clocks", default: 4, min: 1, max: 100, meaning: "how long it counts" }],
+    design: |_| Ok(elaborate(&Counter)?),
+    scenario: |values| {
+        let mut script = Script::new(&Counter, DEFAULT_PERIOD);
+        script.hold(&CounterIn { enable: 1 }, values.get("clocks"));
+        Ok(script.finish("it counts"))
+    },
+};
 
 block! {
     /// The products of two lists, element by element, and of two rows, lane by lane.

@@ -17,6 +17,13 @@ pub struct Pauses {
 
 impl Pauses {
     /// A word a clock.
+    ///
+    /// ```
+    /// use tilewright_sim::Pauses;
+    ///
+    /// let mut pauses = Pauses::NONE;
+    /// assert_eq!([(); 3].map(|()| pauses.next_length()), [0, 0, 0]);
+    /// ```
     pub const NONE: Pauses = Pauses { percent: 0, state: 1 };
 
     /// In each clock, a pause with that probability, from 0 to 99 percent.
