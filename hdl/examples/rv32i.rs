@@ -153,7 +153,9 @@ const PROGRAM: [u32; 14] = [
 
 /// What a program left.
 pub struct Left {
+    /// How many it took.
     pub instructions: u64,
+    /// What the registers hold.
     pub registers: Vec<u32>,
 }
 
