@@ -1,6 +1,7 @@
 //! Pipelines of records: stages that are alike, with a register for each field after each of them. What a stage holds does not meet
 //! what another one does, as that is of another record.
 
+use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration::draft;
@@ -145,7 +146,7 @@ impl Module {
             for (field, register) in registers.iter().enumerate() {
                 // A list may have become longer.
                 if cleared.get(field) == Some(&true) {
-                    let _ = register.reset(0);
+                    let _ = register.reset(Bits::zero(register.width));
                 }
                 if let Some(enable) = enable {
                     let _ = register.enable(enable);

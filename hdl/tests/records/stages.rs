@@ -62,6 +62,25 @@ fn it_takes_a_record_a_clock_where_it_is_enabled() {
     );
 }
 
+codes! { enum Mode { Idle, Load, Store } }
+
+bundle! { struct Coded<T> { mode: T, offset: T, valid: T } }
+
+/// A reset clears what is signed, and what is a code, in each stage as it does flags.
+#[test]
+fn fields_of_any_kind_are_cleared() {
+    let example = tilewright_sim::traced(|m| {
+        let start = Coded { mode: lit(2, 2).code::<Mode>(), offset: lit(4, 7).signed(), valid: lit(1, 1) };
+        let end = m.stages(2, None, start.cleared(|start| start), |_, coded| coded);
+        def!(is_idle = end.mode.is(Mode::Idle));
+        def!(offset = end.offset);
+        def!(valid = end.valid);
+    });
+    assert_eq!(example.values("is_idle"), [1, 1, 0]);
+    assert_eq!(example.values("offset"), [0, 0, 7]);
+    assert_eq!(example.values("valid"), [0, 0, 1]);
+}
+
 bundle! {
     struct AccessIn<T> { enable: T, mode: T, start: Access<T> }
     struct Access<T> { address: T, value: T }
