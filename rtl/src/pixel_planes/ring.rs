@@ -209,7 +209,7 @@ impl Ring {
         let goes = (wants & pays).named(&format!("goes{place}"));
         turn.waits |= wants & !pays;
         turn.credit = mux(goes, turn.credit - bits, turn.credit).named(&format!("credit{place}"));
-        turn.last = mux(goes, lit(2 * self.renderers, 1 << station), turn.last);
+        turn.last = mux(goes, lit(2 * self.renderers, 1u64 << station), turn.last);
         if is_plane {
             turn.plane_goes |= goes;
         }
