@@ -9,9 +9,9 @@
 //!
 //! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
 
-use tilewright_hdl::{Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, def, lit, mux};
+use tilewright_hdl::{Fields, Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, def, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_rtl::pixel_planes::instruction::Instruction;
+use tilewright_rtl::pixel_planes::instruction::{COEFFICIENT, Instruction};
 use tilewright_rtl::pixel_planes::programs::{Expression, Surface, clear, save, smooth_least};
 use tilewright_rtl::pixel_planes::renderer::{Renderer, RendererIn};
 
@@ -55,7 +55,8 @@ impl Regions {
         let program = [first, self.region(TRIANGLES)].concat();
         let count = program.len() as u32;
         def!(at = m.reg(below(count)).reset(0));
-        let words = m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program);
+        let words =
+            m.memory("program", count, Instruction::widths(), ReadUnderWrite::Any).words(program.iter().map(word));
         let (instructions, sent) = m.offer(is_busy, words.read_async(*at));
         at.when(sent, mux(at.eq(count - 1), u64::from(again), at + 1));
 
@@ -73,6 +74,14 @@ impl Regions {
     fn build(&self, m: Module, (): ()) -> BenchOut {
         self.work(m, lit(1, 1))
     }
+}
+
+/// As a word of a memory, in which coefficients have their sign.
+fn word(instruction: &Instruction<u64>) -> Instruction<i64> {
+    let above = 64 - COEFFICIENT;
+    let signed = |number: &u64| (number << above) as i64 >> above;
+    let Instruction { coefficients, .. } = instruction;
+    Instruction { coefficients: coefficients.map(signed), ..instruction.map(|number| *number as i64) }
 }
 
 /// The exclusive or of all words of 32 bits.

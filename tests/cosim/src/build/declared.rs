@@ -91,11 +91,18 @@ impl Builder<'_> {
             fields.chain([any]).for_each(|signal| self.push(d, signal));
             return;
         }
-        let number_of =
-            |lane: u32, width: u32| Numbers(numbers.wrapping_add(lane.into())).bits(width.min(64)).limbs()[0];
+        let number_of = |lane: u32, form: Form| {
+            let bits = Numbers(numbers.wrapping_add(lane.into())).bits(form.width.min(64));
+            let number = i128::from(bits.limbs()[0]);
+            match form.meaning {
+                Meaning::Number => number,
+                Meaning::Signed => bits.to_i128().expect("at most 64 bits"),
+                Meaning::Code => number % 5,
+            }
+        };
         let layout = mixer.pair().map(|width| width.of(row(lanes)));
-        let high_of = |number: u64| if meaning == Meaning::Code { number % 5 } else { number };
-        let own = constants(layout, |lane| Pair { low: number_of(lane, low), high: high_of(number_of(!lane, high)) });
+        let own =
+            constants(layout, |lane| Pair { low: number_of(lane, forms.low), high: number_of(!lane, forms.high) });
         let name = self.namer.draw(&format!("u{}_{number}", self.block.index), Kind::Inner);
         let module = self.on(d);
         let out = module.array(&name, lanes, &mixer, |mixers| {

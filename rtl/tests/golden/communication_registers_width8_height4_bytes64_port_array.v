@@ -1,23 +1,22 @@
-// communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a
+// communication_registers_width8_height4_bytes64_port_array
 //
 // Registers of a region's pixels, and a port that sees one pixel of each chip.
 //
-// Parameters  CommunicationRegisters { width: 8, height: 4, bytes: 32, port: Clock { name: "network", period: Period(5000) } }
+// Parameters  CommunicationRegisters { width: 8, height: 4, bytes: 64, port: Clock { name: "array", period: Period(10000) } }
 // Latency     within the clock; what is written is there after the edge
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/registers.rs:83
 `default_nettype none
 
-module communication_registers_width8_height4_bytes32_port_clock_name_network_0afa278a (
+module communication_registers_width8_height4_bytes64_port_array (
     input  wire         array_clk,
-    input  wire         network_clk,
-    input  wire [4:0]   read,         // The register that the array reads.
-    input  wire [4:0]   write,        // The register that it writes.
+    input  wire [5:0]   read,         // The register that the array reads.
+    input  wire [5:0]   write,        // The register that it writes.
     input  wire [31:0]  writes,       // Pixels that do.
     input  wire [255:0] result,       // What they write; a row for each chip, its upper line and then its lower one.
     // From the port.
     input  wire [3:0]   port_pixel,   // The pixel, counted line by line.
-    input  wire [4:0]   port_address, // The register.
+    input  wire [5:0]   port_address, // The register.
     input  wire         port_writes,  // It is written.
     input  wire [15:0]  port_bytes,   // With a byte of each chip.
     output wire [255:0] word,         // The register that each pixel reads.
@@ -25,9 +24,7 @@ module communication_registers_width8_height4_bytes32_port_clock_name_network_0a
 );
 
     (* no_rw_check *)
-    /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [255:0] bytes [0:31];                                    // rtl/src/pixelflow/registers.rs:83
-    /* verilator lint_on MULTIDRIVEN */
+    reg [255:0] bytes [0:63];                                    // rtl/src/pixelflow/registers.rs:83
 
     wire [31:0] bytes_write_enable;                              // rtl/src/pixelflow/registers.rs:90
     wire [255:0] bytes_write_data;                               // rtl/src/pixelflow/registers.rs:90
@@ -83,13 +80,6 @@ module communication_registers_width8_height4_bytes32_port_clock_name_network_0a
         for (i = 0; i < 32; i = i + 1) begin : bytes_lane
             always @(posedge array_clk) begin
                 if (writes[i]) bytes[write][i * 8 +: 8] <= result[i * 8 +: 8];
-            end
-        end
-    endgenerate
-
-    generate
-        for (i = 0; i < 32; i = i + 1) begin : bytes_lane_2
-            always @(posedge network_clk) begin
                 if (bytes_write_enable[i]) begin
                     bytes[port_address][i * 8 +: 8] <= bytes_write_data[i * 8 +: 8];
                 end
