@@ -9,6 +9,7 @@ pub fn operands(op: &Op) -> Option<Vec<NodeId>> {
     match op {
         Op::Unary(_, a) | Op::Slice { of: a, .. } | Op::Extend { of: a, .. } => Some(vec![*a]),
         Op::Binary(_, a, b) | Op::Compare { operands: [a, b], .. } => Some(vec![*a, *b]),
+        Op::Mux { select, on_true, on_false } => Some(vec![*select, *on_true, *on_false]),
         _ => None,
     }
 }
@@ -19,6 +20,9 @@ pub fn of(op: &Op, width: u32, operands: &[&Bits]) -> Option<Bits> {
         (Op::Unary(op, _), [a]) => Some(unary(*op, a)),
         (Op::Binary(op, ..), [a, b]) => binary(*op, a, b),
         (Op::Compare { relation, signed, .. }, [a, b]) => Some(Bits::from(compare(*relation, *signed, a, b))),
+        (Op::Mux { .. }, &[select, on_true, on_false]) => {
+            Some(if select.is_zero() { on_false } else { on_true }.clone())
+        }
         (Op::Slice { low, .. }, [a]) => Some(a.slice(*low..low + width)),
         (Op::Extend { signed: true, .. }, [a]) => Some(a.sext(width)),
         (Op::Extend { signed: false, .. }, [a]) => Some(a.resize(width)),

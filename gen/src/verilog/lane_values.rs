@@ -65,7 +65,14 @@ fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> 
     if let Op::Const(value) = &node.op {
         return Some(value.clone());
     }
-    let operands = constant::operands(&node.op).filter(|_| depth > 0)?;
+    if depth == 0 {
+        return None;
+    }
+    if let Op::Mux { select, on_true, on_false } = node.op {
+        let chosen = if computed(module, select, lane, depth - 1)?.is_zero() { on_false } else { on_true };
+        return computed(module, chosen, lane, depth - 1);
+    }
+    let operands = constant::operands(&node.op)?;
     let operands = operands.iter().map(|&operand| computed(module, operand, lane, depth - 1));
     let operands: Vec<Bits> = operands.collect::<Option<_>>()?;
     constant::of(&node.op, node.width, &operands.iter().collect::<Vec<_>>())

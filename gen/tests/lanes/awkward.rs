@@ -45,6 +45,10 @@ pub fn comparisons() -> Module {
     let grid = b.broadcast(which, 1, 4);
     let picked = b.pick(grid, 0, places);
     b.output("picked", picked);
+    let (on, zero) = (list(b, 1, &[0, 0, 1, 0]), list(b, 2, &[0, 0, 1, 3]));
+    let choice = b.mux(on, x, zero);
+    let chosen = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands: [x, choice] }, 1, Shape::Row(4));
+    b.output("chosen", chosen);
     b.module.clone()
 }
 
