@@ -93,8 +93,8 @@ impl Builder<'_> {
             false => select(arms![found.head.any_one() => register.clone()], 0),
         };
         wire.drive(mux(enable, found.clone(), kept));
-        self.push(d, narrow(layout.unpack(wire.pack()).pack()));
-        // What looks a record up by another one of a pipeline is a stage behind it.
+        // What is found enters a pipeline below, and later steps may look records up by it, a stage behind.
+        self.push(d, narrow(layout.unpack(wire.pack()).pack()).any_stage());
         self.push_fields(d, &found.any_stage());
 
         let accepts = found.head.any_one();
@@ -118,7 +118,7 @@ impl Builder<'_> {
             Mixed { pairs: [right, left], head: head.changed(now.head), ..now }
         });
         let taken = taken.take_when(accepts);
-        self.push(d, taken.taken);
+        self.push(d, taken.taken.any_stage());
         self.push_fields(d, &taken.any_stage());
         self.late.push((d, Late::Records { register, records: records.clone() }));
     }
