@@ -98,7 +98,11 @@ impl<V: Data> Mem<V> {
             let memory = &mut e.draft().memories[self.index as usize].memory;
             let (name, depth) = (memory.name.clone(), memory.depth);
             let given = if let Contents::Words(words) = &contents { words.len() } else { 1 };
-            memory.contents = contents;
+            let is_second = std::mem::replace(&mut memory.contents, contents) != Contents::Unknown;
+            if is_second {
+                let problem = Problem::new(loc, format!("memory `{name}` is given contents twice"));
+                e.report(problem.help("give them once: by `.fill(..)` or by `.words(..)`"));
+            }
             if given > depth as usize {
                 let message = format!("memory `{name}` has {depth} words, but its contents have {given}");
                 e.report(Problem::new(loc, message).help("the contents are at most as many words as the memory has"));
@@ -118,7 +122,7 @@ impl<V: Data> Mem<V> {
             };
             let part = match value {
                 Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind)),
-                Value::Signal(signal) | Value::Low(signal) => constant(signal, name, width.bits),
+                Value::Signal(signal) | Value::Low(signal) => constant(signal, name, *width),
             };
             bits = Some(bits.map_or(part.clone(), |bits| bits.concat(&part)));
         }
@@ -133,16 +137,22 @@ impl<V: Data> Mem<V> {
 
 /// The constant that a signal has to be.
 #[track_caller]
-fn constant(signal: Signal, name: impl FnOnce() -> String, width: u32) -> Bits {
+fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width) -> Bits {
     let (loc, id, name) = (Loc::caller(), signal.id(), name());
     elaboration::with(|e| match &e.draft().node(id).op {
-        Op::Const(bits) if bits.width() == width => bits.clone(),
+        Op::Const(bits) if bits.width() == width.bits && signal.kind == width.kind => bits.clone(),
+        Op::Const(bits) if bits.width() == width.bits => {
+            let text = e.draft().describe(id);
+            let message = format!("{name} is {}, but `{text}` is {}", width.kind, signal.kind);
+            e.report_instead_of(&[id], Problem::new(loc, message).help(crate::signed::READ_AS));
+            Bits::zero(width.bits)
+        }
         _ => {
             let text = e.draft().describe(id);
-            let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width));
+            let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width.bits));
             let help = "contents are numbers known while the block is built";
             e.report_instead_of(&[id], Problem::new(loc, message).help(help));
-            Bits::zero(width)
+            Bits::zero(width.bits)
         }
     })
 }

@@ -129,6 +129,18 @@ impl Draft {
         &mut self.nodes[id.0 as usize]
     }
 
+    /// The node as a value of that kind, in waves and in Verilog, too: itself, or one beside it.
+    pub fn seen_as(&mut self, id: NodeId, kind: Kind, loc: Loc) -> NodeId {
+        let Node { op, width, shape, .. } = self.node(id);
+        if self.node(id).kind == kind {
+            return id;
+        }
+        let op = if let Op::Const(value) = op { Op::Const(value.clone()) } else { Op::Wire(id) };
+        let seen = self.add(op, *width, *shape, loc);
+        self.node_mut(seen).kind = kind;
+        seen
+    }
+
     /// The place of a clock among this module's, added if it is new.
     pub fn clock(&mut self, clock: Option<Clock>) -> ClockId {
         let found = self.clocks.iter().position(|known| match (known, &clock) {

@@ -127,7 +127,7 @@ pub use bundle::Bundle;
 #[doc(hidden)]
 pub use bundle::join;
 pub use clock::{Clock, Period};
-pub use codes::{Codes, one_of};
+pub use codes::{Codes, code_name, one_of};
 #[doc(hidden)]
 pub use data::Given;
 pub use data::{Data, Fits, Layout};

@@ -103,7 +103,8 @@ impl Module {
                 draft.pasts.insert((of, clock), past);
                 past
             });
-            Signal::at(e, past)
+            // Of the operand's kind, which need not be that of who asked first.
+            Signal { kind: signal.kind, ..Signal::at(e, past) }
         })
     }
 }

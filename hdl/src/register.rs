@@ -68,7 +68,7 @@ impl Reg {
     pub fn reset(self, value: impl Operand) -> Reg {
         let (loc, (bits, id)) = (Loc::caller(), self.constant(value, "reset"));
         if is_here(self.signal, id, loc) {
-            elaboration::draft(|draft| draft.registers[self.index].reset = Some((Init::Same(bits), loc)));
+            self.reset_to(Init::Same(bits), loc);
         }
         self
     }
@@ -100,9 +100,15 @@ impl Reg {
                 each.resize(lanes, Bits::zero(self.width));
             }
             let init = if self.shape.is_plain() { Init::Same(each.swap_remove(0)) } else { Init::Each(each) };
-            elaboration::draft(|draft| draft.registers[self.index].reset = Some((init, loc)));
+            self.reset_to(init, loc);
         }
         self
+    }
+
+    fn reset_to(self, init: Init, loc: Loc) {
+        let before = elaboration::draft(|draft| draft.registers[self.index].reset.replace((init, loc)));
+        let before = before.map(|(_, loc)| (self.signal.node, loc));
+        report_second_driver(before, self.signal.node, "given a reset value", "give it once", loc);
     }
 
     /// The value at power-on: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each. It is what an FPGA loads with its
@@ -151,11 +157,14 @@ impl Reg {
         let loc = Loc::caller();
         let constant = match value.operand() {
             Value::Literal(literal) => literal.for_signal(self.signal, when),
+            Value::Signal(signal) | Value::Low(signal) if signal.width == self.width => {
+                signal.of_kind_of(self.signal, when)
+            }
             Value::Signal(signal) | Value::Low(signal) => signal,
         };
         let id = constant.id();
         let bits = elaboration::with(|e| match &e.draft().node(id).op {
-            Op::Const(bits) if bits.width() == self.width => bits.clone(),
+            Op::Const(bits) if bits.width() == self.width && constant.shape.is_plain() => bits.clone(),
             _ => {
                 let name = e.draft().describe(self.signal.node);
                 let message = format!("the {when} value of `{name}` is not a constant of {}", bits_text(self.width));
@@ -350,9 +359,20 @@ impl Updates {
 
     fn change(self, loc: Loc, value: NodeId, change: impl FnOnce(&mut Vec<(NodeId, NodeId)>, &mut NodeId)) {
         let Some(chain) = self.chain.filter(|_| is_here(self.register.signal, value, loc)) else { return };
-        elaboration::draft(|draft| match &mut draft.node_mut(chain).op {
-            Op::Select { arms, default } => change(arms, default),
+        let ended = elaboration::draft(|draft| match &mut draft.node_mut(chain).op {
+            Op::Select { default, .. } if *default != self.register.signal.node => Some(*default),
+            Op::Select { arms, default } => {
+                change(arms, default);
+                None
+            }
             op => unreachable!("a chain is a choice, not {op:?}"),
         });
+        if let Some(last) = ended {
+            elaboration::with(|e| {
+                let (name, last) = (e.draft().describe(self.register.signal.node), e.draft().describe(last));
+                let message = format!("the chain of `{name}` goes on behind its end, `.otherwise({last})`");
+                e.report(Problem::new(loc, message).help("`.otherwise(value)` stands once, behind all conditions"));
+            });
+        }
     }
 }

@@ -18,7 +18,8 @@ impl<P: Data> From<Stream<P>> for Start<Stream<P>> {
 impl Module {
     /// A pipeline between streams: `count` times `stage` of the payload that comes out of the stage before, and then a register for each
     /// field of it, beside one that says whether the stage is full. As in [`Module::stages`], registers are named by the field and the
-    /// stage, as `full1` and `left1`, with what [`Start::called`] says before that, and values of different stages do not meet.
+    /// stage, as `full1` and `left1`, with what [`Start::called`] says before that, and payloads of different stages do not meet. (`valid` may: by
+    /// it stages agree with each other, and a description sees whether anything is under way.)
     ///
     /// ```text
     /// stream ===> stage 1 ==>[ 1 ]===> stage 2 ==>[ 2 ]===> ..

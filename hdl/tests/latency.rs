@@ -182,6 +182,10 @@ fn a_number_that_is_stated_is_the_one_counted() {
         wrong.starts_with("`Stated` states a latency of 3, but takes 2 clocks with `go`\n  --> hdl/tests/latency.rs:"),
         "{wrong}"
     );
+    for in_words in ["3 clocks", "1 clock"] {
+        assert!(text(Stated(in_words, true)).contains("but takes 2 clocks with `go`"));
+    }
+    elaborate(&Stated("3 clocks", false)).unwrap(); // words, where none is counted
     let several = text(Stated("2", false));
     assert!(
         several.starts_with("`Stated` states a latency of 2, but has no single one\n  --> hdl/tests/latency.rs:"),

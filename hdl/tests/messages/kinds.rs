@@ -65,6 +65,42 @@ fn codes_and_numbers() {
     }
 }
 
+/// A constant of the circuit is held to what a number is.
+#[test]
+fn constants_that_are_signals() {
+    bundle! { struct Step<T> { operation: T, by: T } }
+
+    let cases: [(&str, Build); 5] = [
+        ("`reset` mixes `operation`, a code of `Operation`, and `3`, a number", |m, i| {
+            let operation = m.reg("operation", one_of::<Operation>()).reset(lit(2, 3));
+            operation.when(i.c, Operation::Add);
+            operation.bits()
+        }),
+        ("`initial` mixes `level`, signed, and `200`, a number", |m, i| {
+            let level = m.reg("level", bits(8).signed()).initial(lit(8, 200));
+            level.when(i.c, -1);
+            level.bits()
+        }),
+        ("the reset value of `lanes` is not a constant of 8 bits", |m, i| {
+            let lanes = m.reg("lanes", bits(8).of(row(4))).reset(lit(8, 5).of(row(4)));
+            lanes.when(i.c, i.a);
+            lanes.or_all()
+        }),
+        ("field `by` of word 0 of memory `steps` is signed, but `200` is a number", |m, i| {
+            let layout = Step { operation: one_of::<Operation>(), by: bits(8).signed() };
+            let step = Step { operation: lit(2, 1).code::<Operation>(), by: lit(8, 200) };
+            m.rom("steps", layout, [step]).read_async(i.c).by.bits()
+        }),
+        ("word 0 of memory `levels` is signed, but `200` is a number", |m, i| {
+            m.rom("levels", bits(8).signed(), [lit(8, 200)]).read_async(i.c).bits()
+        }),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
+
 fn operation(m: Module) -> Signal {
     let operation = m.reg("operation", one_of::<Operation>()).reset(Operation::And);
     operation.next(mux(operation.is(Operation::Add), Operation::Subtract, Operation::Add));

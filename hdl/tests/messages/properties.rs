@@ -139,6 +139,18 @@ fn initial_values() {
          `r` is declared at [let r = m.reg(\"r\", 8).initial(1);]
          help: give it once",
     );
+    expect(
+        |m, i| {
+            let r = m.reg("r", 8).reset(1);
+            r.reset(2).next(i.a);
+            *r
+        },
+        "`r` is given a reset value twice
+         --> [r.reset(2).next(i.a);]
+         the first time is at [let r = m.reg(\"r\", 8).reset(1);]
+         `r` is declared at [let r = m.reg(\"r\", 8).reset(1);]
+         help: give it once",
+    );
     assert!(
         problems(&Case(|m, i| {
             let r = m.reg("r", 8).initial(256);

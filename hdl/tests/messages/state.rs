@@ -87,6 +87,42 @@ fn what_a_chain_takes_fits_its_register() {
 }
 
 #[test]
+fn a_chain_ends_once() {
+    expect(
+        |m, i| {
+            let r = m.reg("r", 8);
+            let updates = r.when(i.c, 0);
+            updates.otherwise(r + 1);
+            updates.otherwise(i.a);
+            let _ = updates.when(!i.c, 2);
+            *r
+        },
+        "the chain of `r` goes on behind its end, `.otherwise(r + 1)`
+         --> [updates.otherwise(i.a);]
+         help: `.otherwise(value)` stands once, behind all conditions
+
+         the chain of `r` goes on behind its end, `.otherwise(r + 1)`
+         --> [let _ = updates.when(!i.c, 2);]
+         help: `.otherwise(value)` stands once, behind all conditions
+
+         2 problems in this description",
+    );
+}
+
+#[test]
+fn contents_are_given_once() {
+    expect(
+        |m, _| {
+            let words = m.memory("words", 4, 8, ReadUnderWrite::Old).fill(1);
+            words.words([1, 2]).read_async(0)
+        },
+        "memory `words` is given contents twice
+         --> [words.words([1, 2]).read_async(0)]
+         help: give them once: by `.fill(..)` or by `.words(..)`",
+    );
+}
+
+#[test]
 fn handles_give_their_values_as_signals() {
     let build = |m: Module, i: In| {
         let (register, wire, lamp) = (m.reg("r", 8), m.wire("w", 8), m.fsm("lamp", Lamp::Off));

@@ -136,6 +136,75 @@ fn an_enum_that_uses_all_of_its_bits_needs_no_assertion() {
     assert_eq!(design.top().properties.len(), 1);
 }
 
+/// Bits that are read as a code need no name for it.
+#[test]
+fn bits_that_are_chosen_by_as_a_code_are_asserted_too() {
+    fn register(m: Module) -> Reg {
+        let r = m.reg("r", 4).reset(0);
+        r.next(r + 1);
+        r
+    }
+    let parts: [(fn(Module, ChosenIn) -> Signal, &str); 2] = [
+        (|m, _| register(m).bits().part(2, 2).code::<Phase>(), "`r.slice(2..4)` is a code of `Phase`"),
+        (
+            |m, _| {
+                let same = m.reg("same", 2).reset(0);
+                same.next(register(m).part(0, 2));
+                (*same).code::<Phase>()
+            },
+            "`same` is a code of `Phase`",
+        ),
+    ];
+    for (part, message) in parts {
+        assert_eq!(asserted(part), [message]);
+        let text = tilewright_gen::verilog(&elaborate(&Chosen(part)).unwrap())[0].text.clone();
+        assert!(text.contains("PHASE_IDLE: ") && text.contains("PHASE_RUN: "), "{text}");
+    }
+}
+
+/// The same bits may be a code of one enum, and of another.
+#[test]
+fn bits_that_are_chosen_by_as_codes_of_two_enums_have_the_names_of_each() {
+    codes! { enum Gait { Walk, Trot, Canter, Gallop } }
+
+    let text = tilewright_gen::verilog(
+        &elaborate(&Chosen(|m, i| {
+            let speed: Signal = i.raw.code::<Gait>().choose(|gait: Gait| lit(2, 3 - gait.code()));
+            m.cover("fast", speed.eq(0));
+            i.raw.code::<Phase>()
+        }))
+        .unwrap(),
+    )[0]
+    .text
+    .clone();
+    assert!(
+        ["GAIT_WALK: ", "GAIT_TROT: ", "PHASE_IDLE: ", "PHASE_RUN: "].iter().all(|label| text.contains(label)),
+        "{text}"
+    );
+}
+
+/// A raw identifier is a word of Rust: in waves and in Verilog it is one like another.
+#[test]
+fn a_code_may_have_the_name_of_a_word_of_rust() {
+    codes! {
+        #[allow(non_camel_case_types)]
+        enum Word { r#type, r#use, Begin }
+    }
+
+    assert_eq!(Word::NAMES.codes, ["type", "use", "Begin"]);
+    let build = |m: Module, i: ChosenIn| {
+        let word = m.fsm("word", Word::r#type);
+        word.next(|word| match word {
+            Word::r#type => when(i.go, Word::Begin),
+            Word::Begin => goto(Word::r#use),
+            Word::r#use => hold(),
+        });
+        (*word).bits().code::<Phase>()
+    };
+    let text = tilewright_gen::verilog(&elaborate(&Chosen(build)).unwrap())[0].text.clone();
+    assert!(text.contains("WORD_TYPE"), "{text}");
+}
+
 #[test]
 fn a_code_that_is_none_fails_where_it_is_computed() {
     let computed = |m: Module, i: ChosenIn| {

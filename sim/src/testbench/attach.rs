@@ -109,7 +109,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on. In the last part of a name `*` stands for any characters:
-    /// `entry_*` are the fields of the record `entry`, or of the payload of a stream, each by its name.
+    /// `entry_*` are the fields of the record `entry`, or of the payload of a stream, each by its name. Of a signal with lanes it draws all,
+    /// or by `cells[3]` one.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -188,7 +189,10 @@ impl Running {
         let hierarchy = &self.program.hierarchy;
         let found = match name.contains('*') {
             true => lookup::signals(hierarchy, &name, run),
-            false => lookup::signal(hierarchy, &name, run).map(|found| vec![(name, found)]),
+            false => match lookup::signal(hierarchy, &name, run) {
+                Ok(found) => Ok(vec![(name, found)]),
+                Err(unknown) => lookup::signals(hierarchy, &name, run).map_err(|_| unknown),
+            },
         };
         let source = |(name, Found { signal, lane })| Source { value: signal.value, lane, kind: signal.kind, name };
         match found {

@@ -30,7 +30,8 @@ pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Resu
     })
 }
 
-/// Finds the signals of an instance whose names match the last of `path`, in which `*` stands for any characters: each with its path.
+/// Finds the signals of an instance whose names match the last of `path`, in which `*` stands for any characters: each with its path. Of one with lanes
+/// these are all, where the name has no index.
 pub(crate) fn signals<'a>(
     hierarchy: &'a Hierarchy,
     path: &str,
@@ -42,7 +43,7 @@ pub(crate) fn signals<'a>(
     for signal in &hierarchy.scope(place.scope).signals {
         for lane in 0..signal.shape.lanes() {
             let name = format!("{}{}", signal.name, hierarchy::index(signal.shape, lane));
-            if glob::matches(&pattern, &name) {
+            if glob::matches(&pattern, &name) || glob::matches(&pattern, &signal.name) {
                 let lane = place.lane * signal.shape.lanes() + lane;
                 found.push((format!("{inside}{name}"), Found { signal, lane }));
             }

@@ -158,6 +158,7 @@ fn a_wave_of_a_code_a_record_and_each_radix() {
     let wave = sim.record(rows).radix("pixel_z", WaveRadix::Decimal);
     let other = sim.record(["z", "depth"]).radix("depth", WaveRadix::Hexadecimal).radix("z", WaveRadix::Binary);
     let lanes = sim.record(["lanes[*]"]).radix("lanes", WaveRadix::Decimal);
+    let all_lanes = sim.record(["lanes"]).radix("lanes", WaveRadix::Decimal);
     let all = sim.record(["phase", "z", "depth"]).radix_of_all(WaveRadix::Binary);
     sim.set(sim.i.z, 99);
     sim.run(3);
@@ -175,12 +176,14 @@ fn a_wave_of_a_code_a_record_and_each_radix() {
         z     | 1100011         |
         depth | a   | -8  | -1a |",
     );
-    lanes.expect(
-        "
-        clk      |___/~\\_/~\\_/
-        lanes[0] | 99        |
-        lanes[1] | 100       |",
-    );
+    for lanes in [lanes, all_lanes] {
+        lanes.expect(
+            "
+            clk      |___/~\\_/~\\_/
+            lanes[0] | 99        |
+            lanes[1] | 100       |",
+        );
+    }
     all.expect(
         "
         clk   |________/~~~~\\___/~~~~\\___/

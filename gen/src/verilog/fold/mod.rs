@@ -10,7 +10,7 @@ mod shift;
 
 use super::order::{for_each_read, map_operands, operands_first};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Design, Directive, Module, Node, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Design, Directive, Kind, Module, Node, NodeId, Op, Shape};
 
 /// A circuit that is ready to be printed.
 pub struct Folded {
@@ -69,10 +69,25 @@ impl Fold {
         let outcome = self.simplify(id, op);
         let named = self.module.node(id).name.is_some();
         match outcome {
+            Is(Op::Wire(to)) if !named && !self.gives_kind(id, to) => {
+                self.module.nodes[id.0 as usize].op = Op::Wire(to)
+            }
             Is(Op::Wire(to)) | Is(Op::QuasiStatic(to, _)) | Same(to) if !named => self.same[id.0 as usize] = to,
             Same(to) => self.module.nodes[id.0 as usize].op = Op::Wire(to),
             Is(op) => self.module.nodes[id.0 as usize].op = op,
         }
+    }
+
+    /// Whether the node that a wire stands for may be printed in its place: where the wire's are codes of an enum, what is a number becomes such a
+    /// code, and what is a code of another enum stays one.
+    fn gives_kind(&mut self, wire: NodeId, to: NodeId) -> bool {
+        let (kind, node) = (self.module.node(wire).kind, &mut self.module.nodes[to.0 as usize]);
+        match (kind, node.kind, &node.op) {
+            (Kind::Code(_), Kind::Number, op) if !matches!(op, Op::Const(_)) => node.kind = kind,
+            (Kind::Code(own), Kind::Code(other), _) => return own == other,
+            _ => {}
+        }
+        true
     }
 
     /// Lets registers, memories, instances, outputs and properties refer to the nodes that are left.

@@ -31,7 +31,10 @@ impl Rules<'_> {
             format!("`{}` has {count} codes, which do not fit into {}", names.of, bits_text(width))
         });
         let illegal = names.codes.iter().chain([&names.of]).find(|name| !is_legal(name));
-        self.rule(illegal.is_none(), loc, || format!("`{}` has a code whose name is not legal", names.of));
+        let illegal = illegal.copied().unwrap_or_default();
+        self.rule(illegal.is_empty(), loc, || {
+            format!("`{}` has a code whose name is not legal: `{illegal}`", names.of)
+        });
     }
 
     fn op(&mut self, id: NodeId, node: &Node, owner: Named) {
