@@ -4,6 +4,7 @@ use crate::engine::tell_fallback;
 use crate::shell::{Exit, Failure};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use std::num::{IntErrorKind, ParseIntError};
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Design, limbs_for};
 use tilewright_sim::{EngineKind, Simulation};
@@ -45,7 +46,10 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 
 fn setting(text: &str) -> Result<(String, u64), &'static str> {
     let (name, value) = text.split_once('=').ok_or("write it as NAME=VALUE, such as width=16")?;
-    let value = value.parse().map_err(|_| "the value has to be a whole number, such as width=16")?;
+    let value = value.parse().map_err(|problem: ParseIntError| match problem.kind() {
+        IntErrorKind::PosOverflow => "the value is larger than that of any parameter",
+        _ => "the value has to be a whole number, such as width=16",
+    })?;
     Ok((name.to_owned(), value))
 }
 

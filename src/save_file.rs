@@ -1,9 +1,10 @@
 //! GTKWave's save file: which signals it shows when it opens a waveform, in which format.
 
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::ops::Range;
 use std::path::Path;
-use vcd::{Header, Parser, Scope, ScopeItem, Var, VarType};
+use vcd::{Header, Parser, Scope, ScopeItem, VarType};
 
 /// GTKWave's codes of number formats.
 const BINARY: &str = "@28";
@@ -42,11 +43,10 @@ fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
 
 fn show(text: &mut String, scope: &Scope, path: &str, all: bool) {
     let variables = || scope.items.iter().filter_map(|it| if let ScopeItem::Var(it) = it { Some(it) } else { None });
-    let has_names = |of: &Var| {
-        let twin = format!("{}_state", of.reference);
-        variables().any(|it| it.var_type == VarType::String && it.reference == twin)
-    };
-    for variable in variables().filter(|it| !has_names(it)) {
+    let names =
+        variables().filter(|it| it.var_type == VarType::String).filter_map(|it| it.reference.strip_suffix("_state"));
+    let named: BTreeSet<&str> = names.collect();
+    for variable in variables().filter(|it| !named.contains(it.reference.as_str())) {
         let format = if variable.size == 1 { BINARY } else { HEXADECIMAL };
         let index = variable.index.map_or_else(String::new, |index| index.to_string());
         let _ = writeln!(text, "{format}\n{path}.{}{index}", variable.reference);

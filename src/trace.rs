@@ -77,7 +77,9 @@ impl TraceOptions {
 fn picoseconds(text: &str) -> Result<u64, String> {
     let units = [("ps", 1), ("ns", 1_000), ("us", 1_000_000), ("ms", 1_000_000_000), ("s", 1_000_000_000_000)];
     let parsed = units.into_iter().find_map(|(unit, size)| exact(text.strip_suffix(unit)?, size));
-    parsed.ok_or_else(|| "write a number and its unit, one of ps, ns, us, ms, s, such as 250ns or 1.5us".to_owned())
+    parsed.ok_or_else(|| {
+        "write a number and its unit, one of ps, ns, us, ms, s, such as 250ns or 1.5us, of 213 days at most".to_owned()
+    })
 }
 
 /// `number` times `unit`, if that is a whole number; decimals are exact, unlike those of a float.

@@ -37,7 +37,7 @@ block! {
     /// words[3] ==>| |==>| |
     /// ```
     ///
-    /// Latency 0 clocks, through as many comparisons as the number of words has bits.
+    /// Latency 0 clocks, through as many comparisons as an index has bits.
     ///
     /// ```
     /// # use tilewright_blocks::*;
@@ -100,7 +100,7 @@ block! {
     ///    valid ----------[1]-----[2]-> found
     /// ```
     ///
-    /// Latency as many clocks as the number of words has bits, a minimum a clock. A reset clears `found` in all stages, and nothing else.
+    /// Latency as many clocks as an index has bits, a minimum a clock. A reset clears `found` in all stages, and nothing else.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -3,8 +3,11 @@
 use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, def, mux};
 
 bundle! {
-    /// What is added to a sum: in the last stage, that sum.
+    /// What is added to a sum.
     struct Term<T> { valid: T, to: T, restart: T, value: T }
+
+    /// A sum to which it was added.
+    struct Sum<T> { valid: T, to: T, value: T }
 }
 
 block! {
@@ -82,7 +85,7 @@ impl MultiplyAccumulate {
     #[track_caller]
     pub fn new(sums: u32, factor: u32, width: u32) -> MultiplyAccumulate {
         assert!(
-            sums > 1 && factor > 0 && width >= 2 * factor,
+            sums > 1 && factor > 0 && width / 2 >= factor,
             "{sums} sums of {width} bits of factors of {factor} bits: there are 2 sums or more, of 2 bits or more for each of a factor"
         );
         MultiplyAccumulate { sums, factor, width }
@@ -92,23 +95,20 @@ impl MultiplyAccumulate {
         if !self.sums.is_power_of_two() {
             m.assume(i.to.lt(self.sums), "a number is that of a sum");
         }
-        let term = Term { valid: bit(), to: below(self.sums), restart: bit(), value: bits(self.width) };
-        def!(newest = m.wire(term));
+        def!(newest = m.wire(Sum { valid: bit(), to: below(self.sums), value: bits(self.width) }));
         def!(sums = m.memory(self.sums, self.width, ReadUnderWrite::Any));
         def!(held = sums.read(i.to));
         let product = i.left.times(i.right).zext(self.width);
         let start = Term { valid: i.valid, to: i.to, restart: i.restart, value: product };
-        let added = m.stages(2, None, start.cleared(|term| term.valid), |stage, term| {
-            if stage == 1 {
-                return term;
-            }
-            let is_written = newest.valid & newest.to.eq(term.to);
-            let before = mux(is_written, newest.value, held);
-            let value = mux(term.restart, 0, before) + term.value;
-            sums.write(term.valid, term.to, value);
-            Term { value, ..term }
-        });
-        newest.drive(added.any_stage());
-        MultiplyAccumulateOut { done: added.valid, at: added.to, sum: added.value }
+        let term = m.stages(1, None, start.cleared(|term| term.valid), |_, term| term);
+
+        // What the second stage holds is not in the memory yet where that is read.
+        let is_written = newest.valid & newest.to.eq(term.to);
+        let before = mux(is_written, newest.value, held);
+        let sum = Sum { valid: term.valid, to: term.to, value: mux(term.restart, 0, before) + term.value };
+        sums.write(sum.valid, sum.to, sum.value);
+        let newest_sum = m.stages(1, None, sum.cleared(|sum| sum.valid).called("sum"), |_, sum| sum);
+        newest.drive(newest_sum.any_stage());
+        MultiplyAccumulateOut { done: newest.valid, at: newest.to, sum: newest.value }
     }
 }

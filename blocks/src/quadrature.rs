@@ -1,6 +1,6 @@
 //! The position of a knob or a motor.
 
-use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, def, one_of};
+use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, def, mux, one_of};
 
 codes! {
     /// A step that a [`Quadrature`] decoder sees.
@@ -32,7 +32,7 @@ block! {
     /// ```
     ///
     /// Latency 1 clock to `turn`, 2 clocks to `position`. Each change of a line is a step; where both change at once, none is
-    /// counted. The lines come from synchronizers, if they are from outside.
+    /// counted. It begins with the lines as they are in the first clock after a reset. The lines come from synchronizers, if they are from outside.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -86,10 +86,12 @@ impl Quadrature {
         let now = cat![i.a, i.b];
         def!(last = m.reg(2).reset(0));
         last.next(now);
+        def!(known = m.reg(bit()).reset(0)); // `last` has been the lines
+        known.next(1);
         let up = [0b00_10, 0b10_11, 0b11_01, 0b01_00].map(|change| (change, Turn::Up));
         let down = [0b00_01, 0b01_11, 0b11_10, 0b10_00].map(|change| (change, Turn::Down));
         def!(turn = m.reg(one_of::<Turn>()).reset(Turn::Still));
-        turn.next(case(cat![last, now], up.into_iter().chain(down), Turn::Still));
+        turn.next(mux(known, case(cat![last, now], up.into_iter().chain(down), Turn::Still), Turn::Still));
         def!(position = m.reg(bits(self.width).signed()).reset(0));
         position.next(turn.choose(|turn| match turn {
             Turn::Still => *position,

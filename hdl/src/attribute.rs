@@ -94,6 +94,9 @@ fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<At
         if !is_legal(name) || is_reserved(name) {
             let problem = Problem::new(loc, format!("`{name}` cannot be the name of an attribute"));
             e.report(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
+        } else if value.contains("*)") {
+            let problem = Problem::new(loc, format!("the value of the attribute `{name}` ends it: `{value}`"));
+            e.report(problem.help("Verilog's attributes end with `*)`, also within a string"));
         } else if attributes.iter().any(|known| known.name == name) {
             let problem = Problem::new(loc, format!("the attribute `{name}` is given twice"));
             e.report(problem.help("give it once"));

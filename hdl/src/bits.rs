@@ -375,7 +375,11 @@ macro_rules! equals_integer {
         impl PartialEq<$ty> for Bits {
             fn eq(&self, other: &$ty) -> bool {
                 let other = *other as i128;
-                if other < 0 { *self == Bits::from_i128(self.width, other) } else { self.to_u128() == Some(other as u128) }
+                if other >= 0 {
+                    return self.to_u128() == Some(other as u128);
+                }
+                let fits = self.width > 127 || other >= -(1 << (self.width - 1));
+                fits && *self == Bits::from_i128(self.width, other)
             }
         }
     )*};
@@ -392,6 +396,14 @@ impl PartialEq<bool> for Bits {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_negative_number_that_has_no_room_equals_none() {
+        let minus_one = Bits::new(4, 15);
+        assert!(minus_one == -1 && minus_one != -17 && Bits::new(4, 8) == -8 && Bits::new(4, 7) != -9);
+        assert!(Bits::new(1, 1) == -1 && Bits::new(1, 1) != -3);
+        assert!(Bits::ones(128) == -1 && Bits::ones(127) == -1 && Bits::ones(200) != i64::MIN);
+    }
 
     #[test]
     fn bits_above_the_width_are_dropped() {

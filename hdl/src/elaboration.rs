@@ -143,7 +143,10 @@ impl Elaboration {
     }
 
     pub fn report(&mut self, problem: Problem) {
-        self.problems.push(problem);
+        // A closure that is called for each code or lane makes the same mistake each time.
+        if !self.problems.iter().rev().take(16).any(|known| *known == problem) {
+            self.problems.push(problem);
+        }
     }
 
     /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used. Where one of them is

@@ -5,7 +5,7 @@ use crate::integers::Integer;
 use crate::moves::{Exit, Moves};
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::register::Reg;
-use crate::select::select;
+use crate::select::{self, select};
 use crate::signal::Signal;
 use crate::width::IntoWidth;
 use std::marker::PhantomData;
@@ -281,8 +281,9 @@ pub fn hold<S>() -> Transition<S> {
 /// # });
 /// assert_eq!(example.values("start"), [0, 0, 0, 1, 1]);
 /// ```
+#[track_caller]
 pub fn when<S>(condition: impl IntoSignal, state: S) -> Transition<S> {
-    Transition { arms: vec![(condition.into(), state)], last: None }
+    Transition { arms: vec![(select::condition(condition.into(), "when"), state)], last: None }
 }
 
 impl<S> Transition<S> {
@@ -301,8 +302,9 @@ impl<S> Transition<S> {
     /// assert_eq!(example.values("floor"), [2, 2, 3, 4, 4]);
     /// assert_eq!(example.values("lift"), [0, 1, 1, 1, 0]);
     /// ```
+    #[track_caller]
     pub fn or_when(mut self, condition: impl IntoSignal, state: S) -> Transition<S> {
-        self.arms.push((condition.into(), state));
+        self.arms.push((select::condition(condition.into(), "or_when"), state));
         self
     }
 

@@ -254,7 +254,7 @@ pub(crate) fn reason(error: &io::Error) -> String {
 
 fn remedy(path: &Path, error: &io::Error) -> String {
     match error.kind() {
-        ErrorKind::NotFound => format!("make the folder `{}` first", folder(path).display()),
+        ErrorKind::NotFound if !folder(path).exists() => format!("make the folder `{}` first", folder(path).display()),
         ErrorKind::NotADirectory => format!("`{}` is no folder: name a file in one", folder(path).display()),
         ErrorKind::IsADirectory => "name a file in that folder".to_owned(),
         ErrorKind::PermissionDenied => "choose a place that you may write to".to_owned(),

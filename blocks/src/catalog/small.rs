@@ -124,7 +124,7 @@ fn quadrature(values: &Values) -> Quadrature {
 
 fn there_and_back(quadrature: &Quadrature) -> Scenario {
     let mut script = Script::new(quadrature, DEFAULT_PERIOD);
-    for (a, b) in [(1, 0), (1, 1), (0, 1), (0, 1), (1, 1), (1, 0), (0, 0), (0, 1), (1, 1)] {
+    for (a, b) in [(0, 0), (1, 0), (1, 1), (0, 1), (0, 1), (1, 1), (1, 0), (0, 0), (0, 1), (1, 1)] {
         script.clock(&QuadratureIn { a, b });
     }
     script.wait(2);

@@ -166,13 +166,16 @@ fn attributes() {
     let text = problems(&Case(|m, i| {
         let r = m.reg("r", 8).attribute("no name", "1").attribute("keep", "1").attribute("keep", "1");
         r.next(i.a);
-        let words = m.memory("words", 4, 8, ReadUnderWrite::Old).attribute("begin", "1");
+        let words = m.memory("words", 4, 8, ReadUnderWrite::Old).attribute("begin", "1").attribute("mark", "a *) b");
         words.read_async(i.b.trunc(2)) + *r
     }));
-    for part in
-        ["`no name` cannot be the name of an attribute\n", "the attribute `keep` is given twice\n", "`begin` cannot be"]
-    {
+    for part in [
+        "`no name` cannot be the name of an attribute\n",
+        "the attribute `keep` is given twice\n",
+        "`begin` cannot be",
+        "the value of the attribute `mark` ends it: `a *) b`\n",
+    ] {
         assert!(text.contains(part), "{text}");
     }
-    assert!(text.ends_with("3 problems in this description"), "{text}");
+    assert!(text.ends_with("4 problems in this description"), "{text}");
 }

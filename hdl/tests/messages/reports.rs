@@ -14,7 +14,7 @@ fn messages_from_closures_name_the_users_line() {
         }),
         ("`2` does not fit", |m, _| m.fsm("lamp", Lamp::Off).constants(1, |_| 2)),
         ("`case` needs", |m, i| m.fsm("lamp", Lamp::Off).pick(|lamp| if lamp == Lamp::Off { i.a } else { i.b })),
-        ("the condition of `select`", |m, i| {
+        ("the condition of `when`", |m, i| {
             let lamp = m.fsm("lamp", Lamp::Off);
             lamp.next(|_| when(i.a, Lamp::On));
             *lamp

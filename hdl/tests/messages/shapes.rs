@@ -36,6 +36,29 @@ fn lanes_that_do_not_meet() {
 }
 
 #[test]
+fn what_is_too_large_is_the_place() {
+    expect(
+        |m, i| {
+            let x = m.reg("x", bits(8).of(grid(1 << 13, 1 << 12)));
+            x.next(0);
+            x.or_all() ^ i.a
+        },
+        "`case_block` has too many lanes: 33554432, more than 16777216
+         --> [let x = m.reg(\"x\", bits(8).of(grid(1 << 13, 1 << 12)));]
+         help: make it smaller: fewer lanes, fewer instances in arrays, or fewer words",
+    );
+    expect(
+        |m, i| {
+            let words = m.memory("words", u32::MAX, 128, ReadUnderWrite::Old);
+            words.read(i.a.zext(32)).trunc(8)
+        },
+        "`case_block` has a memory of too many 64-bit words in all lanes: 8589934590, more than 4294967296
+         --> [let words = m.memory(\"words\", u32::MAX, 128, ReadUnderWrite::Old);]
+         help: make it smaller: fewer lanes, fewer instances in arrays, or fewer words",
+    );
+}
+
+#[test]
 fn what_has_no_lanes_is_given_some() {
     expect(
         |m, i| {

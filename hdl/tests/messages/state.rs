@@ -87,6 +87,31 @@ fn what_a_chain_takes_fits_its_register() {
 }
 
 #[test]
+fn transitions_have_conditions() {
+    expect(
+        |m, i| {
+            let lamp = m.fsm("lamp", Lamp::Off);
+            lamp.next(|state| match state {
+                Lamp::Off => when(i.a, Lamp::On),
+                Lamp::On => when(i.c, Lamp::Off).or_when(i.b, Lamp::On),
+            });
+            (*lamp).bits().zext(8)
+        },
+        "the condition of `when` is 1 bit, but `a` has 8 bits
+         --> [Lamp::Off => when(i.a, Lamp::On),]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         the condition of `or_when` is 1 bit, but `b` has 7 bits
+         --> [Lamp::On => when(i.c, Lamp::Off).or_when(i.b, Lamp::On),]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: compare it, as in `.ne(0)`, or take one `.bit(i)`
+
+         2 problems in this description",
+    );
+}
+
+#[test]
 fn a_chain_ends_once() {
     expect(
         |m, i| {

@@ -7,7 +7,7 @@ use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
 use crate::lfb::{
     Draw, ImageMemory, ImageMemoryIn, LfbUnit, LfbUnitIn, PageIdGenerator, PageIdGeneratorIn, PatchTable, PatchTableIn,
-    Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel, Wanted,
+    Patches, Request, ScanCounter, ScanCounterIn, ScanLookUp, SendPixel, Wanted, check_edge,
 };
 use crate::parameter::Screen;
 use crate::scan::ScanControl;
@@ -43,8 +43,8 @@ pub(super) const IMAGE_MEMORY: Entry = Entry {
     name: "image-memory",
     summary: "keeps the nearer word of each pixel, and clears what it sends",
     parameters: &[PATCH, PAGES],
-    design: |values| Ok(elaborate(&image_memory(values))?),
-    scenario: |values| Ok(draw_thrice_and_send(&image_memory(values))),
+    design: |values| Ok(elaborate(&image_memory(values)?)?),
+    scenario: |values| Ok(draw_thrice_and_send(&image_memory(values)?)),
 };
 
 pub(super) const SCAN_COUNTER: Entry = Entry {
@@ -98,8 +98,10 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
     script.finish("two patches get a page on their first look-up, in 4 clocks, and are found in 3; then one is cleared")
 }
 
-fn image_memory(values: &Values) -> ImageMemory {
-    ImageMemory { pages: values.get_u32("pages"), page_pixels: values.get_u32("patch").pow(2) }
+fn image_memory(values: &Values) -> Result<ImageMemory, CatalogError> {
+    let edge = values.get_u32("patch");
+    check_edge(edge)?;
+    Ok(ImageMemory { pages: values.get_u32("pages"), page_pixels: edge.pow(2) })
 }
 
 fn draw_thrice_and_send(memory: &ImageMemory) -> Scenario {

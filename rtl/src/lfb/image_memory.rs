@@ -32,9 +32,10 @@ block! {
     pub struct ImageMemory {
         /// The number of pages in a buffer.
         pub pages: u32,
-        /// The number of pixels in a page, a power of two.
+        /// The number of pixels in a page; of a power of two no word of the memory is left over.
         pub page_pixels: u32,
     }
+    ranges { pages: 2.., page_pixels: 2.. }
     latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
     source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
     in(self) ImageMemoryIn {
@@ -77,7 +78,7 @@ impl ImageMemory {
     fn build(&self, m: Module, i: ImageMemoryIn) -> ImageMemoryOut {
         use Stage2::*;
         let (pe, merge) = (m.on(PE), m.on(MERGE));
-        let count = 2 * self.pages * self.page_pixels;
+        let count = 2 * self.pages * self.page_pixels.next_power_of_two();
         def!(words = m.memory(count, WORD, ReadUnderWrite::Old).true_dual_port().fill(empty()));
 
         def!(stage2 = pe.fsm(Idle));

@@ -10,6 +10,7 @@ mod unit;
 pub use image_memory::{Draw, ImageMemory, ImageMemoryIn, ImageMemoryOut, SendPixel};
 pub use page_id_generator::{PageIdGenerator, PageIdGeneratorIn, PageIdGeneratorOut};
 pub use patch_table::{PatchTable, PatchTableIn, PatchTableOut, ScanLookUp, Wanted};
+pub(crate) use patches::check_edge;
 pub use patches::{Patches, Place};
 pub use scan_counter::{ScanCounter, ScanCounterIn, ScanCounterOut};
 pub use unit::{LfbUnit, LfbUnitIn, LfbUnitOut, Request};

@@ -19,6 +19,7 @@ block! {
         /// The number of pages.
         pub pages: u32,
     }
+    ranges { pages: 1.. }
     latency = "1 clock";
     source = "VC-1, section 3.3, page ID generator (VC1-PIG)";
     in PageIdGeneratorIn {

@@ -40,6 +40,7 @@ block! {
         /// The number of pages.
         pub pages: u32,
     }
+    ranges { patches: 2.., pages: 2.. }
     latency = "3 clocks for a patch that has a page, else 4";
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {

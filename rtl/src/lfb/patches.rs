@@ -27,6 +27,14 @@ pub struct Patches {
     edge: u32,
 }
 
+/// Whether patches may have that edge.
+pub(crate) fn check_edge(edge: u32) -> Result<(), ParameterError> {
+    if [4, 8, 16].contains(&edge) {
+        return Ok(());
+    }
+    Err(ParameterError(format!("patches of {edge} x {edge} pixels: the edge has to be 4, 8 or 16")))
+}
+
 impl Patches {
     /// Patches with an edge of 4 (the best), 8 or 16 pixels.
     ///
@@ -34,9 +42,7 @@ impl Patches {
     ///
     /// The edge is another one, or the screen is smaller than 2 x 2 patches.
     pub fn new(screen: Screen, edge: u32) -> Result<Patches, ParameterError> {
-        if ![4, 8, 16].contains(&edge) {
-            return Err(ParameterError(format!("patches of {edge} x {edge} pixels: the edge has to be 4, 8 or 16")));
-        }
+        check_edge(edge)?;
         if screen.width <= edge || screen.height <= edge {
             let Screen { width, height } = screen;
             return Err(ParameterError(format!(

@@ -111,17 +111,15 @@ impl LfbUnit {
         def!(wanted_word = pe.pipe_when(accept, i.request.word));
 
         // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
-        let entry = table.scan_entry;
-        def!(resident = sought_armed & entry.resident & sought_buffer.eq(back));
+        def!(resident = sought_armed & table.scan_entry.resident & sought_buffer.eq(back));
         let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word: wanted_word };
-        let send = SendPixel { enable, resident, page: entry.page, offset: sought_offset, buffer: back };
+        let send = SendPixel { enable, resident, page: table.scan_entry.page, offset: sought_offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
         let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
         let idle = table.idle & image.idle;
         pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        let PatchTableOut { overflow, pages_used, .. } = table;
-        LfbUnitOut { overflow, pages_used, idle, word: image.sent }
+        LfbUnitOut { overflow: table.overflow, pages_used: table.pages_used, idle, word: image.sent }
     }
 }
 

@@ -16,9 +16,10 @@ use crate::prelude::*;
 block! {
     /// Merges the images of the local frame buffers: of each pixel the nearest sample.
     pub struct ImageMerger {
-        /// How many merging units, at least 1.
+        /// How many merging units.
         pub units: u32,
     }
+    ranges { units: 1.. }
     latency(self) = format!("{} clocks with `enable`", STAGES * self.units);
     source = "VC-1, section 3.3, pipelined image merger (VC1-PIM)";
     in(self) ImageMergerIn {

@@ -5,7 +5,7 @@
 // Parameters  ImageMerger { units: 2 }
 // Latency     8 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-PIM)
-// Described   rtl/src/merger/image_merger.rs:40
+// Described   rtl/src/merger/image_merger.rs:41
 `default_nettype none
 
 module image_merger_units2 (
@@ -22,7 +22,7 @@ module image_merger_units2 (
 
     wire [95:0] u_merging_unit_right = {samples_1, samples_0};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:40
+        for (i = 0; i < 2; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:41
             wire [47:0] nearer;
             wire [47:0] lane_left;
             if (i < 1) begin : lane_left_edge

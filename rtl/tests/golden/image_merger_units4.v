@@ -5,7 +5,7 @@
 // Parameters  ImageMerger { units: 4 }
 // Latency     16 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-PIM)
-// Described   rtl/src/merger/image_merger.rs:40
+// Described   rtl/src/merger/image_merger.rs:41
 `default_nettype none
 
 module image_merger_units4 (
@@ -24,7 +24,7 @@ module image_merger_units4 (
 
     wire [191:0] u_merging_unit_right = {samples_3, samples_2, samples_1, samples_0};
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:40
+        for (i = 0; i < 4; i = i + 1) begin : u_merging_unit         // rtl/src/merger/image_merger.rs:41
             wire [47:0] nearer;
             wire [47:0] lane_left;
             if (i < 1) begin : lane_left_edge

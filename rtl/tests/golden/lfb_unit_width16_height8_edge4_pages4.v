@@ -57,15 +57,15 @@ module lfb_unit_width16_height8_edge4_pages4 (
     wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:109
     wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:109
     wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:109
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:119
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:118
 
     wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:90
     wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:91
-    wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
-    wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:90
+    wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
+    wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
     wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:104
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:115
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:120
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:114
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:119
 
     scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:95
         .clk          (merge_clk),
@@ -105,7 +105,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:119
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:118
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -166,16 +166,16 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:121
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:122
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:120
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:121
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:121
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:120
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             $stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:122
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:121
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             $stop;
         end

@@ -5,7 +5,7 @@
 // Parameters  PageIdGenerator { pages: 4 }
 // Latency     1 clock
 // Source      VC-1, section 3.3, page ID generator (VC1-PIG)
-// Described   rtl/src/lfb/page_id_generator.rs:42
+// Described   rtl/src/lfb/page_id_generator.rs:43
 `default_nettype none
 
 module page_id_generator_pages4 (
@@ -18,8 +18,8 @@ module page_id_generator_pages4 (
     output wire       exhausted  // All pages are taken.
 );
 
-    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:43
-    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:48
+    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:44
+    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:49
 
     always @(posedge clk) begin
         if (rst) used <= 3'd0;
@@ -28,9 +28,9 @@ module page_id_generator_pages4 (
     end
 
 `ifndef SYNTHESIS
-    reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:46
-    reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:47
-    reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:46
+    reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:47
+    reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:48
+    reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:47
 
     initial has_past = 1'b0;
 
@@ -46,23 +46,23 @@ module page_id_generator_pages4 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:44
-        if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:46
-        if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:47
+        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:45
+        if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:47
+        if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:48
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:44
+        if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:45
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a page is taken only while one is free", $time);
             $stop;
         end
-        if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:46
+        if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:47
             $display("FAIL: time %0t: %m: a restart frees all pages", $time);
             $stop;
         end
-        if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:47
+        if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:48
             $display("COVER: time %0t: %m: all pages are taken", $time);
             is_covered <= 1'b1;
         end

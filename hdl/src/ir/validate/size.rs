@@ -1,9 +1,9 @@
 //! How large a design may be: what nested arrays come to, and how deep instances nest.
 
-use super::problem;
 use crate::bits::limbs_for;
-use crate::ir::{Instance, Memory, Module};
+use crate::ir::{Instance, Memory, Module, Node};
 use crate::limits::{DEEPEST, MOST_LANES, MOST_LIMBS, MOST_MEMORY_LIMBS};
+use crate::loc::Loc;
 use crate::problem::Problem;
 
 /// What a module comes to, with all that is in it.
@@ -22,30 +22,46 @@ pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
     let mut sizes: Vec<Size> = Vec::with_capacity(modules.len());
     for module in modules {
         let size = size(module, &sizes);
-        let mut limit = |what: &str, has: u64, most: u64| {
+        let mut limit = |what: &str, has: u64, most: u64, loc: Option<Loc>| {
             if has > most {
-                problems.push(problem(module.loc, format!("`{}` has {what}: {has}, more than {most}", module.name)));
+                let message = format!("`{}` has {what}: {has}, more than {most}", module.name);
+                problems.push(Problem::new(loc.unwrap_or(module.loc), message).help(SMALLER));
             }
         };
-        limit("instances nested too deep", size.depth as u64, DEEPEST as u64);
-        limit("too many lanes", size.lanes, MOST_LANES);
-        limit("a value of too many 64-bit words in all lanes", size.limbs, MOST_LIMBS);
-        limit("a memory of too many 64-bit words in all lanes", size.memory, MOST_MEMORY_LIMBS);
+        // What is too large by itself is the place; otherwise it is what all that is inside comes to.
+        let node =
+            |is_large: &dyn Fn(&Node) -> bool| module.nodes.iter().find(|node| is_large(node)).map(|node| node.loc);
+        let memory = module.memories.iter().find(|memory| words(memory) > MOST_MEMORY_LIMBS).map(|memory| memory.loc);
+        limit("instances nested too deep", size.depth as u64, DEEPEST as u64, None);
+        limit("too many lanes", size.lanes, MOST_LANES, node(&|node| lanes(node) > MOST_LANES));
+        let value = "a value of too many 64-bit words in all lanes";
+        limit(value, size.limbs, MOST_LIMBS, node(&|node| limbs(node) > MOST_LIMBS));
+        limit("a memory of too many 64-bit words in all lanes", size.memory, MOST_MEMORY_LIMBS, memory);
         sizes.push(size);
     }
+}
+
+const SMALLER: &str = "make it smaller: fewer lanes, fewer instances in arrays, or fewer words";
+
+fn lanes(node: &Node) -> u64 {
+    node.shape.lanes().into()
+}
+
+fn limbs(node: &Node) -> u64 {
+    lanes(node) * limbs_for(node.width) as u64
+}
+
+fn words(memory: &Memory) -> u64 {
+    let a_lane = u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
+    a_lane.saturating_mul(memory.shape.lanes().into())
 }
 
 fn size(module: &Module, below: &[Size]) -> Size {
     let mut size = Size { depth: 1, lanes: 1, limbs: 1, memory: 0 };
     for node in &module.nodes {
-        let lanes = u64::from(node.shape.lanes());
-        size.lanes = size.lanes.max(lanes);
-        size.limbs = size.limbs.max(lanes * limbs_for(node.width) as u64);
+        size.lanes = size.lanes.max(lanes(node));
+        size.limbs = size.limbs.max(limbs(node));
     }
-    let words = |memory: &Memory| {
-        let a_lane = u64::from(memory.depth).saturating_mul(limbs_for(memory.width) as u64);
-        a_lane.saturating_mul(memory.shape.lanes().into())
-    };
     size.memory = module.memories.iter().map(words).max().unwrap_or(0);
     for Instance { module, shape, .. } in &module.instances {
         let (child, lanes) = (below[module.0 as usize], u64::from(shape.lanes()));

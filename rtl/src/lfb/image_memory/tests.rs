@@ -70,6 +70,21 @@ fn a_pixel_takes_3_clocks_and_the_smaller_word_stays() {
     assert_eq!([[0, 2, 5], [0, 1, 5], [0, 0, 5]].map(|place| take(&mut sim, place)), [60, 80, EMPTY]);
 }
 
+/// Pages of 25 pixels: each place has a word of its own.
+#[test]
+fn a_page_may_have_any_number_of_pixels() {
+    let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 25 }).unwrap();
+    sim.reset();
+    let places: Vec<[u64; 2]> = (0..3).flat_map(|page| [0, 9, 15, 16, 24].map(|offset| [page, offset])).collect();
+    for (word, [page, offset]) in (100..).zip(&places) {
+        draw(&mut sim, [*page, *offset, word]);
+    }
+    clocks(&mut sim, 4);
+    for (word, [page, offset]) in (100..).zip(places) {
+        assert_eq!(take(&mut sim, [0, page, offset]), word, "page {page}, offset {offset}");
+    }
+}
+
 /// What is read, and what is found of it, is held until the next pixel.
 #[test]
 fn an_access_clock_by_clock() {

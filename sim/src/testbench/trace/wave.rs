@@ -261,11 +261,14 @@ impl Observer for Draw {
             return Ok(());
         }
         data.columns.push((view.since, view.until));
-        for row in &mut data.rows {
-            let value = view.program.value(row.source.value);
-            let start = row.source.lane as usize * value.limbs();
-            let limbs = &view.engine.read(row.source.value)[start..start + value.limbs()];
-            row.values.push(Bits::from_limbs(value.width, limbs));
+        // Lanes of one value follow each other, and are read once.
+        for rows in data.rows.chunk_by_mut(|a, b| a.source.value == b.source.value) {
+            let value = view.program.value(rows[0].source.value);
+            let lanes = view.engine.read(rows[0].source.value);
+            for row in rows {
+                let start = row.source.lane as usize * value.limbs();
+                row.values.push(Bits::from_limbs(value.width, &lanes[start..start + value.limbs()]));
+            }
         }
         Ok(())
     }
