@@ -192,7 +192,7 @@ impl Signal {
             );
         }
         if times == 1 {
-            return self;
+            return self.bits();
         }
         let width = times.saturating_mul(self.width.into());
         if width > WIDEST.into() {

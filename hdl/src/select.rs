@@ -63,7 +63,7 @@ pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) ->
 pub fn concat(parts: &[Signal]) -> Signal {
     match parts {
         [] => panic!("a concatenation of nothing, at {}: give it at least one signal", Loc::caller()),
-        [one] => *one,
+        [one] => one.bits(),
         _ => {
             let loc = Loc::caller();
             let mut parts = parts.to_vec();

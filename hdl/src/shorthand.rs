@@ -74,7 +74,7 @@ impl Signal {
     #[track_caller]
     fn rotated(self, places: u32) -> Signal {
         if places == 0 {
-            return self;
+            return self.bits();
         }
         let kept = self.width() - places;
         concat(&[self.part(0, kept), self.part(kept, places)])

@@ -38,3 +38,15 @@ fn a_shift_keeps_the_lanes_also_where_nothing_is_left() {
         }
     });
 }
+
+/// What is put together of bits is bits, also where nothing moves.
+#[test]
+fn a_rotation_a_repetition_and_a_concatenation_are_numbers_by_any_amount() {
+    let _ = traced(|m| {
+        let level = lit(8, 0xfe).signed();
+        for places in 0..=8 {
+            m.assert(level.rotate_left(places).rotate_right(places).eq(0xfe), "as it was");
+        }
+        m.assert(level.repeat(1).eq(0xfe) & cat![level].eq(0xfe), "no sign");
+    });
+}
