@@ -17,7 +17,10 @@ bundle! {
 /// A block that chooses by what this function makes of its inputs.
 #[derive(Clone, PartialEq, Eq, Hash)]
 #[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
-struct Chosen(fn(Module, ChosenIn) -> Signal);
+struct Chosen(Subject);
+
+/// What is chosen by.
+type Subject = fn(Module, ChosenIn) -> Signal;
 
 impl std::fmt::Debug for Chosen {
     fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
@@ -43,7 +46,7 @@ impl Block for Chosen {
 }
 
 /// What is asserted by itself of what is chosen by.
-fn asserted(subject: fn(Module, ChosenIn) -> Signal) -> Vec<String> {
+fn asserted(subject: Subject) -> Vec<String> {
     let design = elaborate(&Chosen(subject)).unwrap_or_else(|problems| panic!("{problems}"));
     let asserted = design.top().properties.iter().filter(|property| property.directive == Directive::Assert);
     asserted.map(|property| property.message.clone()).collect()
@@ -144,7 +147,7 @@ fn bits_that_are_chosen_by_as_a_code_are_asserted_too() {
         r.next(r + 1);
         r
     }
-    let parts: [(fn(Module, ChosenIn) -> Signal, &str); 2] = [
+    let parts: [(Subject, &str); 2] = [
         (|m, _| register(m).bits().part(2, 2).code::<Phase>(), "`r.slice(2..4)` is a code of `Phase`"),
         (
             |m, _| {
