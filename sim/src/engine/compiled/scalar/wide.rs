@@ -1,6 +1,7 @@
 //! Operations on values of more than 64 bits: bits and choices limb by limb, the rest, and all on values of more than
 //! [`LONGEST`] bits, by calls of the general path.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
@@ -145,8 +146,10 @@ impl Scalars {
         let out = b.take(limbs_for(width));
         let taken = b.taken();
         let mut operands: Vec<(ValueId, u32, usize)> = Vec::new();
+        // A concatenation may have a million.
+        let mut seen = BTreeSet::new();
         kind.for_each_operand(|id| {
-            if !operands.iter().any(|(of, ..)| *of == id) {
+            if seen.insert(id) {
                 let first = self.in_scratch(b, id);
                 operands.push((id, self.width(id), first));
             }
