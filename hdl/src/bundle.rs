@@ -1,6 +1,7 @@
 //! Bundles: one record type serves as widths, signals, values and names.
 
 use crate::fields::{Fields, Leaf};
+use crate::names::unraw;
 use crate::signal::Signal;
 
 /// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
@@ -97,7 +98,7 @@ impl Bundle for () {
 
 #[doc(hidden)]
 pub fn join(path: &str, field: &str) -> String {
-    let field = field.strip_prefix("r#").unwrap_or(field);
+    let field = unraw(field);
     if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
 }
 

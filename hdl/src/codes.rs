@@ -79,7 +79,7 @@ macro_rules! codes {
 
         impl $crate::Codes for $name {
             const NAMES: $crate::ir::Names =
-                $crate::ir::Names { of: stringify!($name), codes: &[$($crate::code_name(stringify!($code))),+] };
+                $crate::ir::Names { of: stringify!($name), codes: &[$($crate::unraw(stringify!($code))),+] };
             const ALL: &'static [Self] = &[$($name::$code),+];
 
             fn code(self) -> u64 {
@@ -93,18 +93,6 @@ macro_rules! codes {
             }
         }
     )+};
-}
-
-/// The name of a code without the `r#` of a raw identifier.
-#[doc(hidden)]
-pub const fn code_name(written: &'static str) -> &'static str {
-    match written.as_bytes() {
-        [b'r', b'#', name @ ..] => match std::str::from_utf8(name) {
-            Ok(name) => name,
-            Err(_) => written,
-        },
-        _ => written,
-    }
 }
 
 impl Value {
@@ -253,7 +241,8 @@ impl Signal {
         let id = self.id();
         elaboration::with(|e| {
             if self.width == width {
-                return Signal { node: e.draft().seen_as(id, kind, loc), kind, ..self };
+                let node = e.draft().seen_as(id, kind, loc);
+                return Signal::at(e, node);
             }
             let (text, needs, has) = (e.draft().describe(id), bits_text(width), bits_text(self.width));
             let problem = Problem::new(loc, format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of));

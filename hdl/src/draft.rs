@@ -131,13 +131,16 @@ impl Draft {
 
     /// The node as a value of that kind, in waves and in Verilog, too: itself, or one beside it.
     pub fn seen_as(&mut self, id: NodeId, kind: Kind, loc: Loc) -> NodeId {
-        let Node { op, width, shape, .. } = self.node(id);
-        if self.node(id).kind == kind {
+        let node = self.node(id);
+        if node.kind == kind {
             return id;
         }
-        let op = if let Op::Const(value) = op { Op::Const(value.clone()) } else { Op::Wire(id) };
-        let seen = self.add(op, *width, *shape, loc);
+        let op = if let Op::Const(_) = node.op { node.op.clone() } else { Op::Wire(id) };
+        let seen = self.add(op, node.width, node.shape, loc);
         self.node_mut(seen).kind = kind;
+        if self.stand_ins.contains(&id) {
+            self.stand_ins.insert(seen);
+        }
         seen
     }
 

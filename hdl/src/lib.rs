@@ -127,7 +127,7 @@ pub use bundle::Bundle;
 #[doc(hidden)]
 pub use bundle::join;
 pub use clock::{Clock, Period};
-pub use codes::{Codes, code_name, one_of};
+pub use codes::{Codes, one_of};
 #[doc(hidden)]
 pub use data::Given;
 pub use data::{Data, Fits, Layout};
@@ -144,6 +144,8 @@ pub use machine::{StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
 pub use module::Module;
 pub use moves::Moves;
+#[doc(hidden)]
+pub use names::unraw;
 #[doc(hidden)]
 pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};

@@ -31,6 +31,15 @@ pub(crate) fn is_legal(name: &str) -> bool {
         && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
+/// The name of an identifier, which if it is a raw one has an `r#` before it.
+#[doc(hidden)]
+pub const fn unraw(identifier: &str) -> &str {
+    match identifier.as_bytes() {
+        [b'r', b'#', ..] => identifier.split_at(2).1,
+        _ => identifier,
+    }
+}
+
 /// The last part of a type's path, without its generic arguments.
 pub(crate) fn short(type_name: &'static str) -> &'static str {
     let plain = type_name.split('<').next().unwrap_or(type_name);

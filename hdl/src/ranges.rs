@@ -4,7 +4,7 @@ use std::fmt::{self, Display};
 use std::ops::{Bound, RangeBounds};
 
 use crate::declare::sentence;
-use crate::names::short;
+use crate::names::{short, unraw};
 
 /// A parameter of a block that is out of the range that [`block!`](crate::block!) declares for it; one sentence that says which would do.
 ///
@@ -43,7 +43,7 @@ pub fn in_range<B, T: PartialOrd + Display>(
         return Ok(());
     }
     let block = short(std::any::type_name::<B>());
-    let name = name.strip_prefix("r#").unwrap_or(name);
+    let name = unraw(name);
     let mut problem = format!("`{name}` of `{block}` is {value}: it has to be {}", in_words(&range));
     let reason = sentence(said);
     if !reason.is_empty() {

@@ -30,6 +30,36 @@ fn signals_of_another_module() {
     );
 }
 
+/// What is read as a code has that one problem.
+#[test]
+fn a_code_of_another_module() {
+    use std::cell::Cell;
+    codes! { enum Side { Left, Right } }
+    thread_local!(static LEAKED: Cell<Option<Signal>> = const { Cell::new(None) });
+    /// Chooses by a signal of the module that instantiates it.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Thief;
+    impl Block for Thief {
+        type In = ();
+        type Out = Out;
+        fn inputs(&self) {}
+        fn build(&self, _: Module, _: ()) -> Out {
+            let side = LEAKED.get().unwrap().code::<Side>();
+            Out { out: side.choose(|side| lit(8, Side::code(side))) }
+        }
+    }
+    expect(
+        |m, i| {
+            LEAKED.set(Some(i.c));
+            m.instance("u_thief", &Thief, ()).out
+        },
+        "`c` belongs to `Case` but is used inside of `Thief`
+         --> [let side = LEAKED.get().unwrap().code::<Side>();]
+         `c` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: give the block an input for it",
+    );
+}
+
 #[test]
 #[should_panic(expected = "a signal of an earlier elaboration is used")]
 fn signals_of_an_earlier_elaboration() {

@@ -24,6 +24,7 @@ fn registers() {
     refused("`Phase` has 5 codes, which do not fit into 2 bits", |it| named(it, &["A", "B", "C", "D", "E"]));
     refused("`Phase` has 0 codes, which do not fit into 2 bits", |it| named(it, &[]));
     refused("`Phase` has a code whose name is not legal: `a b`", |it| named(it, &["a b"]));
+    refused("`Phase` has a code whose name is not legal: ``", |it| named(it, &["A", ""]));
     refused("`top.phase` has the attribute `no name`, which is no plain name", |it| {
         let attribute = Attribute { name: "no name".to_owned(), value: "1".to_owned() };
         it.top().registers[0].attributes.push(attribute);

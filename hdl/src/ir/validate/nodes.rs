@@ -31,9 +31,8 @@ impl Rules<'_> {
             format!("`{}` has {count} codes, which do not fit into {}", names.of, bits_text(width))
         });
         let illegal = names.codes.iter().chain([&names.of]).find(|name| !is_legal(name));
-        let illegal = illegal.copied().unwrap_or_default();
-        self.rule(illegal.is_empty(), loc, || {
-            format!("`{}` has a code whose name is not legal: `{illegal}`", names.of)
+        self.rule(illegal.is_none(), loc, || {
+            format!("`{}` has a code whose name is not legal: `{}`", names.of, illegal.copied().unwrap_or_default())
         });
     }
 
