@@ -7,8 +7,8 @@
 //!          free ^   used   ^ oldest
 //! ```
 //!
-//! It has a word a clock where there are 2 words or more, 3 in a block RAM, and `out` shows the oldest word before it is taken (first word falls through). Latency 1 clock in
-//! registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
+//! It has a word a clock where there are 2 words or more, 3 in a block RAM, and `out` shows the oldest word before it is taken (first word falls through).
+//! Latency 1 clock in registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, def, mux, stream, up_to};

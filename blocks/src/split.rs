@@ -12,9 +12,8 @@ block! {
     ///          to--'===> out.2
     /// ```
     ///
-    /// Latency 0. No `valid` waits for `ready`; `ready` of `into` is that of the receiver whose number the word has, and low while there is no word. What
-    /// number a word has
-    /// may also be a function of the word: [`StreamBlocks::split_by`](crate::StreamBlocks::split_by).
+    /// Latency 0. No `valid` waits for `ready`; `ready` of `into` is that of the receiver whose number the word has, and low while there is no
+    /// word. What number a word has may also be a function of the word: [`StreamBlocks::split_by`](crate::StreamBlocks::split_by).
     ///
     /// ```
     /// # use tilewright_hdl::*;

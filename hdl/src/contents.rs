@@ -11,6 +11,7 @@ use crate::module::Module;
 use crate::operand::Value;
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
+use crate::signed::READ_AS;
 use crate::width::Width;
 
 impl Module {
@@ -141,17 +142,17 @@ fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width) -> Bits
     let (loc, id, name) = (Loc::caller(), signal.id(), name());
     elaboration::with(|e| match &e.draft().node(id).op {
         Op::Const(bits) if bits.width() == width.bits && signal.kind == width.kind => bits.clone(),
-        Op::Const(bits) if bits.width() == width.bits => {
+        op => {
+            let other_kind = matches!(op, Op::Const(bits) if bits.width() == width.bits);
             let text = e.draft().describe(id);
-            let message = format!("{name} is {}, but `{text}` is {}", width.kind, signal.kind);
-            e.report_instead_of(&[id], Problem::new(loc, message).help(crate::signed::READ_AS));
-            Bits::zero(width.bits)
-        }
-        _ => {
-            let text = e.draft().describe(id);
-            let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width.bits));
-            let help = "contents are numbers known while the block is built";
-            e.report_instead_of(&[id], Problem::new(loc, message).help(help));
+            let problem = if other_kind {
+                let message = format!("{name} is {}, but `{text}` is {}", width.kind, signal.kind);
+                Problem::new(loc, message).help(READ_AS)
+            } else {
+                let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width.bits));
+                Problem::new(loc, message).help("contents are numbers known while the block is built")
+            };
+            e.report_instead_of(&[id], problem);
             Bits::zero(width.bits)
         }
     })

@@ -359,20 +359,19 @@ impl Updates {
 
     fn change(self, loc: Loc, value: NodeId, change: impl FnOnce(&mut Vec<(NodeId, NodeId)>, &mut NodeId)) {
         let Some(chain) = self.chain.filter(|_| is_here(self.register.signal, value, loc)) else { return };
-        let ended = elaboration::draft(|draft| match &mut draft.node_mut(chain).op {
-            Op::Select { default, .. } if *default != self.register.signal.node => Some(*default),
-            Op::Select { arms, default } => {
-                change(arms, default);
-                None
+        let register = self.register.signal.node;
+        elaboration::with(|e| {
+            let (arms, default) = match &mut e.draft().node_mut(chain).op {
+                Op::Select { arms, default } => (arms, default),
+                op => unreachable!("a chain is a choice, not {op:?}"),
+            };
+            if *default == register {
+                return change(arms, default);
             }
-            op => unreachable!("a chain is a choice, not {op:?}"),
+            let last = *default;
+            let (name, last) = (e.draft().describe(register), e.draft().describe(last));
+            let message = format!("the chain of `{name}` goes on behind its end, `.otherwise({last})`");
+            e.report(Problem::new(loc, message).help("`.otherwise(value)` stands once, behind all conditions"));
         });
-        if let Some(last) = ended {
-            elaboration::with(|e| {
-                let (name, last) = (e.draft().describe(self.register.signal.node), e.draft().describe(last));
-                let message = format!("the chain of `{name}` goes on behind its end, `.otherwise({last})`");
-                e.report(Problem::new(loc, message).help("`.otherwise(value)` stands once, behind all conditions"));
-            });
-        }
     }
 }

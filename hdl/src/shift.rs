@@ -20,9 +20,7 @@ impl Signal {
         let kept = this.width.saturating_sub(amount);
         let shifted = match (shift, kept) {
             (_, kept) if kept == this.width => this,
-            (Shift::Left, 0) | (Shift::Right, 0) => {
-                crate::lit(1, 0).with_lanes_of(this, shift.symbol()).repeat(this.width)
-            }
+            (Shift::Left, 0) | (Shift::Right, 0) => crate::lit(this.width, 0).with_lanes_of(this, shift.symbol()),
             (Shift::RightSigned, 0) => this.msb().repeat(this.width),
             (Shift::Left, _) => crate::concat(&[this.trunc(kept), crate::lit(amount, 0)]),
             (Shift::Right, _) => this.slice(amount..this.width).zext(this.width),

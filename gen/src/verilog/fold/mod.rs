@@ -69,19 +69,17 @@ impl Fold {
         let outcome = self.simplify(id, op);
         let named = self.module.node(id).name.is_some();
         match outcome {
-            Is(Op::Wire(to)) if !named && !self.gives_kind(id, to) => {
-                self.module.nodes[id.0 as usize].op = Op::Wire(to)
+            Is(Op::Wire(to)) | Is(Op::QuasiStatic(to, _)) | Same(to) if !named && self.hands_over_kind(id, to) => {
+                self.same[id.0 as usize] = to;
             }
-            Is(Op::Wire(to)) | Is(Op::QuasiStatic(to, _)) | Same(to) if !named => self.same[id.0 as usize] = to,
             Same(to) => self.module.nodes[id.0 as usize].op = Op::Wire(to),
             Is(op) => self.module.nodes[id.0 as usize].op = op,
         }
     }
 
-    /// Whether the node that a wire stands for may be printed in its place: where the wire's are codes of an enum, what is a number becomes such a
-    /// code, and what is a code of another enum stays one.
-    fn gives_kind(&mut self, wire: NodeId, to: NodeId) -> bool {
-        let (kind, node) = (self.module.node(wire).kind, &mut self.module.nodes[to.0 as usize]);
+    /// Lets `to`, which is a number, be a code where the node is one for which it is to stand. Whether it may: not where it is a code of another enum.
+    fn hands_over_kind(&mut self, of: NodeId, to: NodeId) -> bool {
+        let (kind, node) = (self.module.node(of).kind, &mut self.module.nodes[to.0 as usize]);
         match (kind, node.kind, &node.op) {
             (Kind::Code(_), Kind::Number, op) if !matches!(op, Op::Const(_)) => node.kind = kind,
             (Kind::Code(own), Kind::Code(other), _) => return own == other,

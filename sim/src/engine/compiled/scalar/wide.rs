@@ -1,10 +1,10 @@
 //! Operations on values of more than 64 bits: bits and choices limb by limb, the rest, and all on values of more than
 //! [`LONGEST`] bits, by calls of the general path.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use rustc_hash::FxHashSet;
 use tilewright_hdl::ir::Binary;
 use tilewright_hdl::limbs_for;
 
@@ -147,7 +147,7 @@ impl Scalars {
         let taken = b.taken();
         let mut operands: Vec<(ValueId, u32, usize)> = Vec::new();
         // A concatenation may have a million.
-        let mut seen = BTreeSet::new();
+        let mut seen = FxHashSet::default();
         kind.for_each_operand(|id| {
             if seen.insert(id) {
                 let first = self.in_scratch(b, id);
