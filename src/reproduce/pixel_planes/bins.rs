@@ -184,3 +184,20 @@ fn curves(
 fn printed(x: f64) -> Series {
     Series::new("box", Origin::Paper, [(x, super::PRINTED)])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+
+    #[test]
+    fn another_seed_counts_other_vectors() {
+        let counted = |seed| {
+            let plan = Plan { effort: Effort { seed, most: Some(20) } };
+            let counted = Counted::all(&plan, &mut Watch::default()).ok().flatten().expect("nothing stops it");
+            named(counted.example(SIDE).counted).map(|(_, mean)| mean.mean)
+        };
+        assert_eq!(counted(1), counted(1));
+        assert_ne!(counted(1), counted(2));
+    }
+}

@@ -215,3 +215,23 @@ impl Gain {
         Ok(Gain { of, formula: by_formula(&sorted) / by_formula(&base), model })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+
+    #[test]
+    fn another_seed_finds_other_latencies() {
+        let found = |seed| {
+            let plan = Plan { effort: Effort { seed, most: Some(3000) } };
+            let case = Plan::case(System::Base, 4, Samples::One, Shades::EverySample);
+            let curve = Curve::of(&case, &plan).expect("it can be simulated");
+            let latencies: Vec<_> = curve.points.iter().map(|point| point.found.latency).collect();
+            (latencies, overlap(Samples::One, &plan).expect("there are boxes"))
+        };
+        let [one, same, other] = [1, 1, 2].map(found);
+        assert_eq!(one, same);
+        assert!(one.0 != other.0 && one.1 != other.1, "{one:?}, {other:?}");
+    }
+}

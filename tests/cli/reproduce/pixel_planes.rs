@@ -1,27 +1,21 @@
 //! The page of Pixel-planes 5.
 
-use super::{all_checks_hold, lines, rows, whole_page};
-use crate::harness::Folder;
+use super::made::{Made, made};
+use super::{all_checks_hold, is_whole};
 
-/// A page of so few vectors that it takes little time.
-const QUICK: &str = "reproduce pixel-planes-5 -o report --vectors 60";
+/// A quick look, as the README has it.
+const QUICK: &str = "pixel-planes-5 -o report/ --vectors 20";
 
-/// A report takes some seconds, so all is asked of one, and of one of another seed.
 #[test]
 fn a_report_is_whole() {
-    let folder = Folder::new();
-    its_page_is_whole_in_a_browser_and_its_data_is_beside_it(&folder);
-    counts_stand_beside_formulas_with_their_seed(&folder);
-    loads_are_within_their_bounds_and_those_of_the_circuit(&folder);
-    times_are_above_their_bounds_and_those_of_the_circuit(&folder);
-    folder.stdout("reproduce pixel-planes-5 -o other --vectors 60 --seed 2");
-    for name in ["regions-45-degrees.csv", "load-of-vectors.csv", "vectors-load.csv"] {
-        let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/{name}")));
-        assert_ne!(one, other, "{name}");
-    }
+    let made = made(QUICK);
+    its_page_is_whole_in_a_browser_and_its_data_is_beside_it(made);
+    counts_stand_beside_formulas_with_their_seed(made);
+    loads_are_within_their_bounds_and_those_of_the_circuit(made);
+    times_are_above_their_bounds_and_those_of_the_circuit(made);
 }
 
-fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(folder: &Folder) {
+fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(made: &Made) {
     let parts = [
         "regions-45-degrees.csv",
         "regions-15-degrees.csv",
@@ -47,14 +41,15 @@ fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(folder: &Folder) {
         "whole-screen-load.csv",
         "frames.csv",
     ];
-    let report = whole_page(folder, QUICK, &parts);
-    assert!(report["holds"].as_u64().unwrap() > 10, "{report}");
-    all_checks_hold(folder, 3 * 5, ",exactly 0,teapot,pixels that differ,,,RTL,0,,holds");
+    is_whole(made, &parts);
+    let [holds, ..] = made.counts();
+    assert!(holds > 10, "{holds} hold");
+    all_checks_hold(made, 3 * 5, ",exactly 0,teapot,pixels that differ,,,RTL,0,,holds");
 }
 
-fn counts_stand_beside_formulas_with_their_seed(folder: &Folder) {
+fn counts_stand_beside_formulas_with_their_seed(made: &Made) {
     for (name, places) in [("regions-45-degrees", 11), ("regions-50-pixels", 7), ("regions-by-side", 4)] {
-        let rows = rows(folder, &format!("report/{name}.csv"));
+        let rows = made.rows(&format!("{name}.csv"));
         let counted: Vec<_> = rows.iter().filter(|cells| !cells[3].is_empty()).collect();
         assert_eq!(counted.len(), 3 * places, "{name}");
         for cells in counted {
@@ -64,13 +59,13 @@ fn counts_stand_beside_formulas_with_their_seed(folder: &Folder) {
             assert_eq!((cells[7].as_str(), cells[5].as_str()), ("1", ""), "{name}: {cells:?}");
         }
     }
-    let printed = rows(folder, "report/regions-45-degrees.csv");
+    let printed = made.rows("regions-45-degrees.csv");
     assert!(printed.iter().any(|cells| cells[..2] == ["box", "50"] && cells[6] == "1.63"), "{printed:?}");
 }
 
 /// P_w between P/B and P R/B, of all scenes; of the frames drawn it is what the busiest renderer had.
-fn loads_are_within_their_bounds_and_those_of_the_circuit(folder: &Folder) {
-    let loads: Vec<_> = lines(folder, "report/loads.csv").collect();
+fn loads_are_within_their_bounds_and_those_of_the_circuit(made: &Made) {
+    let loads: Vec<_> = made.lines("loads.csv").collect();
     let number = |cells: &[String], column: usize| cells[column].parse::<f64>().ok();
     assert_eq!(loads.len(), 7);
     for cells in &loads {
@@ -79,16 +74,16 @@ fn loads_are_within_their_bounds_and_those_of_the_circuit(folder: &Folder) {
     }
     let of = |name: &str| loads.iter().find(|cells| cells[0] == name).unwrap();
     assert_eq!(["one-each", "whole-screen"].map(|name| number(of(name), 6)), [Some(5.0), Some(400.0)]);
-    for frame in lines(folder, "report/frames.csv") {
+    for frame in made.lines("frames.csv") {
         assert_eq!(number(&frame, 3), number(of(&frame[0]), 6), "{frame:?}");
     }
-    let drawing: Vec<f64> = lines(folder, "report/teapot-load.csv").map(|cells| cells[2].parse().unwrap()).collect();
+    let drawing: Vec<f64> = made.lines("teapot-load.csv").map(|cells| cells[2].parse().unwrap()).collect();
     assert!(drawing.len() == 16 && drawing.iter().all(|part| (1.0..100.0).contains(part)), "{drawing:?}");
 }
 
 /// The paper's 239 ns; and no run is faster than the line of its ring, or the circuit than the model.
-fn times_are_above_their_bounds_and_those_of_the_circuit(folder: &Folder) {
-    let times = rows(folder, "report/time-by-renderers.csv");
+fn times_are_above_their_bounds_and_those_of_the_circuit(made: &Made) {
+    let times = made.rows("time-by-renderers.csv");
     let of = |name: &str| times.iter().filter(|cells| cells[0] == name).collect::<Vec<_>>();
     let paper = of("N = 94").into_iter().find(|cells| cells[1] == "16").unwrap();
     assert!(paper[2].starts_with("239.2") && paper[4].is_empty(), "{paper:?}");
@@ -102,10 +97,7 @@ fn times_are_above_their_bounds_and_those_of_the_circuit(folder: &Folder) {
     }
     let on_circuit: Vec<_> = times.iter().filter(|cells| !cells[5].is_empty()).collect();
     assert!(on_circuit.len() == 1 && on_circuit[0][4] == on_circuit[0][5], "{on_circuit:?}");
-    let waiting: Vec<f64> = rows(folder, "report/waiting.csv")
-        .iter()
-        .filter(|it| it[0] == "waiting")
-        .map(|it| it[4].parse().unwrap())
-        .collect();
+    let waiting: Vec<f64> =
+        made.rows("waiting.csv").iter().filter(|it| it[0] == "waiting").map(|it| it[4].parse().unwrap()).collect();
     assert!(waiting.len() == 6 && waiting[5] > waiting[0], "{waiting:?}");
 }

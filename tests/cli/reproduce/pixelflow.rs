@@ -1,14 +1,14 @@
 //! The page of PixelFlow.
 
-use super::{lines, rows, whole_page};
-use crate::harness::Folder;
+use super::is_whole;
+use super::made::{Made, made};
 
-/// A page of so few primitives that it takes little time.
-const QUICK: &str = "reproduce pixelflow -o report --primitives 3000";
+/// A quick look, as the README has it.
+const QUICK: &str = "pixelflow -o report/ --primitives 20000";
 
 #[test]
 fn a_report_is_whole() {
-    let folder = Folder::new();
+    let made = made(QUICK);
     let parts = [
         "figure-3.csv",
         "figure-3-every-sample.csv",
@@ -27,19 +27,17 @@ fn a_report_is_whole() {
         "stereo-latency.csv",
         "stereo-crossings.csv",
     ];
-    let report = whole_page(&folder, QUICK, &parts);
-    assert!(report["holds"].as_u64().unwrap() > 15, "{report}");
-    latencies_stand_beside_formulas_with_their_seed(&folder);
-    the_circuits_frames_are_timed(&folder);
-    two_eyes_have_halves_or_all_nodes(&folder);
-    the_papers_numbers_are_judged(&folder);
-    folder.stdout("reproduce pixelflow -o other --primitives 3000 --seed 2");
-    let [one, other] = ["report", "other"].map(|report| folder.read(format!("{report}/figure-4.csv")));
-    assert_ne!(one, other);
+    is_whole(made, &parts);
+    let [holds, ..] = made.counts();
+    assert!(holds > 15, "{holds} hold");
+    latencies_stand_beside_formulas_with_their_seed(made);
+    the_circuits_frames_are_timed(made);
+    two_eyes_have_halves_or_all_nodes(made);
+    the_papers_numbers_are_judged(made);
 }
 
-fn latencies_stand_beside_formulas_with_their_seed(folder: &Folder) {
-    let rows = rows(folder, "report/figure-4.csv");
+fn latencies_stand_beside_formulas_with_their_seed(made: &Made) {
+    let rows = made.rows("figure-4.csv");
     // Five systems, with no primitives and with all that a quick look has.
     assert_eq!(rows.len(), 5 * 2);
     for cells in rows {
@@ -50,8 +48,8 @@ fn latencies_stand_beside_formulas_with_their_seed(folder: &Folder) {
     }
 }
 
-fn the_circuits_frames_are_timed(folder: &Folder) {
-    let rows: Vec<_> = lines(folder, "report/frames.csv").collect();
+fn the_circuits_frames_are_timed(made: &Made) {
+    let rows: Vec<_> = made.lines("frames.csv").collect();
     // Two pictures, and four systems with 100 and 300 triangles; and one of them on half of the nodes.
     assert_eq!(rows.len(), 2 + 5 * 2);
     let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
@@ -67,8 +65,8 @@ fn the_circuits_frames_are_timed(folder: &Folder) {
     assert!(rows[11][0].ends_with("half of the nodes") && number(11, 5) > 1.5 * number(5, 5), "{rows:?}");
 }
 
-fn two_eyes_have_halves_or_all_nodes(folder: &Folder) {
-    let rows = rows(folder, "report/stereo-latency.csv");
+fn two_eyes_have_halves_or_all_nodes(made: &Made) {
+    let rows = made.rows("stereo-latency.csv");
     // 100 and 300 triangles of each eye, both ways.
     assert_eq!(rows.len(), 2 * 2);
     for cells in &rows {
@@ -76,15 +74,15 @@ fn two_eyes_have_halves_or_all_nodes(folder: &Folder) {
         // Arrays are 64 times smaller than the paper's.
         assert!(circuit > 0.1 && circuit < formula, "{cells:?}");
     }
-    let crossings: Vec<_> = lines(folder, "report/stereo-crossings.csv").collect();
+    let crossings: Vec<_> = made.lines("stereo-crossings.csv").collect();
     // Five systems, of one sample and of eight.
     assert_eq!(crossings.len(), 5 * 2);
     let base = crossings.iter().find(|cells| cells[..2] == ["base 4", "one"]).unwrap();
     assert_eq!((&base[4][..], base[2].parse::<f64>().unwrap() < base[3].parse::<f64>().unwrap()), ("13849", true));
 }
 
-fn the_papers_numbers_are_judged(folder: &Folder) {
-    let statements: Vec<_> = lines(folder, "report/statements.csv").map(|cells| cells.join(",")).collect();
+fn the_papers_numbers_are_judged(made: &Made) {
+    let statements: Vec<_> = made.lines("statements.csv").map(|cells| cells.join(",")).collect();
     let verdict = |start: &str, end: &str| {
         let found = statements.iter().filter(|line| line.starts_with(start)).any(|line| line.ends_with(end));
         assert!(found, "{start} .. {end} in {statements:#?}");
@@ -100,6 +98,6 @@ fn the_papers_numbers_are_judged(folder: &Folder) {
         "PFL-600K,The non-texturing system draws over 600 thousand primitives in 30 ms without antialiasing: model",
         "cannot be compared: nothing was found",
     );
-    let checks: Vec<_> = lines(folder, "report/checks.csv").collect();
+    let checks: Vec<_> = made.lines("checks.csv").collect();
     assert!(checks.len() == 34 && checks.iter().all(|cells| cells.last().unwrap() == "holds"), "{checks:?}");
 }

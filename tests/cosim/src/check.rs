@@ -33,7 +33,8 @@ pub fn check_design(
 pub struct Run {
     /// The Verilog and its testbench.
     pub printed: Printed,
-    folder: TempDir,
+    /// The waveform, as VCD.
+    dump: String,
 }
 
 impl Run {
@@ -43,9 +44,10 @@ impl Run {
     ///
     /// What the simulator says.
     pub fn of(design: &Design, stimulus: impl FnOnce(&mut Simulation) -> Result<(), Error>) -> Result<Run, Error> {
-        let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
+        let folder = temporary_folder();
+        let path = folder.path().join("run.vcd");
         let mut sim = Simulation::from_design(design)?;
-        sim.trace(Vcd::to(folder.path().join("run.vcd")))?;
+        sim.trace(Vcd::to(&path))?;
         let recording = sim.recording();
         stimulus(&mut sim)?;
         sim.finish()?;
@@ -55,7 +57,12 @@ impl Run {
             fails: false,
             covered: None,
         };
-        Ok(Run { printed, folder })
+        Ok(Run { printed, dump: std::fs::read_to_string(path).expect("the dump can be read") })
+    }
+
+    /// How many bytes the dump has: what Yosys takes for it goes by that.
+    pub fn dump_size(&self) -> usize {
+        self.dump.len()
     }
 
     /// Lets Yosys compare the dump with the printed Verilog: ports, registers and named nets are in both.
@@ -66,11 +73,15 @@ impl Run {
     pub fn check_dump(&self, design: &Design) -> Result<(), Problems> {
         let top = design.top();
         let clocks: Vec<&str> = top.clocks.iter().map(|clock| clock.port.as_str()).collect();
-        let text = std::fs::read_to_string(self.folder.path().join("run.vcd")).expect("the dump can be read");
-        let dump = self.folder.path().join("yosys.vcd");
-        std::fs::write(&dump, for_yosys(&text, &unreliable_reads(design))).expect("a dump can be written");
+        let folder = temporary_folder();
+        let dump = folder.path().join("run.vcd");
+        std::fs::write(&dump, for_yosys(&self.dump, &unreliable_reads(design))).expect("a dump can be written");
         tools::yosys_replay_vcd(&self.printed.files, &dump, &top.name, &clocks).map(|_| ())
     }
+}
+
+fn temporary_folder() -> TempDir {
+    TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made")
 }
 
 #[cfg(test)]
@@ -82,11 +93,9 @@ mod tests {
         let entry = tilewright_rtl::catalog::ENTRIES.iter().find(|entry| entry.name == block).expect("a block");
         let values = entry.values(Vec::new()).expect("its defaults");
         let (design, scenario) = (entry.design(&values).expect("sound"), entry.scenario(&values).expect("it has one"));
-        let run = Run::of(&design, |sim| sim.play(&scenario)).expect("it runs");
+        let mut run = Run::of(&design, |sim| sim.play(&scenario)).expect("it runs");
         run.check_dump(&design).expect("Yosys agrees");
-        let path = run.folder.path().join("run.vcd");
-        let dump = std::fs::read_to_string(&path).expect("there is a dump");
-        let declared = dump.lines().find(|line| line.contains(&format!(" {variable} "))).expect("it is dumped");
+        let declared = run.dump.lines().find(|line| line.contains(&format!(" {variable} "))).expect("it is dumped");
         let id = declared.split(' ').nth(3).expect("an id");
         let invert = |line: &str| match line.strip_suffix(&format!(" {id}")) {
             Some(value) => {
@@ -107,9 +116,9 @@ mod tests {
             }
             None => line.to_owned(),
         };
-        let (header, changes) = dump.split_once("$enddefinitions").expect("a header");
+        let (header, changes) = run.dump.split_once("$enddefinitions").expect("a header");
         let changes: Vec<String> = changes.lines().map(invert).collect();
-        std::fs::write(&path, format!("{header}$enddefinitions{}\n", changes.join("\n"))).expect("it can be written");
+        run.dump = format!("{header}$enddefinitions{}\n", changes.join("\n"));
         run.check_dump(&design).is_err_and(|problems| problems.to_string().contains("Signal difference"))
     }
 

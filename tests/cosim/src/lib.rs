@@ -10,7 +10,8 @@
 //! - [`fuzz`]: random designs and random edits of them, on both engines;
 //! - [`many`]: several stimuli of a random design at once;
 //! - [`mutation`]: small edits of the blocks, which their own tests have to find;
-//! - [`check`]: one design through all tools, for the blocks of the catalogue.
+//! - [`check`]: one design through all tools, for the blocks of the catalogue;
+//! - [`workers`]: two threads that share jobs.
 
 pub mod batch;
 pub mod build;
@@ -31,5 +32,6 @@ pub mod spec;
 pub mod stimulus;
 pub mod strategy;
 pub mod streams;
+pub mod workers;
 
 pub use campaign::{Campaign, Failure, Summary};

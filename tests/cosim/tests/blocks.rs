@@ -1,9 +1,9 @@
 //! The scenario of every block of the catalogues, repeated by Icarus, Verilator and Yosys.
 
-use std::iter;
-use std::sync::Mutex;
+use std::sync::OnceLock;
 use tilewright_cosim::batch::{self, Tool};
 use tilewright_cosim::check::Run;
+use tilewright_cosim::workers;
 use tilewright_gen::{VerilogFile, tools};
 use tilewright_hdl::Design;
 use tilewright_hdl::catalog::Entry;
@@ -34,37 +34,74 @@ fn doubled(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
     parameters.map(|it| (it.name, 2 * it.default))
 }
 
-/// A block with such sizes in its scenario, by name.
-fn block(entry: &Entry, set: Vec<(&str, u64)>) -> (String, Design, Run) {
-    let values = entry.values(set).unwrap();
-    let (design, scenario) = (entry.design(&values).unwrap(), entry.scenario(&values).unwrap());
-    let run = Run::of(&design, |sim| sim.play(&scenario)).unwrap();
-    // A replay of nothing passes.
-    assert!(!run.printed.bench.text.contains("// Replays 0 recorded steps"), "{} does nothing", entry.name);
-    (format!("{} {values:?}", entry.name), design, run)
+/// A block in one size, and the run of its scenario.
+struct Subject {
+    /// Its name in the catalogue, with its parameters.
+    name: String,
+    design: Design,
+    run: Run,
+    size: Size,
 }
 
-/// Each block by name, with its defaults, and with other sizes if it has sizes.
-fn blocks() -> Vec<(String, Design, Run)> {
-    let mut blocks = Vec::new();
-    for name in OTHER.iter().map(|(name, _)| name).chain(DOUBLED) {
-        assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
+/// Who looks at a size of a block. Yosys looks at every bit of every signal, which takes minutes in large sizes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Size {
+    ForAll,
+    ForSimulatorsAndLinters,
+    ForYosys,
+}
+
+impl Subject {
+    fn new(entry: &Entry, set: Vec<(&'static str, u64)>, size: Size) -> Subject {
+        let values = entry.values(set).unwrap();
+        let (design, scenario) = (entry.design(&values).unwrap(), entry.scenario(&values).unwrap());
+        let run = Run::of(&design, |sim| sim.play(&scenario)).unwrap();
+        // A replay of nothing passes.
+        assert!(!run.printed.bench.text.contains("// Replays 0 recorded steps"), "{} does nothing", entry.name);
+        Subject { name: format!("{} {values:?}", entry.name), design, run, size }
     }
-    for entry in entries() {
-        let other: Vec<_> = small(entry).chain(doubled(entry)).collect();
-        blocks.push(block(entry, Vec::new()));
-        blocks.extend((!other.is_empty()).then(|| block(entry, other)));
+}
+
+/// The sizes of a block: its defaults, and others if it has sizes.
+fn sizes(entry: &Entry) -> Vec<(Vec<(&'static str, u64)>, Size)> {
+    let (small, doubled): (Vec<_>, Vec<_>) = (small(entry).collect(), doubled(entry).collect());
+    let simulators = Size::ForSimulatorsAndLinters;
+    match (small.is_empty(), doubled.is_empty()) {
+        (true, true) => vec![(small, Size::ForAll)],
+        (false, true) => vec![(Vec::new(), simulators), (small, Size::ForAll)],
+        (true, false) => vec![(small, Size::ForAll), (doubled, simulators)],
+        (false, false) => {
+            let both = [small.clone(), doubled].concat();
+            vec![(Vec::new(), simulators), (both, simulators), (small, Size::ForYosys)]
+        }
     }
-    blocks
+}
+
+/// Each block in its sizes, made once for all tests.
+fn blocks() -> &'static [Subject] {
+    static BLOCKS: OnceLock<Vec<Subject>> = OnceLock::new();
+    BLOCKS.get_or_init(|| {
+        for name in OTHER.iter().map(|(name, _)| name).chain(DOUBLED) {
+            assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
+        }
+        let sized = |entry: &'static Entry| sizes(entry).into_iter().map(move |(set, size)| (entry, set, size));
+        let jobs: Vec<_> = entries().flat_map(sized).collect();
+        workers::each(&jobs, |(entry, set, size)| Subject::new(entry, set.clone(), *size))
+    })
+}
+
+/// The blocks that simulators and linters look at.
+fn for_simulators() -> Vec<&'static Subject> {
+    blocks().iter().filter(|it| it.size != Size::ForYosys).collect()
 }
 
 #[test]
 fn no_linter_complains_of_any_block() {
-    let blocks = blocks();
-    let files: Vec<&[VerilogFile]> = blocks.iter().map(|(_, _, run)| run.printed.files.as_slice()).collect();
+    let blocks = for_simulators();
+    let files: Vec<&[VerilogFile]> = blocks.iter().map(|it| it.run.printed.files.as_slice()).collect();
     let wrong = tools::lint_all(&files).err().unwrap_or_default();
     let wrong: Vec<String> =
-        wrong.iter().map(|(&place, problems)| format!("{}: {problems}", blocks[place].0)).collect();
+        wrong.iter().map(|(&place, problems)| format!("{}: {problems}", blocks[place].name)).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
@@ -75,23 +112,18 @@ fn replayed_by(tool: Tool) {
     if !tool.is_here() {
         return;
     }
-    let blocks = blocks();
-    let groups = Mutex::new(blocks.chunks(TOGETHER));
-    let next = || groups.lock().expect("no other thread panics while it has it").next();
-    let work = || iter::from_fn(next).flat_map(|group| differing(tool, group)).collect::<Vec<_>>();
-    let wrong = std::thread::scope(|scope| {
-        let other = scope.spawn(work);
-        [work(), other.join().expect("it does not panic")].concat()
-    });
+    let blocks = for_simulators();
+    let groups: Vec<_> = blocks.chunks(TOGETHER).collect();
+    let wrong = workers::each(&groups, |group| differing(tool, group)).concat();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// What a simulator says of the blocks whose scenario it does not repeat.
-fn differing(tool: Tool, blocks: &[(String, Design, Run)]) -> Vec<String> {
-    let printed: Vec<_> = blocks.iter().map(|(_, _, run)| run.printed.clone()).collect();
+fn differing(tool: Tool, blocks: &[&Subject]) -> Vec<String> {
+    let printed: Vec<_> = blocks.iter().map(|it| it.run.printed.clone()).collect();
     let verdicts = batch::run(tool, &printed, batch::PATIENCE).unwrap();
-    let differing = blocks.iter().zip(verdicts).filter_map(|((name, ..), wrong)| {
-        wrong.map(|wrong| format!("{} differs on the scenario of {name}:\n{wrong}", tool.name()))
+    let differing = blocks.iter().zip(verdicts).filter_map(|(it, wrong)| {
+        wrong.map(|wrong| format!("{} differs on the scenario of {}:\n{wrong}", tool.name(), it.name))
     });
     differing.collect()
 }
@@ -106,15 +138,14 @@ fn verilator_repeats_every_scenario() {
     replayed_by(Tool::Verilator);
 }
 
-/// Each block, in uneven sizes but not in larger ones: Yosys looks at every bit of every signal, which takes minutes.
-fn blocks_in_one_size() -> impl Iterator<Item = (String, Design, Run)> {
-    entries().map(|entry| block(entry, small(entry).collect()))
-}
-
 #[test]
 fn yosys_agrees_with_every_dump() {
-    let differences = blocks_in_one_size()
-        .filter_map(|(name, design, run)| run.check_dump(&design).err().map(|problems| format!("{name}:\n{problems}")));
-    let differences: Vec<String> = differences.collect();
+    let mut blocks: Vec<_> = blocks().iter().filter(|it| it.size != Size::ForSimulatorsAndLinters).collect();
+    assert_eq!(blocks.len(), entries().count());
+    // The longest work first, so that neither worker is left with it.
+    blocks.sort_by_key(|it| std::cmp::Reverse(it.run.dump_size()));
+    let problems =
+        |it: &&Subject| it.run.check_dump(&it.design).err().map(|problems| format!("{}:\n{problems}", it.name));
+    let differences: Vec<String> = workers::each(&blocks, problems).into_iter().flatten().collect();
     assert!(differences.is_empty(), "{}", differences.join("\n"));
 }
