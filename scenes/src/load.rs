@@ -7,7 +7,9 @@ mod material;
 mod names;
 mod obj;
 mod obj_scan;
+mod parts;
 mod surface;
+mod surfaces;
 mod toml_file;
 mod toml_values;
 

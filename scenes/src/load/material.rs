@@ -6,14 +6,12 @@
 
 use super::lines::{At, logical_lines, numbers};
 use super::obj_scan::Scan;
+use super::parts::GREY;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::quote::{quote, shown};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// The colour of what has no material.
-pub(super) const GREY: [f64; 3] = [0.8; 3];
 
 /// What an MTL file says of a material.
 #[derive(Clone)]

@@ -4,50 +4,22 @@
 //! `tobj`, the best kept one, names no lines, ignores statements that it does not know and takes a line element for a face.
 
 use super::lines::{At, logical_lines, numbers};
+use super::parts::{Corner, Face, Geometry, Polyline};
 use crate::error::SceneError;
 use crate::quote::{number, quote};
-use glam::{DVec2, DVec3, dvec2, dvec3};
+use glam::{DVec3, dvec2, dvec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// What an OBJ file says.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
-    pub(super) positions: Vec<DVec3>,
-    pub(super) normals: Vec<DVec3>,
-    /// Texture coordinates: u rightward, v upward.
-    pub(super) coordinates: Vec<DVec2>,
-    /// Faces in order; at least one, unless there are lines.
-    pub(super) faces: Vec<Face>,
-    /// Polylines in order.
-    pub(super) lines: Vec<Polyline>,
+    /// Faces with their lines and their materials by index in [`Scan::materials`]; and polylines.
+    pub(super) geometry: Geometry,
     /// Different `mtllib` operands with the lines of their first use, in order.
     pub(super) libraries: Vec<(usize, String)>,
     /// Different `usemtl` names with the lines of their first use, in order.
     pub(super) materials: Vec<(usize, String)>,
-}
-
-/// A face: its line, its material by index in [`Scan::materials`], and at least three corners.
-#[derive(Debug)]
-pub(super) struct Face {
-    pub(super) line: usize,
-    pub(super) material: Option<usize>,
-    pub(super) corners: Vec<Corner>,
-}
-
-/// A polyline: its material by index in [`Scan::materials`], and at least two vertices, counted from 0.
-#[derive(Debug)]
-pub(super) struct Polyline {
-    pub(super) material: Option<usize>,
-    pub(super) vertices: Vec<u32>,
-}
-
-/// One corner of a face: vertex, texture coordinate and normal, counted from 0.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Corner {
-    pub(super) vertex: u32,
-    pub(super) texture: Option<u32>,
-    pub(super) normal: Option<u32>,
 }
 
 /// The most corners of a face: cutting a face takes up to their square in time. And of a line, for simplicity.
@@ -87,17 +59,17 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
         let words: Vec<&str> = words.take(MOST_CORNERS + 1).collect();
         let operand = statement.trim_start()[keyword.len()..].trim();
         match keyword {
-            "v" => scan.positions.push(vertex(at, &words)?),
-            "vn" => scan.normals.push(DVec3::from_array(numbers(at, keyword, &words, &[3])?)),
+            "v" => scan.geometry.positions.push(vertex(at, &words)?),
+            "vn" => scan.geometry.normals.push(DVec3::from_array(numbers(at, keyword, &words, &[3])?)),
             "vt" => {
                 let [u, v, _] = numbers::<3>(at, keyword, &words, &[1, 2, 3])?;
-                scan.coordinates.push(dvec2(u, v));
+                scan.geometry.coordinates.push(dvec2(u, v));
             }
             "f" => {
                 let corners = face(at, &words, &scan)?;
-                scan.faces.push(Face { line, material, corners });
+                scan.geometry.faces.push(Face { place: line, material, corners });
             }
-            "l" => scan.lines.push(Polyline { material, vertices: polyline(at, &words, &scan)? }),
+            "l" => scan.geometry.lines.push(Polyline { material, vertices: polyline(at, &words, &scan)? }),
             "usemtl" | "mtllib" if operand.is_empty() => {
                 return Err(at.error(format!("`{keyword}` without a name"), "give the name after it"));
             }
@@ -121,7 +93,7 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
             }
         }
     }
-    if scan.faces.is_empty() && scan.lines.is_empty() {
+    if scan.geometry.faces.is_empty() && scan.geometry.lines.is_empty() {
         return Err(SceneError::File {
             path: path.to_owned(),
             problem: "holds no face and no polyline".to_owned(),
@@ -180,7 +152,7 @@ fn corner(at: At, word: &str, seen: &Scan) -> Result<Corner, SceneError> {
     let (vertex, texture) = read.vertex(&mut parts, seen)?;
     let normal = match parts.next() {
         None | Some("") => None,
-        Some(normal) => Some(read.index(normal, "normal", seen.normals.len())?),
+        Some(normal) => Some(read.index(normal, "normal", seen.geometry.normals.len())?),
     };
     read.end(parts)?;
     Ok(Corner { vertex, texture, normal })
@@ -209,10 +181,10 @@ impl Reader<'_> {
         parts: &mut impl Iterator<Item = &'w str>,
         seen: &Scan,
     ) -> Result<(u32, Option<u32>), SceneError> {
-        let vertex = self.index(parts.next().unwrap_or_default(), "vertex", seen.positions.len())?;
+        let vertex = self.index(parts.next().unwrap_or_default(), "vertex", seen.geometry.positions.len())?;
         let texture = match parts.next() {
             None | Some("") => None,
-            Some(texture) => Some(self.index(texture, "texture coordinate", seen.coordinates.len())?),
+            Some(texture) => Some(self.index(texture, "texture coordinate", seen.geometry.coordinates.len())?),
         };
         Ok((vertex, texture))
     }

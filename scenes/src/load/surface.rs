@@ -1,94 +1,43 @@
-//! The materials of an OBJ mesh for deferred shading: its textures, each read once, and where they lie on its faces.
+//! The materials of an OBJ mesh for deferred shading: highlights, and textures, each read once.
 //!
 //! A texture that cannot be read is no error here, since only deferred shading looks at it: the error waits in its place.
 
 use super::lines::At;
 use super::material::{Look, TextureName};
-use super::obj_scan::{Face, Scan};
-use crate::error::SceneError;
-use crate::material::{MOST_MATERIALS, Mapping, Material, Materials};
-use crate::quote::{quote, shown};
-use crate::texture::{Texture, file};
-use glam::DVec2;
+use super::surfaces::{Read, Surfaces};
+use crate::material::Material;
+use crate::quote::quote;
+use crate::texture::file;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The materials under construction.
-pub(super) struct Surfaces<'a> {
-    scan: &'a Scan,
-    /// By index in [`Scan::materials`]: with its texture, and without for a face that has no texture coordinates.
-    of_look: Vec<[u32; 2]>,
-    materials: Vec<Material>,
-    textures: Vec<Result<Arc<Texture>, SceneError>>,
-    mappings: Vec<Mapping>,
-}
-
-impl<'a> Surfaces<'a> {
-    /// Of a mesh whose materials look so; `None` if none says anything that deferred shading alone would show. The paths of
-    /// textures go to `files`, what is odd to `warnings`.
-    pub(super) fn new(
-        path: &Path,
-        scan: &'a Scan,
-        looks: &[Look],
-        files: &mut Vec<PathBuf>,
-        warnings: &mut Vec<String>,
-    ) -> Option<Surfaces<'a>> {
-        let says = |look: &Look| look.texture.is_some() || look.specular.is_some() || look.shininess.is_some();
-        if !looks.iter().any(says) {
-            return None;
-        }
-        let (mut textures, mut index_of) = (Vec::new(), BTreeMap::new());
-        let mut texture = |name: &TextureName| {
-            let path = name.path();
-            *index_of.entry(path.clone()).or_insert_with(|| {
-                if path.exists() {
-                    files.push(path);
-                }
-                textures.push(name.read());
-                textures.len() as u32 - 1
-            })
-        };
-        let mut materials = vec![Material::default()];
-        let mut index = |material: Material| {
-            materials.iter().position(|&other| other == material).unwrap_or_else(|| {
-                materials.push(material);
-                materials.len() - 1
-            }) as u32
-        };
-        let of_look = looks
-            .iter()
-            .map(|look| {
-                let plain = material(look);
-                let textured = Material { texture: look.texture.as_ref().map(&mut texture), ..plain };
-                [textured, plain].map(&mut index)
-            })
-            .collect();
-        if materials.len() > MOST_MATERIALS {
-            warnings.push(format!(
-                "{}: more than {MOST_MATERIALS} materials differ in texture or highlights, so deferred shading shows neither: use fewer",
-                shown(path)
-            ));
-            return None;
-        }
-        Some(Surfaces { scan, of_look, materials, textures, mappings: Vec::new() })
+/// The materials of a mesh whose materials look so; `None` if none says anything that deferred shading alone would show. The paths of
+/// textures go to `files`, what is odd to `warnings`.
+pub(super) fn surfaces(
+    path: &Path,
+    looks: &[Look],
+    files: &mut Vec<PathBuf>,
+    warnings: &mut Vec<String>,
+) -> Option<Surfaces> {
+    let says = |look: &Look| look.texture.is_some() || look.specular.is_some() || look.shininess.is_some();
+    if !looks.iter().any(says) {
+        return None;
     }
-
-    /// Adds a triangle of a face, which has these of its corners.
-    pub(super) fn add(&mut self, face: &Face, triangle: [usize; 3]) {
-        let corners = triangle.map(|i| face.corners[i].texture);
-        let is_mapped = corners.iter().all(Option::is_some);
-        let material = face.material.map_or(0, |look| self.of_look[look][usize::from(!is_mapped)]);
-        // Behind those of the file stands one for corners that have none.
-        let none = self.scan.coordinates.len() as u32;
-        self.mappings.push(Mapping { material, coordinates: corners.map(|corner| corner.unwrap_or(none)) });
-    }
-
-    pub(super) fn materials(self) -> Materials {
-        let Surfaces { scan, materials, textures, mappings, .. } = self;
-        let coordinates = scan.coordinates.iter().copied().chain([DVec2::ZERO]).collect();
-        Materials { textures, materials, coordinates, mappings }
-    }
+    let (mut textures, mut index_of) = (Vec::new(), BTreeMap::new());
+    let mut texture = |name: &TextureName| {
+        let path = name.path();
+        *index_of.entry(path.clone()).or_insert_with(|| {
+            if path.exists() {
+                files.push(path);
+            }
+            textures.push(name.read());
+            textures.len() as u32 - 1
+        })
+    };
+    let textured = |look: &Look| Material { texture: look.texture.as_ref().map(&mut texture), ..material(look) };
+    let materials: Vec<Material> = looks.iter().map(textured).collect();
+    Surfaces::new(path, &materials, textures, warnings)
 }
 
 /// The material of a look, without its texture.
@@ -111,7 +60,7 @@ impl TextureName {
         self.library.parent().unwrap_or(Path::new("")).join(&self.name)
     }
 
-    fn read(&self) -> Result<Arc<Texture>, SceneError> {
+    fn read(&self) -> Read {
         let at = At { path: &self.library, line: self.line };
         if self.name.starts_with('-') {
             let option = self.name.split_whitespace().next().unwrap_or_default();

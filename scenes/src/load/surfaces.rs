@@ -1,0 +1,67 @@
+//! The materials of a mesh for deferred shading, and where textures lie on its faces, whatever the format of its file.
+
+use crate::error::SceneError;
+use crate::material::{MOST_MATERIALS, Mapping, Material, Materials};
+use crate::quote::shown;
+use crate::texture::Texture;
+use glam::DVec2;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A texture, or why there is none: an error of whoever draws with it, and of nobody else.
+pub(super) type Read = Result<Arc<Texture>, SceneError>;
+
+/// The materials under construction.
+pub(super) struct Surfaces {
+    /// By the file's index of a material: with its texture, and without for a face that has no texture coordinates.
+    of_look: Vec<[u32; 2]>,
+    materials: Vec<Material>,
+    textures: Vec<Read>,
+    coordinates: Vec<DVec2>,
+    mappings: Vec<Mapping>,
+}
+
+impl Surfaces {
+    /// Of a mesh whose materials are these, and their textures; `None` with a warning if they are too many.
+    pub(super) fn new(
+        path: &Path,
+        looks: &[Material],
+        textures: Vec<Read>,
+        warnings: &mut Vec<String>,
+    ) -> Option<Surfaces> {
+        let mut materials = vec![Material::default()];
+        let mut index = |material: Material| {
+            materials.iter().position(|&other| other == material).unwrap_or_else(|| {
+                materials.push(material);
+                materials.len() - 1
+            }) as u32
+        };
+        let of_look = looks.iter().map(|&look| [look, Material { texture: None, ..look }].map(&mut index)).collect();
+        if materials.len() > MOST_MATERIALS {
+            warnings.push(format!(
+                "{}: more than {MOST_MATERIALS} materials differ in texture or highlights, so deferred shading shows neither: use fewer",
+                shown(path)
+            ));
+            return None;
+        }
+        Some(Surfaces { of_look, materials, textures, coordinates: vec![DVec2::ZERO], mappings: Vec::new() })
+    }
+
+    /// Adds a triangle of that material, whose corners have these texture coordinates.
+    pub(super) fn add(&mut self, look: Option<usize>, corners: [Option<u32>; 3]) {
+        let is_mapped = corners.iter().all(Option::is_some);
+        let material = look.map_or(0, |look| self.of_look[look][usize::from(!is_mapped)]);
+        // Before those of the file stands one for corners that have none.
+        self.mappings.push(Mapping { material, coordinates: corners.map(|corner| corner.map_or(0, |i| i + 1)) });
+    }
+
+    /// The texture coordinates that corners name.
+    pub(super) fn set_coordinates(&mut self, coordinates: Vec<DVec2>) {
+        self.coordinates.extend(coordinates);
+    }
+
+    pub(super) fn materials(self) -> Materials {
+        let Surfaces { materials, textures, coordinates, mappings, .. } = self;
+        Materials { textures, materials, coordinates, mappings }
+    }
+}
