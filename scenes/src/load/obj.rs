@@ -4,8 +4,8 @@
 
 use super::material::looks;
 use super::obj_scan::scan;
+use super::obj_surface::surfaces;
 use super::parts::{Built, Geometry};
-use super::surface::surfaces;
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::mesh::Mesh;
