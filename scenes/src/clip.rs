@@ -11,6 +11,8 @@ pub(crate) struct ViewVertex {
     pub(crate) at: DVec3,
     /// The lit colour, each channel 0 to 1.
     pub(crate) rgb: DVec3,
+    /// The same before light falls on it.
+    pub(crate) diffuse: DVec3,
     /// The normal in view space, turned to the eye; its length is 1 where nothing was cut.
     pub(crate) normal: DVec3,
     /// Texture coordinates.
@@ -66,6 +68,7 @@ fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
     ViewVertex {
         at: inner.at + (outer.at - inner.at) * t,
         rgb: inner.rgb + (outer.rgb - inner.rgb) * t,
+        diffuse: inner.diffuse + (outer.diffuse - inner.diffuse) * t,
         normal: inner.normal + (outer.normal - inner.normal) * t,
         uv: inner.uv + (outer.uv - inner.uv) * t,
     }
@@ -80,6 +83,7 @@ mod tests {
         [-9.0..9.0f64, -9.0..9.0f64, -9.0..9.0f64].prop_map(|at| ViewVertex {
             at: DVec3::from_array(at),
             rgb: DVec3::from_array(at.map(|c| (c + 9.0) / 18.0)),
+            diffuse: DVec3::from_array(at.map(|c| (9.0 - c) / 18.0)),
             normal: DVec3::from_array(at.map(|c| c / 9.0)),
             uv: DVec2::new(at[0], at[1]),
         })
@@ -92,6 +96,7 @@ mod tests {
         let vertex = |at: [f64; 3], rgb: [f64; 3]| ViewVertex {
             at: at.into(),
             rgb: rgb.into(),
+            diffuse: [rgb[2], rgb[0], rgb[1]].into(),
             normal: [rgb[1], -rgb[2], rgb[0]].into(),
             uv: [8.0 * rgb[2], -2.0 * rgb[0]].into(),
         };

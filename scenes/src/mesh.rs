@@ -3,6 +3,8 @@
 //! Numbers are f64 (glam's `DVec3`): its operations here are + - * / and square root alone, which IEEE 754 fixes to the last
 //! bit, and 53 bits leave the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
 
+mod colours;
+
 use crate::checksum::Fnv;
 use crate::error::SceneError;
 use crate::material::Materials;
@@ -16,7 +18,7 @@ pub struct MeshTriangle {
     pub positions: [u32; 3],
     /// Three indices into the normals, one per corner.
     pub normals: [u32; 3],
-    /// Diffuse red, green and blue, each 0 to 1.
+    /// Diffuse red, green and blue, each 0 to 1; [`Mesh::with_corner_colours`] takes its place.
     pub diffuse: [f64; 3],
 }
 
@@ -38,6 +40,8 @@ pub struct Mesh {
     lines: Vec<MeshLine>,
     /// How many triangles each face consists of; none if each is a face of its own.
     faces: Vec<u32>,
+    /// The diffuse colours of each triangle's corners; none if each is of one colour.
+    colours: Option<Arc<Vec<[[f64; 3]; 3]>>>,
     /// None if each triangle is of the default material.
     materials: Option<Arc<Materials>>,
 }
@@ -73,7 +77,7 @@ impl Mesh {
             }
             check_colour("triangle", i, t.diffuse)?;
         }
-        Ok(Mesh { positions, normals, triangles, lines: Vec::new(), faces: Vec::new(), materials: None })
+        Ok(Mesh { normals, triangles, ..Mesh::empty(positions) })
     }
 
     /// A mesh of lines alone; positions in any unit of length.
@@ -170,7 +174,7 @@ impl Mesh {
     /// These positions alone.
     fn empty(positions: Vec<DVec3>) -> Mesh {
         let (normals, triangles, lines, faces) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Mesh { positions, normals, triangles, lines, faces, materials: None }
+        Mesh { positions, normals, triangles, lines, faces, colours: None, materials: None }
     }
 
     /// The same mesh with these materials, which deferred shading alone looks at.
@@ -243,6 +247,8 @@ impl Mesh {
             indices.for_each(|&index| sum.add(index.into()));
             t.diffuse.iter().for_each(|c| sum.add(c.to_bits()));
         }
+        let corners = self.colours.iter().flat_map(|colours| colours.as_flattened().as_flattened());
+        corners.for_each(|c| sum.add(c.to_bits()));
         for line in &self.lines {
             line.positions.iter().for_each(|&index| sum.add(index.into()));
             line.colour.iter().for_each(|c| sum.add(c.to_bits()));

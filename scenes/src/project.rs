@@ -323,14 +323,15 @@ impl Front<'_> {
         let mesh = &self.scene.mesh;
         let [p, q, r] = triangle.positions.map(|i| mesh.positions()[i as usize]);
         let face = (q - p).cross(r - p);
-        let diffuse = DVec3::from_array(triangle.diffuse);
+        let diffuse = mesh.corner_colours(number as usize).map(DVec3::from_array);
         let uv = mesh.materials().map_or([DVec2::ZERO; 3], |materials| materials.corners(number));
         [0, 1, 2].map(|i| {
             let normal = unit_or_z(mesh.normals()[triangle.normals[i] as usize]);
             let turned = facing(normal, face, self.scene.camera.eye - p);
             ViewVertex {
                 at: self.seen[triangle.positions[i] as usize],
-                rgb: diffuse * self.lighting.at(turned),
+                rgb: diffuse[i] * self.lighting.at(turned),
+                diffuse: diffuse[i],
                 normal: self.view.of_direction(turned),
                 uv: uv[i],
             }

@@ -77,7 +77,7 @@ pub fn project_deferred(scene: &Scene, size: Size, samples: Samples) -> Result<D
     let passes: Vec<(Pass, Counts)> = passes
         .into_iter()
         .map(|(size, shift)| {
-            let drawing = Drawing { scene, materials: &materials, size, coarser };
+            let drawing = Drawing { materials: &materials, size, coarser };
             Ok(drawing.pass(&Front::new(scene, size, shift)?))
         })
         .collect::<Result<_, SceneError>>()?;
@@ -94,7 +94,6 @@ impl Deferred {
 
 /// What is the same for all triangles of a pass.
 struct Drawing<'a> {
-    scene: &'a Scene,
     materials: &'a Materials,
     size: Size,
     /// What is taken off each level of detail, in 1/8.
@@ -136,10 +135,9 @@ impl Drawing<'_> {
         mut vertices: [AppearanceVertex; 3],
         seen: [ViewVertex; 3],
     ) -> ([AppearanceVertex; 3], usize, u8) {
-        let rgb = self.scene.mesh.triangles()[triangle].diffuse.map(eight_bits);
         let material = self.materials.mappings[triangle].material as usize;
         for (vertex, seen) in vertices.iter_mut().zip(seen) {
-            vertex.at.rgb = rgb;
+            vertex.at.rgb = seen.diffuse.to_array().map(eight_bits);
             vertex.normal = sixteen_bits(seen.normal);
         }
         if self.materials.materials[material].texture.is_none() {

@@ -4,7 +4,7 @@
 //! `tobj`, the best kept one, names no lines, ignores statements that it does not know and takes a line element for a face.
 
 use super::lines::{At, logical_lines, numbers};
-use super::parts::{Corner, Face, Geometry, Polyline};
+use super::parts::{Corner, Face, Geometry, Polyline, WHITE};
 use crate::error::SceneError;
 use crate::quote::{number, quote};
 use glam::{DVec3, dvec2, dvec3};
@@ -69,7 +69,7 @@ pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
                 let corners = face(at, &words, &scan)?;
                 scan.geometry.faces.push(Face { place: line, material, corners });
             }
-            "l" => scan.geometry.lines.push(Polyline { material, vertices: polyline(at, &words, &scan)? }),
+            "l" => scan.geometry.lines.push(Polyline { material, tint: WHITE, vertices: polyline(at, &words, &scan)? }),
             "usemtl" | "mtllib" if operand.is_empty() => {
                 return Err(at.error(format!("`{keyword}` without a name"), "give the name after it"));
             }
@@ -155,7 +155,7 @@ fn corner(at: At, word: &str, seen: &Scan) -> Result<Corner, SceneError> {
         Some(normal) => Some(read.index(normal, "normal", seen.geometry.normals.len())?),
     };
     read.end(parts)?;
-    Ok(Corner { vertex, texture, normal })
+    Ok(Corner { vertex, texture, normal, colour: None })
 }
 
 /// `v` or `v/vt`.

@@ -14,6 +14,8 @@ use std::path::Path;
 
 /// The colour of what has no material.
 pub(super) const GREY: [f64; 3] = [0.8; 3];
+/// What multiplies a colour and leaves it as it is.
+pub(super) const WHITE: [f64; 3] = [1.0; 3];
 
 /// Vertices and what is made of them, by index. Whoever reads a file checks the indices.
 #[derive(Debug, Default)]
@@ -22,6 +24,8 @@ pub(super) struct Geometry {
     pub(super) normals: Vec<DVec3>,
     /// Texture coordinates: u rightward, v upward.
     pub(super) coordinates: Vec<DVec2>,
+    /// Colours of corners, each channel 0 to 1, which multiply that of the material.
+    pub(super) colours: Vec<[f64; 3]>,
     pub(super) faces: Vec<Face>,
     pub(super) lines: Vec<Polyline>,
 }
@@ -36,19 +40,21 @@ pub(super) struct Face {
     pub(super) corners: Vec<Corner>,
 }
 
-/// A polyline: its material by index, and at least two vertices, counted from 0.
+/// A polyline: its material by index, what multiplies its colour, and at least two vertices, counted from 0.
 #[derive(Debug)]
 pub(super) struct Polyline {
     pub(super) material: Option<usize>,
+    pub(super) tint: [f64; 3],
     pub(super) vertices: Vec<u32>,
 }
 
-/// One corner of a face: vertex, texture coordinate and normal, counted from 0.
+/// One corner of a face: vertex, texture coordinate, normal and colour, counted from 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub(super) vertex: u32,
     pub(super) texture: Option<u32>,
     pub(super) normal: Option<u32>,
+    pub(super) colour: Option<u32>,
 }
 
 /// A mesh, and the places of faces that cross themselves.
@@ -70,7 +76,8 @@ impl Geometry {
         for face in &self.faces {
             let corners: Vec<u32> =
                 face.corners.iter().map(|corner| parts.place(self.positions[corner.vertex as usize])).collect();
-            sides.take(&parts.positions, &corners, colour(colours, face.material));
+            let tint = mean(face.corners.iter().map(|corner| self.tint(corner)));
+            sides.take(&parts.positions, &corners, tinted(colour(colours, face.material), tint));
         }
         parts.lines = sides.lines;
         parts.add_polylines(self, colours);
@@ -95,6 +102,25 @@ impl Geometry {
     }
 }
 
+impl Geometry {
+    /// What multiplies the material's colour at that corner.
+    fn tint(&self, corner: &Corner) -> [f64; 3] {
+        corner.colour.map_or(WHITE, |i| self.colours[i as usize])
+    }
+}
+
+fn tinted(colour: [f64; 3], tint: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|channel| colour[channel] * tint[channel])
+}
+
+/// The mean of some colours.
+pub(super) fn mean(colours: impl ExactSizeIterator<Item = [f64; 3]>) -> [f64; 3] {
+    let count = colours.len() as f64;
+    let sum = colours.fold([0.0; 3], |sum, colour| [0, 1, 2].map(|channel| sum[channel] + colour[channel]));
+    // The sum is rounded, and the mean of ones is one all the same.
+    sum.map(|channel| (channel / count).min(1.0))
+}
+
 fn colour(colours: &[[f64; 3]], material: Option<usize>) -> [f64; 3] {
     material.map_or(GREY, |material| colours[material])
 }
@@ -105,6 +131,8 @@ struct Parts {
     positions: Vec<DVec3>,
     index_of: BTreeMap<[u64; 3], u32>,
     triangles: Vec<MeshTriangle>,
+    /// Of the corners of each triangle, where the file has some.
+    colours: Vec<[[f64; 3]; 3]>,
     lines: Vec<MeshLine>,
     faces: Vec<u32>,
     /// For deferred shading.
@@ -141,6 +169,9 @@ impl Parts {
                     false => positions,
                 };
                 self.triangles.push(MeshTriangle { positions, normals, diffuse });
+                if !of.colours.is_empty() {
+                    self.colours.push(triangle.map(|i| tinted(diffuse, of.tint(&face.corners[i]))));
+                }
                 if let Some(surfaces) = &mut self.surfaces {
                     surfaces.add(face.material, triangle.map(|i| face.corners[i].texture));
                 }
@@ -153,14 +184,14 @@ impl Parts {
     fn add_polylines(&mut self, of: &Geometry, colours: &[[f64; 3]]) {
         for line in &of.lines {
             let places: Vec<u32> = line.vertices.iter().map(|&i| self.place(of.positions[i as usize])).collect();
-            let colour = colour(colours, line.material);
+            let colour = tinted(colour(colours, line.material), line.tint);
             self.lines.extend(places.array_windows().map(|&positions| MeshLine { positions, colour }));
         }
     }
 
     /// The mesh, with these normals or with smooth ones.
     fn mesh(self, path: &Path, normals: Option<Vec<DVec3>>) -> Result<Mesh, SceneError> {
-        let Parts { positions, triangles, lines, faces, surfaces, .. } = self;
+        let Parts { positions, triangles, colours, lines, faces, surfaces, .. } = self;
         let has_area = |triangle: &MeshTriangle| {
             let [p, q, r] = triangle.positions.map(|i| positions[i as usize]);
             (q - p).cross(r - p) != DVec3::ZERO
@@ -178,7 +209,10 @@ impl Parts {
         }
         let smooth = || smooth_normals(&positions, &triangles.iter().map(|t| t.positions).collect::<Vec<_>>());
         let normals = normals.unwrap_or_else(smooth);
-        let mesh = Mesh::new(positions, normals, triangles)?.with_faces(faces)?.with_lines(lines)?;
+        let mut mesh = Mesh::new(positions, normals, triangles)?.with_faces(faces)?.with_lines(lines)?;
+        if !colours.is_empty() {
+            mesh = mesh.with_corner_colours(colours)?;
+        }
         match surfaces {
             Some(surfaces) => mesh.with_materials(surfaces.materials()),
             None => Ok(mesh),
