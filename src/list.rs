@@ -131,7 +131,7 @@ fn write_table(text: &mut String, lists: &Lists) -> std::fmt::Result {
             writeln!(text, "  {:wide$}  {option:19} {meaning}", "")?;
         }
     }
-    writeln!(text, "\nScenes (tilewright render NAME), or the path of an .obj or a .toml file")?;
+    writeln!(text, "\nScenes (tilewright render NAME), or the path of a .toml, .obj, .gltf, .glb, .ply or .stl file")?;
     for SceneItem { name, polygons, lines, spheres, size: [width, height] } in &lists.scenes {
         let (count, what) = if *polygons == 0 { (lines, "lines") } else { (polygons, "polygons") };
         let spheres = if *spheres == 0 { String::new() } else { format!(" and {spheres} spheres") };

@@ -10,7 +10,7 @@ use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, pro
 /// A scene on a screen.
 #[derive(Args)]
 pub struct SceneArguments {
-    /// A built-in scene's name, or the path of an .obj or a .toml file
+    /// A built-in scene's name, or the path of a .toml, .obj, .gltf, .glb, .ply or .stl file
     #[arg(value_name = "SCENE")]
     scene: OsString,
     /// Pixels of the frame [default: what the scene asks for]

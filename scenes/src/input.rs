@@ -16,12 +16,15 @@ pub(crate) struct Kind {
     readable: &'static str,
 }
 
-const SCENE_OR_MESH: &str = "name an .obj or a .toml file that you may read, or a built-in scene";
+const SCENE_OR_MESH: &str = "name a .toml, .obj, .gltf, .glb, .ply or .stl file that you may read, or a built-in scene";
 
 /// A scene file.
 pub(crate) const SCENE: Kind = Kind { limit: 1, smaller: "name a scene file", readable: SCENE_OR_MESH };
 /// A mesh; of that size it has some three million polygons.
 pub(crate) const MESH: Kind = Kind { limit: 256, smaller: "simplify the mesh, or cut it", readable: SCENE_OR_MESH };
+/// A part of a mesh, in a file beside it.
+pub(crate) const BUFFER: Kind =
+    Kind { limit: 256, smaller: "simplify the mesh, or cut it", readable: "make it readable" };
 /// The materials of a mesh.
 pub(crate) const MATERIALS: Kind = Kind {
     limit: 16,
@@ -31,8 +34,8 @@ pub(crate) const MATERIALS: Kind = Kind {
 /// A picture of at most 2048x2048 pixels: twice what its bytes take before they are compressed.
 pub(crate) const PICTURE: Kind = Kind { limit: 64, smaller: "name a picture of a frame", readable: "name a PNG file" };
 
-/// A texture of at most 1024x1024 texels, as [`PICTURE`] counts.
-pub(crate) const TEXTURE: Kind = Kind { limit: 16, smaller: "name a smaller picture", readable: "make it readable" };
+/// A texture of any size, as its file has it.
+pub(crate) const TEXTURE: Kind = Kind { limit: 64, smaller: "name a smaller picture", readable: "make it readable" };
 
 /// Opens a file, or says why it cannot be read.
 pub(crate) fn open(path: &Path, kind: &Kind) -> Result<File, SceneError> {

@@ -1,14 +1,18 @@
-//! Scenes by name: a built-in one, an OBJ file, or a scene file in TOML.
+//! Scenes by name: a built-in one, a mesh file, or a scene file in TOML.
 
 mod faces;
 mod framing;
+mod gltf;
 mod lines;
 mod material;
+mod mesh_file;
 mod names;
 mod obj;
 mod obj_scan;
 mod obj_surface;
 mod parts;
+mod ply;
+mod stl;
 mod surfaces;
 mod toml_file;
 mod toml_values;
@@ -18,12 +22,14 @@ use crate::error::SceneError;
 use crate::input::{self, open};
 use crate::scene::Scene;
 use crate::size::Size;
-use framing::{FRAMING_FOV, OBJ_UP, framing_camera};
+use framing::{FRAMING_FOV, framing_camera};
+use mesh_file::{ENDINGS, Loaded};
 use names::{stem, unknown_name};
 use std::path::Path;
 
 impl Scene {
-    /// Loads a scene: the name of a built-in one ([`builtin::NAMES`]), or the path of an `.obj` or a `.toml` file.
+    /// Loads a scene: the name of a built-in one ([`builtin::NAMES`]), or the path of a scene file (`.toml`) or a mesh (`.obj`, `.gltf`, `.glb`,
+    /// `.ply` or `.stl`).
     ///
     /// What was odd but harmless, such as a missing material file, is in [`Scene::warnings`].
     ///
@@ -44,8 +50,10 @@ impl Scene {
             return Ok(Scene { size: size.unwrap_or(scene.size), ..scene });
         }
         let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
+        if let Some(load) = mesh_file::loader(path) {
+            return Ok(mesh_scene(path, load(path, false)?, size.unwrap_or(Size::VGA)));
+        }
         match extension.as_deref() {
-            Some("obj") => obj_scene(path, size.unwrap_or(Size::VGA)),
             Some("toml") => toml_file::load(path, size),
             None if !path.exists() && path.components().count() <= 1 => Err(unknown_name(&path.to_string_lossy())),
             _ => {
@@ -53,16 +61,15 @@ impl Scene {
                 Err(SceneError::File {
                     path: path.to_owned(),
                     problem: "is neither a scene file nor a mesh, going by its name".to_owned(),
-                    remedy: "name a .toml or an .obj file".to_owned(),
+                    remedy: format!("name a .toml, {ENDINGS} file"),
                 })
             }
         }
     }
 }
 
-fn obj_scene(path: &Path, size: Size) -> Result<Scene, SceneError> {
-    let loaded = obj::load(path, false)?;
-    let camera = framing_camera(loaded.mesh.bounding_box(), OBJ_UP, FRAMING_FOV, size);
+fn mesh_scene(path: &Path, loaded: Loaded, size: Size) -> Scene {
+    let camera = framing_camera(loaded.mesh.bounding_box(), loaded.up, FRAMING_FOV, size);
     let scene = with_defaults(&stem(path), loaded.mesh, camera);
-    Ok(Scene { size, files: loaded.files, warnings: loaded.warnings, ..scene })
+    Scene { size, files: loaded.files, warnings: loaded.warnings, ..scene }
 }

@@ -6,7 +6,7 @@ use crate::input::{self, read_bytes};
 use crate::output::write_whole;
 use crate::size::Size;
 use image::codecs::png::{PngDecoder, PngEncoder};
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder, RgbImage};
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -45,7 +45,7 @@ impl Frame {
         };
         let bytes = read_bytes(path, &input::PICTURE)?;
         let picture =
-            decoded(&bytes, |width, height| Size::new(width, height).is_ok()).map_err(
+            decoded(&bytes, |width, height, _| Size::new(width, height).is_ok()).map_err(
                 |unreadable| match unreadable {
                     Unreadable::NoPng => wrong("is not a PNG file".to_owned(), "name a PNG file"),
                     Unreadable::Damaged => wrong("is a damaged PNG file".to_owned(), "make it again, or name another"),
@@ -55,6 +55,7 @@ impl Frame {
                     ),
                 },
             )?;
+        let picture = picture.into_rgb8();
         let size = Size::new(picture.width(), picture.height())?;
         let mut frame = Frame::blank(size, [0; 3]);
         for (word, pixel) in frame.words.iter_mut().zip(picture.pixels()) {
@@ -74,9 +75,8 @@ pub(crate) enum Unreadable {
     Size(u32, u32),
 }
 
-/// The picture that a PNG file holds, if its width and height are `wanted`: only then it is decoded. Transparency is dropped, 16-bit
-/// channels are rounded to 8.
-pub(crate) fn decoded(bytes: &[u8], wanted: impl Fn(u32, u32) -> bool) -> Result<RgbImage, Unreadable> {
+/// The picture that a PNG file holds, if its width, its height and the bytes that it takes are `wanted`: only then it is decoded.
+pub(crate) fn decoded(bytes: &[u8], wanted: impl Fn(u32, u32, u64) -> bool) -> Result<DynamicImage, Unreadable> {
     if !bytes.starts_with(SIGNATURE) {
         return Err(Unreadable::NoPng);
     }
@@ -84,8 +84,8 @@ pub(crate) fn decoded(bytes: &[u8], wanted: impl Fn(u32, u32) -> bool) -> Result
     let damaged = |_| Unreadable::Damaged;
     let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
     let (width, height) = decoder.dimensions();
-    if !wanted(width, height) {
+    if !wanted(width, height, decoder.total_bytes()) {
         return Err(Unreadable::Size(width, height));
     }
-    Ok(DynamicImage::from_decoder(decoder).map_err(damaged)?.into_rgb8())
+    DynamicImage::from_decoder(decoder).map_err(damaged)
 }

@@ -2,7 +2,9 @@
 
 pub(crate) mod file;
 mod filter;
+mod fit;
 mod generated;
+mod picture;
 
 pub use generated::GENERATED;
 

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
+use tilewright_scenes::deferred::{Samples, project_deferred};
 use tilewright_scenes::{Frame, Scene, Size, golden, project, project_polygons};
 
 fn path(name: &str) -> PathBuf {
@@ -18,6 +19,9 @@ fn try_out(path: &Path) -> Result<(), TestCaseError> {
             let size = Size::new(16, 12).unwrap();
             if let Ok(p) = project(&scene, size) {
                 golden::render(size, &p.triangles, scene.background);
+            }
+            if let Ok(deferred) = project_deferred(&scene, size, Samples::One) {
+                golden::render_deferred(&deferred);
             }
             if let Ok(p) = project_polygons(&scene, size) {
                 golden::render_polygons(&p, golden::Rule::Least, scene.background);
@@ -81,6 +85,131 @@ fn toml_line() -> impl Strategy<Value = String> {
     )
 }
 
+/// A binary STL file of two facets.
+fn stl() -> Vec<u8> {
+    let facet = [0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.5];
+    let facet: Vec<u8> = facet.iter().flat_map(|number| number.to_le_bytes()).chain([0, 0x80]).collect();
+    [&[0; 80][..], &2_u32.to_le_bytes(), &facet, &facet].concat()
+}
+
+const STL: &str =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+
+const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\n\
+                   property uchar green\nproperty uchar blue\nproperty float s\nproperty float t\nelement face 1\n\
+                   property list uchar int vertex_indices\nelement tristrips 1\nproperty list int int vertex_indices\nelement edge 1\n\
+                   property int vertex1\nproperty int vertex2\nend_header\n0 0 0 255 0 0 0 0\n1 0 0 0 255 0 1 0\n1 1 0 0 0 255 1 1\n\
+                   0 1 0.5 9 9 9 0 1\n4 0 1 2 3\n4 0 1 2 -1\n0 3\n";
+
+/// The same in binary, but for strips and edges.
+fn binary_ply() -> Vec<u8> {
+    let header = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+                  element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    let numbers = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+    let mut bytes = header.as_bytes().to_vec();
+    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+    bytes.push(3);
+    bytes.extend([0_i32, 1, 2].iter().flat_map(|number| number.to_le_bytes()));
+    bytes
+}
+
+const GLTF: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"rotation":[0,0,0,1]},
+{"mesh":0,"scale":[1,2,1],"translation":[0,0,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1,"COLOR_0":0},
+"indices":2,"material":0,"mode":4}]}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"baseColorFactor":[1,0.5,0,1]}}],
+"textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33071}],"images":[{"bufferView":1,"mimeType":"image/png"}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"bufferView":0,"componentType":5126,"count":3,"type":"VEC2"},
+{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},
+"values":{"bufferView":1}}}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}],
+"buffers":[{"byteLength":39"#;
+
+/// A binary glTF file of one triangle.
+fn glb() -> Vec<u8> {
+    let json = format!("{GLTF}}}]}}");
+    let numbers = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0].map(f32::to_le_bytes);
+    let blob = [numbers.as_flattened(), &[0, 1, 2]].concat();
+    let part = |kind: &[u8], bytes: &[u8]| [&(bytes.len() as u32).to_le_bytes(), kind, bytes].concat();
+    let body = [part(b"JSON", json.as_bytes()), part(b"BIN\0", &blob)].concat();
+    [b"glTF\x02\0\0\0", &(12 + body.len() as u32).to_le_bytes()[..], &body].concat()
+}
+
+/// Some bytes of a sound file that are other than they were, a piece that is gone, or numbers in place of others.
+fn changed(sound: Vec<u8>) -> impl Strategy<Value = Vec<u8>> {
+    let length = sound.len();
+    let bytes = proptest::collection::vec((0..length, any::<u8>()), 0..6);
+    let numbers = "(-1|0|1|7|255|65536|4294967295|4294967296|1e39|-9e99|nan|18446744073709551615|\"x\"|\\[\\]|null)";
+    let digits: Vec<usize> = (0..length).filter(|&i| sound[i].is_ascii_digit()).collect();
+    let place = prop_oneof![9 => proptest::sample::select([digits, vec![0]].concat()), 1 => 0..length];
+    let number = (place, numbers);
+    (bytes, proptest::collection::vec(number, 0..3), 0..length, 0..8_usize, 0..4_u32).prop_map(
+        move |(bytes, numbers, cut, gone, what)| {
+            let mut all = sound.clone();
+            match what {
+                0 => bytes.iter().for_each(|&(i, byte)| all[i] = byte),
+                1 => drop(all.drain(cut..(cut + gone).min(length))),
+                2 => all.truncate(cut),
+                // From behind, so that the places before stay.
+                _ => {
+                    let mut numbers = numbers.clone();
+                    numbers.sort_by_key(|(i, _)| std::cmp::Reverse(*i));
+                    numbers.iter().for_each(|(i, number)| drop(all.splice(i..=i, number.bytes())));
+                }
+            }
+            all
+        },
+    )
+}
+
+/// Sound files of each kind, which have to be so for the tests below to try anything.
+#[test]
+fn the_files_that_are_changed_are_sound() {
+    for (name, bytes) in sound() {
+        fs::write(path(name), bytes).unwrap();
+        Scene::load(path(name)).unwrap();
+    }
+}
+
+fn sound() -> [(&'static str, Vec<u8>); 5] {
+    [("a.stl", stl()), ("b.stl", STL.into()), ("a.ply", PLY.into()), ("b.ply", binary_ply()), ("a.glb", glb())]
+}
+
+/// A mesh file of a kind, changed.
+fn changed_file() -> impl Strategy<Value = (&'static str, Vec<u8>)> {
+    let each = sound().map(|(name, bytes)| changed(bytes).prop_map(move |bytes| (name, bytes)).boxed());
+    proptest::strategy::Union::new(each)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4000) })]
+
+    #[test]
+    fn a_mesh_file_that_was_changed((name, bytes) in changed_file()) {
+        let path = path(&format!("changed_{name}"));
+        fs::write(&path, bytes).unwrap();
+        try_out(&path)?;
+    }
+
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
+
+    /// Whatever becomes of a picture, it is a texture or a sentence.
+    #[test]
+    fn a_picture_that_was_changed(kind in 0..4_usize, places in proptest::collection::vec((0..600_usize, any::<u8>()), 1..5)) {
+        let name = ["baseline.jpg", "progressive.jpg", "cmyk.jpg", "turned.jpg"][kind];
+        let mut bytes = fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/pictures").join(name)).unwrap();
+        let length = bytes.len();
+        places.iter().for_each(|&(i, byte)| bytes[i % length] = byte);
+        fs::write(path("changed.jpg"), bytes).unwrap();
+        fs::write(path("pictured.obj"), "mtllib pictured.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        fs::write(path("pictured.mtl"), "newmtl a\nmap_Kd changed.jpg\n").unwrap();
+        let scene = Scene::load(path("pictured.obj")).unwrap();
+        if let Err(error) = &scene.mesh.materials().unwrap().textures[0] {
+            prop_assert!(error.to_string().contains("changed.jpg"), "{}", error);
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(600) })]
 
@@ -114,7 +243,7 @@ proptest! {
 
     #[test]
     fn bytes_of_any_kind(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
-        for name in ["bytes.obj", "bytes.toml"] {
+        for name in ["bytes.obj", "bytes.toml", "bytes.gltf", "bytes.glb", "bytes.ply", "bytes.stl"] {
             fs::write(path(name), &bytes).unwrap();
             try_out(&path(name))?;
         }

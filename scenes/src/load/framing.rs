@@ -9,9 +9,8 @@ use glam::{DVec3, dvec3};
 /// Field of view of the camera that frames a mesh by itself, in degrees.
 pub(super) const FRAMING_FOV: f64 = 35.0;
 
-/// Which way is up in an OBJ file, by custom, and from where such a mesh is seen: a little from the right and from above.
-pub(super) const OBJ_UP: DVec3 = DVec3::Y;
-const OBJ_DIRECTION: DVec3 = dvec3(0.45, 0.35, 1.0);
+/// From where a mesh is seen whose y axis is up: a little from the right and from above.
+const DIRECTION: DVec3 = dvec3(0.45, 0.35, 1.0);
 
 /// The box round a mesh and spheres.
 pub(super) fn bounding_box(mesh: &Mesh, spheres: &[Sphere]) -> BoundingBox {
@@ -24,7 +23,6 @@ pub(super) fn bounding_box(mesh: &Mesh, spheres: &[Sphere]) -> BoundingBox {
 /// A camera that shows the whole of what such a box is round.
 pub(super) fn framing_camera(bounds: BoundingBox, up: DVec3, fov: f64, size: Size) -> Camera {
     // If up is turned, the direction turns with it: over the same shoulder, wherever the shoulder is.
-    let direction =
-        if up.z.abs() > up.y.abs() { dvec3(OBJ_DIRECTION.x, -OBJ_DIRECTION.z, OBJ_DIRECTION.y) } else { OBJ_DIRECTION };
+    let direction = if up.z.abs() > up.y.abs() { dvec3(DIRECTION.x, -DIRECTION.z, DIRECTION.y) } else { DIRECTION };
     Camera::framing(bounds, direction, up, fov, size)
 }

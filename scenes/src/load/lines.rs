@@ -1,7 +1,7 @@
 //! The lines of OBJ and MTL files, their numbers, and errors that name them.
 
 use crate::error::SceneError;
-use crate::quote::quote;
+use crate::quote::{quote, shown};
 use std::path::Path;
 
 /// A line's number and its file, for errors.
@@ -14,6 +14,11 @@ pub(super) struct At<'a> {
 impl At<'_> {
     pub(super) fn error(self, problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
         SceneError::Line { path: self.path.to_owned(), line: self.line, problem: problem.into(), remedy: remedy.into() }
+    }
+
+    /// A sentence with its place.
+    pub(super) fn warning(self, sentence: &str) -> String {
+        format!("{}:{}: {sentence}", shown(self.path), self.line)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Names of scenes: a file's own, and the built-in one that a misspelt name may mean.
 
+use super::mesh_file::ENDINGS;
 use crate::builtin;
 use crate::error::SceneError;
 use std::path::Path;
@@ -11,7 +12,7 @@ pub(super) fn stem(path: &Path) -> String {
 
 pub(super) fn unknown_name(name: &str) -> SceneError {
     let all = builtin::NAMES.join(", ");
-    let files = "or name an .obj or a .toml file";
+    let files = format!("or name a .toml, {ENDINGS} file");
     SceneError::UnknownScene {
         name: name.to_owned(),
         remedy: match nearest(name) {

@@ -3,21 +3,15 @@
 //! [`super::obj_scan`] reads the lines, [`super::material`] those of MTL files.
 
 use super::material::looks;
+use super::mesh_file::Loaded;
 use super::obj_scan::scan;
 use super::obj_surface::surfaces;
 use super::parts::{Built, Geometry};
 use crate::error::SceneError;
 use crate::input::{self, read_lines};
-use crate::mesh::Mesh;
 use crate::quote::shown;
-use std::path::{Path, PathBuf};
-
-/// A mesh, the files that it is in, and what was odd about them.
-pub(super) struct Loaded {
-    pub(super) mesh: Mesh,
-    pub(super) files: Vec<PathBuf>,
-    pub(super) warnings: Vec<String>,
-}
+use glam::DVec3;
+use std::path::Path;
 
 /// Reads a mesh; as a wireframe, it has the outlines of faces for lines.
 pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
@@ -30,12 +24,12 @@ pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     let looks = looks(path, &scan, &mut files, &mut warnings)?;
     let colours: Vec<[f64; 3]> = looks.iter().map(|look| look.colour).collect();
     if wireframe {
-        return Ok(Loaded { mesh: scan.geometry.wireframe(path, &colours)?, files, warnings });
+        return Ok(Loaded { mesh: scan.geometry.wireframe(path, &colours)?, up: DVec3::Y, files, warnings });
     }
     let surfaces = surfaces(path, &looks, &mut files, &mut warnings);
     let Built { mesh, crossing } = scan.geometry.mesh(path, &colours, surfaces)?;
     warnings.extend(crossing_faces(path, &crossing));
-    Ok(Loaded { mesh, files, warnings })
+    Ok(Loaded { mesh, up: DVec3::Y, files, warnings })
 }
 
 /// A warning if corners of some faces name a normal and others do not.

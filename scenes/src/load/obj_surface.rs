@@ -4,13 +4,13 @@
 
 use super::lines::At;
 use super::material::{Look, TextureName};
-use super::surfaces::{Read, Surfaces};
+use super::surfaces::{Surfaces, nearest_power};
+use crate::error::SceneError;
 use crate::material::Material;
 use crate::quote::quote;
-use crate::texture::file;
+use crate::texture::file::{self, Found};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// The materials of a mesh whose materials look so; `None` if none says anything that deferred shading alone would show. The paths of
 /// textures go to `files`, what is odd to `warnings`.
@@ -31,7 +31,12 @@ pub(super) fn surfaces(
             if path.exists() {
                 files.push(path);
             }
-            textures.push(name.read());
+            let found = name.read();
+            if let Ok(found) = &found {
+                let at = At { path: &name.library, line: name.line };
+                warnings.extend(found.notes.iter().map(|note| at.warning(note)));
+            }
+            textures.push(found.map(|found| found.texture));
             textures.len() as u32 - 1
         })
     };
@@ -50,38 +55,18 @@ fn material(look: &Look) -> Material {
     }
 }
 
-/// The power of two from 1 to 128 that a number is nearest to by ratio.
-fn nearest_power(number: f64) -> u32 {
-    1 << (1..8).filter(|&k| number > 0.0 && number * number >= f64::from(1_u32 << (2 * k - 1))).count()
-}
-
 impl TextureName {
     fn path(&self) -> PathBuf {
         self.library.parent().unwrap_or(Path::new("")).join(&self.name)
     }
 
-    fn read(&self) -> Read {
+    fn read(&self) -> Result<Found, SceneError> {
         let at = At { path: &self.library, line: self.line };
         if self.name.starts_with('-') {
             let option = self.name.split_whitespace().next().unwrap_or_default();
             let problem = format!("`map_Kd` with the option {}", quote(option));
             return Err(at.error(problem, "give the name of the file alone, and move the texture coordinates instead"));
         }
-        file::read(&self.path()).map(Arc::new).map_err(|(problem, remedy)| at.error(problem, remedy))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn shininess_is_rounded_by_ratio() {
-        let cases =
-            [(-9.0, 1), (0.0, 1), (1.0, 1), (1.41, 1), (1.42, 2), (10.0, 8), (12.0, 16), (90.0, 64), (91.0, 128)];
-        for (given, power) in cases {
-            assert_eq!(nearest_power(given), power, "{given}");
-        }
-        assert_eq!(nearest_power(1000.0), 128);
+        file::read(&self.path()).map_err(|(problem, remedy)| at.error(problem, remedy))
     }
 }

@@ -65,3 +65,23 @@ impl Surfaces {
         Materials { textures, materials, coordinates, mappings }
     }
 }
+
+/// The power of two from 1 to 128 that a number is nearest to by ratio.
+pub(super) fn nearest_power(number: f64) -> u32 {
+    1 << (1..8).filter(|&k| number > 0.0 && number * number >= f64::from(1_u32 << (2 * k - 1))).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shininess_is_rounded_by_ratio() {
+        let cases =
+            [(-9.0, 1), (0.0, 1), (1.0, 1), (1.41, 1), (1.42, 2), (10.0, 8), (12.0, 16), (90.0, 64), (91.0, 128)];
+        for (given, power) in cases {
+            assert_eq!(nearest_power(given), power, "{given}");
+        }
+        assert_eq!(nearest_power(1000.0), 128);
+    }
+}

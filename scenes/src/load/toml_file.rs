@@ -1,9 +1,9 @@
 //! Scene files: a mesh, spheres, and what is to differ from the defaults, in TOML.
 //! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
 
-use super::framing::{FRAMING_FOV, OBJ_UP, bounding_box, framing_camera};
+use super::framing::{FRAMING_FOV, bounding_box, framing_camera};
+use super::mesh_file::{self, ENDINGS, Loaded};
 use super::names::{nearest, stem};
-use super::obj::{self, Loaded};
 use super::toml_values::{Keys, Table, Vector, tables};
 use crate::builtin::{self, default_lighting, with_defaults};
 use crate::camera::Part;
@@ -11,7 +11,7 @@ use crate::error::SceneError;
 use crate::input::{self, read_lines};
 use crate::light::Light;
 use crate::material::{Material, Materials};
-use crate::mesh::{Mesh, representable};
+use crate::mesh::representable;
 use crate::quote::{brief, quote, shown};
 use crate::scene::Scene;
 use crate::screen::nothing_in_front;
@@ -21,7 +21,7 @@ use crate::texture::{GENERATED, Texture, file};
 use glam::DVec3;
 use serde::Deserialize;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 
@@ -179,13 +179,13 @@ impl Source<'_> {
             Some(scene) if table.wireframe => Scene { mesh: scene.mesh.wireframe(), ..scene },
             Some(scene) => scene,
             None => {
-                let Loaded { mesh, files, warnings } = match &table.mesh {
+                let Loaded { mesh, up, files, warnings } = match &table.mesh {
                     Some(mesh) => self.mesh(mesh, table.wireframe)?,
-                    None => Loaded { mesh: Mesh::none(), files: Vec::new(), warnings: Vec::new() },
+                    None => Loaded::nothing(),
                 };
                 let camera = &table.camera.0;
                 // What these are good for is checked with the rest of the camera.
-                let up = camera.up.as_ref().map_or(OBJ_UP, |up| DVec3::from_array(up.as_ref().0));
+                let up = camera.up.as_ref().map_or(up, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
                 let framing = framing_camera(bounding_box(&mesh, &spheres), up, fov, size.unwrap_or(Size::VGA));
                 let mut scene = with_defaults(name, mesh, framing);
@@ -230,17 +230,17 @@ impl Source<'_> {
 
     fn mesh(&self, name: &Spanned<String>, wireframe: bool) -> Result<Loaded, SceneError> {
         let file = Path::new(name.as_ref());
-        if !file.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+        let Some(load) = mesh_file::loader(file) else {
             let all = builtin::NAMES.join(", ");
             return Err(self.error(
                 name.span(),
-                format!("the mesh {} is neither an .obj file nor a built-in scene", quote(name.as_ref())),
+                format!("the mesh {} is neither a mesh file nor a built-in scene", quote(name.as_ref())),
                 match nearest(name.as_ref()) {
-                    Some(known) => format!("did you mean `{known}`? Name an .obj file, or one of {all}"),
-                    None => format!("name an .obj file, or one of {all}"),
+                    Some(known) => format!("did you mean `{known}`? Name an {ENDINGS} file, or one of {all}"),
+                    None => format!("name an {ENDINGS} file, or one of {all}"),
                 },
             ));
-        }
+        };
         let path = self.path.parent().unwrap_or(Path::new("")).join(file);
         if !path.exists() {
             return Err(self.error(
@@ -249,7 +249,7 @@ impl Source<'_> {
                 "the path is relative to the scene file's folder; correct it",
             ));
         }
-        obj::load(&path, wireframe)
+        load(&path, wireframe)
     }
 
     fn size(&self, size: &Spanned<Vector<i64, 2>>) -> Result<Size, SceneError> {
@@ -302,33 +302,35 @@ impl Source<'_> {
                 return Err(self.error(
                     name.span(),
                     "the mesh has no texture coordinates",
-                    "remove the key, or name a mesh that has them (`vt` in an .obj file)",
+                    "remove the key, or name a mesh that has them, as `vt` makes them in an .obj file",
                 ));
             }
-            materials.textures = vec![Ok(Arc::new(self.texture(name, &mut scene.files)?))];
+            materials.textures = vec![Ok(self.texture(name, scene)?)];
             materials.materials.iter_mut().for_each(|material| material.texture = Some(0));
         }
         scene.mesh = scene.mesh.clone().with_materials(materials)?;
         Ok(())
     }
 
-    /// A generated texture or a file's, whose path goes to `files`.
-    fn texture(&self, name: &Spanned<String>, files: &mut Vec<PathBuf>) -> Result<Texture, SceneError> {
+    /// A generated texture or a file's, whose path and oddities go to the scene.
+    fn texture(&self, name: &Spanned<String>, scene: &mut Scene) -> Result<Arc<Texture>, SceneError> {
         let text = name.as_ref();
         if let Some(texture) = Texture::generated(text) {
-            return Ok(texture);
+            return Ok(Arc::new(texture));
         }
         let wrong = |problem: String, remedy: String| self.error(name.span(), problem, remedy);
-        if !Path::new(text).extension().is_some_and(|e| e.eq_ignore_ascii_case("png")) {
+        if Path::new(text).extension().is_none() {
             return Err(wrong(
-                format!("the texture {} is neither a .png file nor a generated one", quote(text)),
-                format!("name a .png file, or one of {}", GENERATED.join(", ")),
+                format!("the texture {} is neither a .png or .jpg file nor a generated one", quote(text)),
+                format!("name such a file, or one of {}", GENERATED.join(", ")),
             ));
         }
         let path = self.path.parent().unwrap_or(Path::new("")).join(text);
-        let texture = file::read(&path).map_err(|(problem, remedy)| wrong(problem, remedy))?;
-        files.push(path);
-        Ok(texture)
+        let found = file::read(&path).map_err(|(problem, remedy)| wrong(problem, remedy))?;
+        let [line, column] = self.place_of(name.span());
+        scene.warnings.extend(found.notes.iter().map(|note| format!("{}:{line}:{column}: {note}", shown(self.path))));
+        scene.files.push(path);
+        Ok(found.texture)
     }
 
     fn vector(&self, given: &Spanned<Vector<f64, 3>>) -> Result<(), SceneError> {
@@ -352,15 +354,15 @@ impl Source<'_> {
     }
 
     fn error(&self, span: Range<usize>, problem: impl Into<String>, remedy: impl Into<String>) -> SceneError {
+        let [line, column] = self.place_of(span);
+        SceneError::Place { path: self.path.to_owned(), line, column, problem: problem.into(), remedy: remedy.into() }
+    }
+
+    /// Line and column of where that begins, counted from 1.
+    fn place_of(&self, span: Range<usize>) -> [usize; 2] {
         let before = self.text.get(..span.start).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        SceneError::Place {
-            path: self.path.to_owned(),
-            line: before.matches('\n').count() + 1,
-            column: before[line_start..].chars().count() + 1,
-            problem: problem.into(),
-            remedy: remedy.into(),
-        }
+        [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
     }
 
     fn not_toml(&self, error: &toml::de::Error) -> SceneError {

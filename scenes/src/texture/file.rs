@@ -1,60 +1,80 @@
-//! Textures from PNG files.
+//! Textures from PNG and JPEG files of any size.
 
+use super::fit::{fitted, level};
+use super::picture::{Bad, Picture, decoded};
 use super::{MOST_LEVEL, Texture};
 use crate::error::SceneError;
 use crate::input::{self, read_bytes};
-use crate::png::{Unreadable, decoded};
 use crate::quote::shown;
 use std::path::Path;
+use std::sync::Arc;
 
 /// What is wrong with a texture's file, and what to do; who names the file knows at what place.
 pub(crate) type Wrong = (String, String);
 
-/// Reads a texture. Transparency is dropped, 16-bit channels are rounded to 8.
+/// A texture, and in what it is other than its file, a sentence each; who names the file knows at what place.
+#[derive(Debug)]
+pub(crate) struct Found {
+    pub(crate) texture: Arc<Texture>,
+    pub(crate) notes: Vec<String>,
+}
+
+/// Reads a texture. Transparency is dropped, 16-bit channels are rounded to 8; one that is no square of a power of two up to
+/// 1024 is made one, as [the page of that](super::fit) says.
 ///
 /// # Errors
-/// The file cannot be read, is no PNG file, or its picture is no square whose side is a power of two up to 1024.
-pub(crate) fn read(path: &Path) -> Result<Texture, Wrong> {
-    let wrong = |problem: String, remedy: &str| (problem, remedy.to_owned());
+/// The file cannot be read, is no whole PNG or JPEG file, or takes more than 256 MiB.
+pub(crate) fn read(path: &Path) -> Result<Found, Wrong> {
     let name = shown(path);
     if !path.exists() {
-        return Err(wrong(
+        return Err((
             format!("there is no texture {name}"),
-            "correct the path, which is relative to this file's folder",
+            "correct the path, which is relative to this file's folder".to_owned(),
         ));
     }
-    let bytes = read_bytes(path, &input::TEXTURE).map_err(|error| split(&error))?;
-    let picture =
-        decoded(&bytes, |width, height| level(width, height).is_some()).map_err(|unreadable| match unreadable {
-            Unreadable::NoPng => wrong(format!("the texture {name} is not a PNG file"), "convert it to PNG"),
-            Unreadable::Damaged => wrong(format!("the texture {name} is a damaged PNG file"), "make it again"),
-            Unreadable::Size(width, height) => (
-                format!("the texture {name} has {width}x{height} pixels"),
-                format!(
-                    "scale it to {0}x{0}: a texture is a square of a power of two, up to 1024",
-                    fitting(width, height)
-                ),
-            ),
-        })?;
-    let side = picture.width();
-    // A picture begins with its uppermost row, and a texture with its lowest.
-    let texels = picture.rows().rev().flatten().map(|pixel| pixel.0).collect();
-    let made = level(side, side).map(|level| Texture::new(level, texels));
-    made.ok_or_else(|| wrong(format!("the texture {name} is empty"), "make it again"))?.map_err(|error| split(&error))
+    made(&name, &read_bytes(path, &input::TEXTURE).map_err(|error| split(&error))?)
 }
 
-/// The level of a texture of these sides, if it can be one.
-fn level(width: u32, height: u32) -> Option<u32> {
-    (width == height && width.is_power_of_two() && width.ilog2() <= MOST_LEVEL).then(|| width.ilog2())
+/// A texture from the bytes of such a file, which messages call by that name.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn made(name: &str, bytes: &[u8]) -> Result<Found, Wrong> {
+    let wrong = |problem: String, remedy: &str| Err((format!("the texture {name} {problem}"), remedy.to_owned()));
+    let picture = match decoded(bytes) {
+        Ok(picture) => picture,
+        Err(Bad::Unknown) => return wrong("is neither a PNG nor a JPEG file".to_owned(), "convert it to one of them"),
+        Err(Bad::Damaged(kind)) => return wrong(format!("is a damaged {kind} file"), "make it again"),
+        Err(Bad::Large(width, height)) => {
+            let problem = format!("has {width}x{height} pixels, which take more than 256 MiB");
+            return wrong(problem, "scale it to 1024x1024, the most that is drawn");
+        }
+    };
+    let (side, texels) = fitted(&picture.pixels);
+    let texture = Arc::new(Texture::new(side, texels).map_err(|error| split(&error))?);
+    Ok(Found { texture, notes: notes(name, &picture, side) })
 }
 
-/// The side of a texture that keeps most of such a picture.
-fn fitting(width: u32, height: u32) -> u32 {
-    let most = 1 << MOST_LEVEL;
-    // Above the power of two that is nearest, going by ratio.
-    let side = width.max(height).clamp(1, most);
-    let above = side.next_power_of_two();
-    if u64::from(side) * u64::from(side) * 2 >= u64::from(above) * u64::from(above) { above } else { above / 2 }
+/// What a texture on that level loses of the picture.
+fn notes(name: &str, picture: &Picture, side: u32) -> Vec<String> {
+    let (width, height) = picture.pixels.dimensions();
+    let mut notes = Vec::new();
+    if level(width, height).is_none() {
+        notes.push(format!(
+            "the texture {name} has {width}x{height} pixels, so it is scaled to {0}x{0}: a texture is a square of a power of two, up to {1}",
+            1 << side,
+            1 << MOST_LEVEL
+        ));
+    }
+    if picture.is_transparent {
+        notes.push(format!("the texture {name} is transparent in places, and drawn as opaque: make it opaque"));
+    }
+    if picture.is_turned {
+        notes.push(format!(
+            "the texture {name} asks to be shown turned (EXIF), and is drawn as it is stored: turn its pixels"
+        ));
+    }
+    notes
 }
 
 /// A sentence in its two parts.
@@ -62,17 +82,4 @@ fn split(error: &SceneError) -> Wrong {
     let sentence = error.to_string();
     let (problem, remedy) = sentence.rsplit_once(": ").unwrap_or((&sentence, ""));
     (problem.to_owned(), remedy.to_owned())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_picture_is_to_be_scaled_to_the_nearest_power_of_two() {
-        let sides = [(1, 1), (3, 1), (640, 480), (700, 480), (725, 9), (1000, 1000), (4000, 3000), (0, 0)];
-        assert_eq!(sides.map(|(width, height)| fitting(width, height)), [1, 4, 512, 512, 1024, 1024, 1024, 1]);
-        assert_eq!([(1, 1), (64, 64), (1024, 1024)].map(|(w, h)| level(w, h)), [Some(0), Some(6), Some(10)]);
-        assert_eq!([(0, 0), (64, 32), (48, 48), (2048, 2048)].map(|(w, h)| level(w, h)), [None; 4]);
-    }
 }

@@ -22,7 +22,10 @@ fn files_that_are_too_large_are_not_read() {
     sparse(&folder.join("large.toml"), (1 << 20) + 1);
     sparse(&folder.join("colours.mtl"), (16 << 20) + 1);
     let cases = [
-        ("film.mp4", "film.mp4: is neither a scene file nor a mesh, going by its name: name a .toml or an .obj file"),
+        (
+            "film.mp4",
+            "film.mp4: is neither a scene file nor a mesh, going by its name: name a .toml, .obj, .gltf, .glb, .ply or .stl file",
+        ),
         ("large.obj", "large.obj: is larger than 256 MiB, the most that is read: simplify the mesh, or cut it"),
         ("large.toml", "large.toml: is larger than 1 MiB, the most that is read: name a scene file"),
         ("mesh.obj", "colours.mtl: is larger than 16 MiB, the most that is read: remove what the mesh does not use"),
@@ -60,7 +63,7 @@ fn devices_are_read_no_further_than_files() {
     );
     assert_eq!(
         load("/dev/zero".as_ref()).unwrap_err(),
-        "/dev/zero: is neither a scene file nor a mesh, going by its name: name a .toml or an .obj file"
+        "/dev/zero: is neither a scene file nor a mesh, going by its name: name a .toml, .obj, .gltf, .glb, .ply or .stl file"
     );
 }
 
