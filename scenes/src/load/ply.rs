@@ -33,7 +33,12 @@ pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     }
     drop(bytes);
     let (mut files, mut warnings) = (vec![path.to_owned()], Vec::new());
-    if elements.is_transparent {
+    if !header.textures.is_empty() && elements.has_coordinates() && elements.without_colours() {
+        warnings.push(format!(
+            "{}: its colours are not drawn, as its textures are: remove those that are not to be",
+            shown(path)
+        ));
+    } else if elements.is_transparent {
         warnings.push(format!(
             "{}: its colours are transparent in places, and drawn as opaque: make them opaque",
             shown(path)

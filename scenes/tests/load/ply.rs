@@ -162,6 +162,13 @@ fn textures_lie_by_vertices_or_by_corners() {
     tiles.words[2] = tilewright_scenes::frame::blank([9, 20, 230]);
     tiles.write_png(folder.join("my tiles.png")).unwrap();
     same_pictures(&folder.join("vertex.ply"), obj, &[]);
+    // Colours beside a texture are those of the texture once more.
+    let kinds = "property float s\nproperty float t\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
+    let both = ["0 0 9 9 9", "1 0 9 9 9", "1 1 9 9 9", "0 1 9 9 9"];
+    let both = coloured(kinds, both, "comment TextureFile my tiles.png") + "4 0 1 2 3\n";
+    fs::write(folder.join("both.ply"), both).unwrap();
+    let warning = "both.ply: its colours are not drawn, as its textures are: remove those that are not to be";
+    same_pictures(&folder.join("both.ply"), obj, &[warning]);
     assert_eq!(
         load(&folder.join("vertex.ply")).unwrap().files,
         ["vertex.ply", "my tiles.png"].map(|name| folder.join(name))

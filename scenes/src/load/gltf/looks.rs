@@ -47,6 +47,7 @@ pub(super) struct Looks {
 impl Looks {
     pub(super) fn new(file: &File, oddities: &mut Oddities) -> Looks {
         let mut looks = Looks { all: Vec::new(), images: Vec::new() };
+        undrawn(file, oddities);
         for material in &file.root.materials {
             note(material, oddities);
             let look = looks.look(file, material, oddities);
@@ -181,24 +182,42 @@ impl Mapping {
     }
 }
 
+/// One sentence for what materials have and nobody draws.
+fn undrawn(file: &File, oddities: &mut Oddities) {
+    let parts: [(fn(&gltf_json::Material) -> bool, &str); 5] = [
+        (is_metal, "metalness"),
+        (
+            |material| !is_glossy(material) && material.pbr_metallic_roughness.metallic_roughness_texture.is_some(),
+            "textures of roughness",
+        ),
+        (|material| material.normal_texture.is_some(), "textures of normals"),
+        (|material| material.occlusion_texture.is_some(), "textures of occlusion"),
+        (|material| material.emissive_texture.is_some() || material.emissive_factor.0 != [0.0; 3], "emission"),
+    ];
+    let has = |part: &fn(&gltf_json::Material) -> bool| file.root.materials.iter().any(part);
+    let given: Vec<&str> = parts.iter().filter(|(part, _)| has(part)).map(|(_, what)| *what).collect();
+    if !given.is_empty() {
+        let given = given.join(", ");
+        oddities
+            .add(&format!("of its materials base colours, their textures and roughness are drawn, but not {given}"));
+    }
+}
+
+fn is_glossy(material: &gltf_json::Material) -> bool {
+    material.extensions.as_ref().is_some_and(|extensions| extensions.pbr_specular_glossiness.is_some())
+}
+
+fn is_unlit(material: &gltf_json::Material) -> bool {
+    material.extensions.as_ref().is_some_and(|extensions| extensions.unlit.is_some())
+}
+
+fn is_metal(material: &gltf_json::Material) -> bool {
+    !is_glossy(material) && !is_unlit(material) && material.pbr_metallic_roughness.metallic_factor.0 > 0.0
+}
+
 /// What of a material is drawn in another way.
 fn note(material: &gltf_json::Material, oddities: &mut Oddities) {
-    let pbr = &material.pbr_metallic_roughness;
-    let extensions = material.extensions.as_ref();
-    let is_unlit = extensions.is_some_and(|extensions| extensions.unlit.is_some());
-    let is_gloss = extensions.is_some_and(|extensions| extensions.pbr_specular_glossiness.is_some());
-    let given = [
-        (!is_gloss && !is_unlit && pbr.metallic_factor.0 > 0.0, "metalness"),
-        (!is_gloss && pbr.metallic_roughness_texture.is_some(), "textures of roughness"),
-        (material.normal_texture.is_some(), "textures of normals"),
-        (material.occlusion_texture.is_some(), "textures of occlusion"),
-        (material.emissive_texture.is_some() || material.emissive_factor.0 != [0.0; 3], "emission"),
-    ];
-    for (_, what) in given.into_iter().filter(|(is_given, _)| *is_given) {
-        oddities
-            .add(&format!("the {what} of its materials is not drawn: base colours, their textures and roughness are"));
-    }
-    if is_unlit {
+    if is_unlit(material) {
         oddities.add("its materials without light are lit as others are");
     }
     match material.alpha_mode {

@@ -65,7 +65,7 @@ impl Primitives {
             }
             let (corners, left_over) = elements(mode, &indices);
             if left_over > 0 {
-                oddities.add(&format!("{name} has {left_over} indices that make no whole element, and are left out"));
+                oddities.add("its indices that make no whole triangle or line are left out");
             }
             if self.geometry.faces.len() + self.geometry.lines.len() + corners.len() > MOST_FACES {
                 return Err(
@@ -128,7 +128,9 @@ impl Primitives {
                         oddities.add("its textures that end at their edges, or are mirrored there, go on repeating");
                     }
                 }
-                None => oddities.add(&format!("{name} has no TEXCOORD_{}, so its texture is not drawn", mapping.set)),
+                None => {
+                    oddities.add("its primitives without the texture coordinates of their material have no texture")
+                }
             }
         }
         if let Some(colours) = attribute(primitive, Semantic::Colors(0)) {

@@ -197,6 +197,19 @@ impl Elements {
         }
     }
 
+    /// Drops the colours, where textures show them: a scan has both, and their product would be too dark.
+    pub(super) fn without_colours(&mut self) -> bool {
+        let had = self.vertices.colours || self.faces.iter().any(|face| face.colour.is_some());
+        self.vertices.colours = false;
+        self.geometry.colours.clear();
+        self.faces.iter_mut().for_each(|face| face.colour = None);
+        had
+    }
+
+    pub(super) fn has_coordinates(&self) -> bool {
+        self.vertices.coordinates || self.faces.iter().any(|face| !face.coordinates.is_empty())
+    }
+
     /// Faces and edges with the vertices that they name.
     pub(super) fn geometry(self, path: &Path, header: &Header) -> Result<Geometry, SceneError> {
         let Elements { vertices, mut geometry, faces, edges, .. } = self;
