@@ -69,18 +69,29 @@ pub(crate) fn read_bytes(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError
 
 /// The bytes of a file of lines, in ASCII or in an encoding that contains it.
 pub(crate) fn read_lines(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError> {
-    let bytes = read_bytes(path, kind)?;
+    let bytes = read_text(path, kind)?;
     let ends = bytes.iter().filter(|&&byte| byte == b'\n').count();
-    let (problem, remedy) = if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        ("is text in UTF-16", "save it in UTF-8")
-    } else if bytes.contains(&0) {
-        ("holds a zero byte, as UTF-16 and files that are no text do", "save it as text in UTF-8")
-    } else if bytes.windows(2).filter(|pair| pair[0] == b'\r' && pair[1] != b'\n').count() > ends {
-        ("ends its lines with CR alone", "save it with LF or CR LF at the ends of lines")
-    } else {
-        return Ok(bytes);
-    };
-    Err(SceneError::File { path: path.to_owned(), problem: problem.to_owned(), remedy: remedy.to_owned() })
+    if bytes.windows(2).filter(|pair| pair[0] == b'\r' && pair[1] != b'\n').count() > ends {
+        return Err(no_text(path, "ends its lines with CR alone", "save it with LF or CR LF at the ends of lines"));
+    }
+    Ok(bytes)
+}
+
+/// The bytes of a text, in ASCII or in an encoding that contains it, with lines that end as they like.
+pub(crate) fn read_text(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError> {
+    let bytes = read_bytes(path, kind)?;
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(no_text(path, "is text in UTF-16", "save it in UTF-8"));
+    }
+    if bytes.contains(&0) {
+        let problem = "holds a zero byte, as UTF-16 and files that are no text do";
+        return Err(no_text(path, problem, "save it as text in UTF-8"));
+    }
+    Ok(bytes)
+}
+
+fn no_text(path: &Path, problem: &str, remedy: &str) -> SceneError {
+    SceneError::File { path: path.to_owned(), problem: problem.to_owned(), remedy: remedy.to_owned() }
 }
 
 fn unreadable(path: &Path, kind: &Kind, error: &io::Error) -> SceneError {

@@ -1,17 +1,25 @@
 //! Scenes by name: a built-in one, a mesh file, or a scene file in TOML.
 
+mod corner;
 mod faces;
+mod files;
 mod framing;
 mod gltf;
 mod lines;
+mod map;
 mod material;
 mod mesh_file;
+mod mtl;
 mod names;
+mod notes;
+mod numbers;
 mod obj;
 mod obj_scan;
 mod obj_surface;
 mod parts;
+mod placing;
 mod ply;
+mod shading;
 mod stl;
 mod surfaces;
 mod toml_file;

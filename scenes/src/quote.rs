@@ -12,6 +12,15 @@ pub fn quote(text: &str) -> String {
     format!("`{}`", brief(text, WORD))
 }
 
+/// As [`quote`], of bytes that need not be UTF-8: others are written as in Rust, `\xe9`.
+pub(crate) fn quote_bytes(bytes: &[u8]) -> String {
+    // Enough of them for as many characters as are shown.
+    let chunks = bytes[..bytes.len().min(4 * WORD + 4)].utf8_chunks();
+    let text: String =
+        chunks.flat_map(|chunk| [chunk.valid().to_owned(), chunk.invalid().escape_ascii().to_string()]).collect();
+    quote(&text)
+}
+
 /// The text with everything that changes how a terminal shows it written as in Rust: `\u{1b}` for the escape character.
 pub fn escape(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());

@@ -5,8 +5,10 @@ mod filter;
 mod fit;
 mod generated;
 mod picture;
+mod window;
 
 pub use generated::GENERATED;
+pub(crate) use window::Window;
 
 use crate::error::SceneError;
 
@@ -43,12 +45,17 @@ impl Texture {
                 format!("give 4^level texels, level at most {MOST_LEVEL}"),
             ));
         }
+        Ok(Texture::of_texels(level, texels))
+    }
+
+    /// As [`Texture::new`], of as many texels as it takes.
+    fn of_texels(level: u32, texels: Vec<[u8; 3]>) -> Texture {
         let mut levels = vec![texels];
         for level in (0..level).rev() {
             levels.push(halved(&levels[levels.len() - 1], 1 << level));
         }
         levels.reverse();
-        Ok(Texture { levels })
+        Texture { levels }
     }
 
     /// The finest level.

@@ -26,11 +26,20 @@ fn try_out(path: &Path) -> Result<(), TestCaseError> {
             if let Ok(p) = project_polygons(&scene, size) {
                 golden::render_polygons(&p, golden::Rule::Least, scene.background);
             }
+            if let Ok(deferred) = project_deferred(&scene, size, Samples::One) {
+                golden::render_deferred(&deferred);
+            }
+            for warning in &scene.warnings {
+                prop_assert!(!warning.contains(char::is_control), "{:?}", warning);
+            }
         }
         Err(error) => {
             let sentence = error.to_string();
             prop_assert!(!sentence.contains('\n'), "{}", sentence);
-            prop_assert!(sentence.contains(path.file_name().unwrap().to_str().unwrap()), "{}", sentence);
+            // The file, or that of its materials.
+            let named =
+                [path, &path.with_extension("mtl")].map(|path| path.file_name().unwrap().to_str().unwrap().to_owned());
+            prop_assert!(named.iter().any(|name| sentence.contains(name)), "{}", sentence);
         }
     }
     Ok(())
@@ -41,12 +50,15 @@ fn word() -> impl Strategy<Value = String> {
         3 => (-9i64..9).prop_map(|i| i.to_string()),
         2 => any::<f64>().prop_map(|x| x.to_string()),
         1 => "[0-9/ .eE+-]{0,6}",
-        1 => "(mtllib|usemtl|nan|inf|1e308|\\\\|#|é|\t)",
+        1 => "(mtllib|usemtl|nan|inf|1e308|-nan\\(ind\\)|1.#QNAN|255|\\\\|#|é|\t|\"|off|random.mtl|.\\\\random.mtl)",
     ]
 }
 
 fn obj_line() -> impl Strategy<Value = String> {
-    let keyword = prop_oneof![4 => Just("v"), 3 => Just("f"), 1 => Just("vn"), 1 => Just("vt"), 1 => Just("l"), 1 => Just("usemtl"), 1 => Just("mtllib")];
+    let keyword = prop_oneof![
+        4 => Just("v"), 3 => Just("f"), 1 => Just("vn"), 1 => Just("vt"), 1 => Just("l"), 1 => Just("usemtl"), 1 => Just("mtllib"),
+        1 => Just("s"), 1 => Just("p"), 1 => Just("g"), 1 => Just("V")
+    ];
     let free = (keyword, proptest::collection::vec(word(), 0..6))
         .prop_map(|(keyword, words)| format!("{keyword} {}\n", words.join(" ")));
     let sound = prop_oneof![
@@ -55,8 +67,34 @@ fn obj_line() -> impl Strategy<Value = String> {
         Just("f -3 -1 -2 -4 -5\n".to_owned()),
         Just("l -3 -1 -2/1 -3\n".to_owned()),
         Just("l -2 -1 -4 -4\n".to_owned()),
+        (-9.0..9.0f64, 0.0..1.5f64).prop_map(|(x, c)| format!("v {x} 1 2 {c} 0 1\n")),
+        (-9.0..9.0f64, -1e3..1e3f64).prop_map(|(u, v)| format!("vt {u} {v}\n")),
+        Just("vn nan 0 1\nvn 0 0 0\n".to_owned()),
+        Just("vt 0 0\nvn 0 0 1\nf -1/-1/-1 -2/-1 -3//-1\n".to_owned()),
+        "s (off|0|1|2|)\n",
+        "usemtl (1|2|one #2|1 #x)\n",
+        "f -1 -2 \\\\\n -3\n",
     ];
     prop_oneof![1 => free, 30 => sound]
+}
+
+/// What a `map_Kd` may say: sound options and odd ones, before a name and behind it.
+fn map_line() -> impl Strategy<Value = String> {
+    let number = prop_oneof![4 => (-9.0..9.0f64).prop_map(|x| x.to_string()), 1 => word()];
+    let option = prop_oneof![
+        ("-[sotSOT]", proptest::collection::vec(number, 0..4)).prop_map(|(o, n)| format!("{o} {}", n.join(" "))),
+        "-clamp (on|off|)",
+        "-(blendu|blendv|cc|mm|texres|bm|boost|imfchan|type|x) (on|off|1|0 1|)",
+    ];
+    let options = || proptest::collection::vec(option.clone(), 0..4).prop_map(|options| options.join(" "));
+    (options(), "(t.png|T.PNG|\"t.png\"|a/t.png|.\\\\t.png|C:\\\\t.png|lost.png|)", options())
+        .prop_map(|(before, name, behind)| format!("map_Kd {before} {name} {behind}\n"))
+}
+
+/// Bytes but those that end a line, or that no text has.
+fn name_bytes() -> impl Strategy<Value = Vec<u8>> {
+    let byte = prop_oneof![2 => any::<u8>(), 2 => prop::sample::select(&b" \t#\\/-\"'.:"[..]), 1 => Just(b'a')];
+    proptest::collection::vec(byte.prop_filter("a text", |byte| !matches!(byte, 0 | b'\n' | b'\r')), 0..24)
 }
 
 fn toml_line() -> impl Strategy<Value = String> {
@@ -222,14 +260,37 @@ proptest! {
     }
 
     #[test]
-    fn a_material_file(lines in proptest::collection::vec(("(newmtl|Kd|Ks|Ns|Ka|illum|map_Kd|#)", word(), word(), word()), 0..8)) {
+    fn a_material_file(
+        lines in proptest::collection::vec(("(newmtl|Kd|Ks|Ns|Ka|d|Tr|Ke|illum|map_Kd|map_Ka|bump|x|#)", word(), word(), word()), 0..8),
+        maps in proptest::collection::vec(map_line(), 0..3),
+    ) {
         let path = path("coloured.obj");
-        fs::write(&path, "mtllib random.mtl\nusemtl 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let mesh = "mtllib random.mtl\nusemtl 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt -3 0.5\nvt 2 9\nf 1/1 2/2 3/1\n";
+        fs::write(&path, mesh).unwrap();
+        Frame::blank(Size::new(4, 4).unwrap(), [9; 3]).write_png(path.with_file_name("t.png")).unwrap();
         let text: String = lines.iter().map(|(k, a, b, c)| format!("{k} {a} {b} {c}\n")).collect();
-        fs::write(path.with_file_name("random.mtl"), text).unwrap();
-        if let Err(error) = Scene::load(path.to_str().unwrap()) {
-            prop_assert!(error.to_string().contains("random.mtl:"), "{}", error);
+        fs::write(path.with_file_name("random.mtl"), format!("newmtl 1\n{}{text}", maps.concat())).unwrap();
+        match Scene::load(path.to_str().unwrap()) {
+            Err(error) => prop_assert!(error.to_string().contains("random.mtl:"), "{}", error),
+            Ok(scene) => {
+                if let Ok(deferred) = project_deferred(&scene, Size::new(16, 12).unwrap(), Samples::One) {
+                    golden::render_deferred(&deferred);
+                }
+            }
         }
+    }
+
+    /// Bytes of any kind in names and between them.
+    #[test]
+    fn names_of_any_bytes(
+        library in name_bytes(), material in name_bytes(), texture in name_bytes(), operand in name_bytes(),
+    ) {
+        let path = path("named.obj");
+        let mesh = [b"mtllib named.mtl ", &library[..], b"\nusemtl ", &material, b"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng ", &operand, b"\n"];
+        fs::write(&path, mesh.concat()).unwrap();
+        let materials = [b"newmtl ", &material[..], b"\nmap_Kd ", &texture, b"\nmap_Kd -s 2 ", &operand, b"\n"];
+        fs::write(path.with_file_name("named.mtl"), materials.concat()).unwrap();
+        try_out(&path)?;
     }
 
     #[test]

@@ -106,7 +106,7 @@ const CASES: &[(&str, &[&str])] = &[
         &["small.png: holds 32x24 pixels, the frame 64x48", "--size 32x24"],
     ),
     ("render flat.obj", &["flat.obj: holds no face with an area and no line with a length, so nothing would be drawn"]),
-    ("render polyline.obj", &["polyline.obj:2: a polyline with 1 corner: give at least two"]),
+    ("render polyline.obj", &["polyline.obj:2: a polyline with 1 corner is not drawn: give at least two"]),
     ("render wireframe.toml", &["wireframe.toml:2:13: invalid type: string \"yes\": write true or false"]),
     ("render one_light.toml", &["one_light.toml:2:1: `light` is one table: write `[[light]]`"]),
     ("render long.toml", &["long.toml:2:8: invalid length 3"]),

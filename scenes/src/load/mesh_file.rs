@@ -37,3 +37,11 @@ pub(super) fn loader(path: &Path) -> Option<Load> {
         _ => None,
     }
 }
+
+/// What reads it for a texture that takes the place of its own, and lies as its coordinates say.
+pub(super) fn loader_for_texture(path: &Path) -> Option<Load> {
+    match path.extension()?.eq_ignore_ascii_case("obj") {
+        true => Some(obj::load_for_texture),
+        false => loader(path),
+    }
+}

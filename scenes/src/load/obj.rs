@@ -2,46 +2,94 @@
 //!
 //! [`super::obj_scan`] reads the lines, [`super::material`] those of MTL files.
 
-use super::material::looks;
+use super::map::Placement;
+use super::material::{Look, Picture, looks};
 use super::mesh_file::Loaded;
-use super::obj_scan::scan;
+use super::notes::Notes;
+use super::obj_scan::{Scan, scan};
 use super::obj_surface::surfaces;
-use super::parts::{Built, Geometry};
+use super::parts::{Built, Geometry, Polyline, WHITE, mean};
+use super::shading;
 use crate::error::SceneError;
-use crate::input::{self, read_lines};
+use crate::input::{self, read_text};
 use crate::quote::shown;
 use glam::DVec3;
 use std::path::Path;
 
 /// Reads a mesh; as a wireframe, it has the outlines of faces for lines.
 pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
-    let bytes = read_lines(path, &input::MESH)?;
-    // Names and comments may be in any encoding; what matters is ASCII.
-    let scan = scan(path, &String::from_utf8_lossy(&bytes))?;
+    load_with(path, wireframe, |_| {})
+}
+
+/// As [`load`], for a texture that is to take the place of the mesh's own, and lies as the coordinates in the file say.
+pub(super) fn load_for_texture(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
+    load_with(path, wireframe, |picture| picture.placement = Placement::default())
+}
+
+fn load_with(path: &Path, wireframe: bool, change: impl FnMut(&mut Picture)) -> Result<Loaded, SceneError> {
+    let mut scan = scan(path, &read_text(path, &input::MESH)?)?;
     let (mut files, mut warnings) = (vec![path.to_owned()], Vec::new());
-    let lone = if wireframe { None } else { normals_are_missing(path, &scan.geometry) };
-    warnings.extend(lone);
-    let looks = looks(path, &scan, &mut files, &mut warnings)?;
-    let colours: Vec<[f64; 3]> = looks.iter().map(|look| look.colour).collect();
-    if wireframe {
-        return Ok(Loaded { mesh: scan.geometry.wireframe(path, &colours)?, up: DVec3::Y, files, warnings });
+    let mut looks = looks(path, &mut scan, &mut files, &mut warnings)?;
+    looks.iter_mut().filter_map(|look| look.picture.as_mut()).for_each(change);
+    let Scan { mut geometry, colours, groups, mut notes, .. } = scan;
+    if !colours.is_empty() {
+        take_colours(&mut geometry, &colours, &mut looks);
     }
-    let surfaces = surfaces(path, &looks, &mut files, &mut warnings);
-    let Built { mesh, crossing } = scan.geometry.mesh(path, &colours, surfaces)?;
-    warnings.extend(crossing_faces(path, &crossing));
+    let colours: Vec<[f64; 3]> = looks.iter().map(|look| look.colour).collect();
+    let mesh = if wireframe {
+        geometry.wireframe(path, &colours)?
+    } else {
+        note_unmapped(&geometry, &looks, &mut notes);
+        let surfaces = surfaces(path, &looks, &mut geometry, &mut files, &mut warnings);
+        shading::complete(&mut geometry, &groups, &mut notes);
+        let Built { mesh, crossing } = geometry.mesh(path, &colours, surfaces)?;
+        warnings.extend(crossing_faces(path, &crossing));
+        mesh
+    };
+    warnings.extend(notes.warnings(path));
     Ok(Loaded { mesh, up: DVec3::Y, files, warnings })
 }
 
-/// A warning if corners of some faces name a normal and others do not.
-fn normals_are_missing(path: &Path, geometry: &Geometry) -> Option<String> {
-    let corners = || geometry.faces.iter().flat_map(|face| face.corners.iter().map(move |corner| (face, corner)));
-    let (face, _) = corners().find(|(_, corner)| corner.normal.is_none())?;
-    corners().find(|(_, corner)| corner.normal.is_some())?;
-    Some(format!(
-        "{}:{}: this face has no normals and others have, so all normals are computed: export all or none",
-        shown(path),
-        face.place
-    ))
+/// Gives corners and lines the colours of their vertices, which multiply those of materials; what has such colours and no material gets a white one.
+fn take_colours(geometry: &mut Geometry, colours: &[Option<DVec3>], looks: &mut Vec<Look>) {
+    let tint = |vertex: u32| colours.get(vertex as usize).copied().flatten().map(|colour| colour.to_array());
+    let white = looks.len();
+    looks.push(Look { colour: WHITE, ..Look::default() });
+    geometry.colours = colours.iter().map(|colour| colour.map_or(WHITE, |colour| colour.to_array())).collect();
+    for face in &mut geometry.faces {
+        for corner in &mut face.corners {
+            corner.colour = tint(corner.vertex).map(|_| corner.vertex);
+        }
+        if face.corners.iter().any(|corner| corner.colour.is_some()) {
+            face.material.get_or_insert(white);
+        }
+    }
+    // Each segment has the mean of its ends.
+    let segments = std::mem::take(&mut geometry.lines).into_iter().flat_map(|line| {
+        let pairs: Vec<[u32; 2]> = line.vertices.array_windows().copied().collect();
+        pairs.into_iter().map(move |ends| (line.material, ends))
+    });
+    geometry.lines = segments
+        .map(|(material, ends)| {
+            let tints = ends.map(tint);
+            let has_tints = tints.iter().any(Option::is_some);
+            let material = material.or(has_tints.then_some(white));
+            let tint = mean(tints.into_iter().map(|tint| tint.unwrap_or(WHITE)));
+            Polyline { material, tint, vertices: ends.to_vec() }
+        })
+        .collect();
+}
+
+/// A note of faces that have a texture, and no coordinates for it.
+fn note_unmapped(geometry: &Geometry, looks: &[Look], notes: &mut Notes) {
+    for face in &geometry.faces {
+        let has_texture = face.material.is_some_and(|material| looks[material].picture.is_some());
+        if has_texture && face.corners.iter().any(|corner| corner.texture.is_none()) {
+            let problem =
+                || "this face has no texture coordinates, so the texture of its material is not drawn on it".to_owned();
+            notes.add("unmapped", face.place, problem, "export the mesh with them (`vt`)");
+        }
+    }
 }
 
 /// One warning for all faces that cross themselves, which begin at these lines.

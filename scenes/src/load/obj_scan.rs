@@ -3,216 +3,214 @@
 //! The format is Wavefront's (Advanced Visualizer manual, appendix B1); free-form curves and surfaces are refused. No crate is used:
 //! `tobj`, the best kept one, names no lines, ignores statements that it does not know and takes a line element for a face.
 
-use super::lines::{At, logical_lines, numbers};
-use super::parts::{Corner, Face, Geometry, Polyline, WHITE};
+use super::corner::{MOST_CORNERS, face, polyline};
+use super::lines::{At, Statement, is_no_number, statements};
+use super::notes::Notes;
+use super::numbers::{check_weight, numbers};
+use super::parts::{Face, Geometry, Polyline, WHITE};
 use crate::error::SceneError;
-use crate::quote::{number, quote};
-use glam::{DVec3, dvec2, dvec3};
+use crate::quote::quote;
+use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// What an OBJ file says.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
-    /// Faces with their lines and their materials by index in [`Scan::materials`]; and polylines.
+    /// Faces with their lines and their materials by index in [`Scan::materials`]; and polylines. A normal without a direction is zero, and no corner
+    /// names it.
     pub(super) geometry: Geometry,
+    /// Colours of positions, as far as the file has any; red, green and blue.
+    pub(super) colours: Vec<Option<DVec3>>,
+    /// The smoothing group of each face, 0 for none.
+    pub(super) groups: Vec<u32>,
     /// Different `mtllib` operands with the lines of their first use, in order.
-    pub(super) libraries: Vec<(usize, String)>,
+    pub(super) libraries: Vec<(usize, Vec<u8>)>,
     /// Different `usemtl` names with the lines of their first use, in order.
-    pub(super) materials: Vec<(usize, String)>,
+    pub(super) materials: Vec<(usize, Vec<u8>)>,
+    /// What was odd but harmless.
+    pub(super) notes: Notes,
 }
 
-/// The most corners of a face: cutting a face takes up to their square in time. And of a line, for simplicity.
-const MOST_CORNERS: usize = 16_384;
+/// Statements that change no picture: names, levels of detail, and what free-form surfaces are made of.
+const IGNORED: [&str; 5] = ["o", "g", "mg", "vp", "lod"];
 
-/// Statements that say nothing about faces and lines or their colours.
-const IGNORED: [&str; 16] = [
-    "o",
-    "g",
-    "s",
-    "mg",
-    "p",
-    "vp",
-    "lod",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "usemap",
-    "maplib",
-    "shadow_obj",
-    "trace_obj",
-    "call",
-    "csh",
-];
+/// Statements that are understood and not drawn.
+const UNDRAWN: [&str; 10] =
+    ["p", "bevel", "c_interp", "d_interp", "usemap", "maplib", "shadow_obj", "trace_obj", "call", "csh"];
 
-pub(super) fn scan(path: &Path, text: &str) -> Result<Scan, SceneError> {
-    let mut scan = Scan::default();
-    let mut material = None;
-    let mut material_of: BTreeMap<String, usize> = BTreeMap::new();
-    let mut libraries: BTreeSet<String> = BTreeSet::new();
-    for (line, statement) in logical_lines(text) {
-        let at = At { path, line };
-        let mut words = statement.split_whitespace();
-        let Some(keyword) = words.next() else {
-            continue;
-        };
-        let words: Vec<&str> = words.take(MOST_CORNERS + 1).collect();
-        let operand = statement.trim_start()[keyword.len()..].trim();
-        match keyword {
-            "v" => scan.geometry.positions.push(vertex(at, &words)?),
-            "vn" => scan.geometry.normals.push(DVec3::from_array(numbers(at, keyword, &words, &[3])?)),
-            "vt" => {
-                let [u, v, _] = numbers::<3>(at, keyword, &words, &[1, 2, 3])?;
-                scan.geometry.coordinates.push(dvec2(u, v));
-            }
-            "f" => {
-                let corners = face(at, &words, &scan)?;
-                scan.geometry.faces.push(Face { place: line, material, corners });
-            }
-            "l" => scan.geometry.lines.push(Polyline { material, tint: WHITE, vertices: polyline(at, &words, &scan)? }),
-            "usemtl" | "mtllib" if operand.is_empty() => {
-                return Err(at.error(format!("`{keyword}` without a name"), "give the name after it"));
-            }
-            "usemtl" => {
-                material = Some(*material_of.entry(operand.to_owned()).or_insert_with(|| {
-                    scan.materials.push((line, operand.to_owned()));
-                    scan.materials.len() - 1
-                }));
-            }
-            "mtllib" => {
-                if libraries.insert(operand.to_owned()) {
-                    scan.libraries.push((line, operand.to_owned()));
-                }
-            }
-            other if IGNORED.contains(&other) => {}
-            other => {
-                return Err(at.error(
-                    format!("unknown statement {}", quote(other)),
-                    "an OBJ file of polygons and lines has v, vn, vt, f, l, o, g, s, usemtl and mtllib; remove the line or export polygons",
-                ));
-            }
-        }
+/// The smoothing group of faces in a file that has none: one for all.
+const ALL: u32 = 1;
+
+/// A scan under way.
+#[derive(Default)]
+struct Scanner {
+    scan: Scan,
+    notes: Notes,
+    /// The material and the smoothing group that hold, if any have been named.
+    material: Option<usize>,
+    group: Option<u32>,
+    material_of: BTreeMap<Vec<u8>, usize>,
+    group_of: BTreeMap<Vec<u8>, u32>,
+    libraries: BTreeSet<Vec<u8>>,
+    /// The line of the first colour outside 0 to 1.
+    bright: Option<usize>,
+    /// Whether a colour is not of whole numbers from 0 to 255.
+    has_fractions: bool,
+}
+
+pub(super) fn scan(path: &Path, text: &[u8]) -> Result<Scan, SceneError> {
+    let mut scanner = Scanner::default();
+    for statement in statements(text) {
+        scanner.take(At { path, line: statement.line }, &statement)?;
     }
+    let scan = scanner.finish();
     if scan.geometry.faces.is_empty() && scan.geometry.lines.is_empty() {
-        return Err(SceneError::File {
+        return Err(scan.notes.too_few(path).unwrap_or_else(|| SceneError::File {
             path: path.to_owned(),
             problem: "holds no face and no polyline".to_owned(),
             remedy: "export the mesh with its polygons (lines that begin with `f`) or polylines (with `l`)".to_owned(),
-        });
+        }));
     }
     Ok(scan)
 }
 
-/// A position; a weight of 1 or a colour may follow it.
-fn vertex(at: At, words: &[&str]) -> Result<DVec3, SceneError> {
-    let [x, y, z, w] = numbers::<4>(at, "v", words, &[3, 4, 6, 7])?;
-    if matches!(words.len(), 4 | 7) && w != 1.0 {
-        return Err(
-            at.error(format!("`v` with the weight {}", number(w)), "remove it: weights belong to free-form surfaces")
-        );
-    }
-    Ok(dvec3(x, y, z))
-}
-
-fn face(at: At, words: &[&str], seen: &Scan) -> Result<Vec<Corner>, SceneError> {
-    check_count(at, "a face", words.len(), 3, "three")?;
-    words.iter().map(|word| corner(at, word, seen)).collect()
-}
-
-fn polyline(at: At, words: &[&str], seen: &Scan) -> Result<Vec<u32>, SceneError> {
-    check_count(at, "a polyline", words.len(), 2, "two")?;
-    words.iter().map(|word| polyline_corner(at, word, seen)).collect()
-}
-
-fn check_count(at: At, what: &str, corners: usize, least: usize, least_word: &str) -> Result<(), SceneError> {
-    if corners < least {
-        let corners = if corners == 1 { "1 corner".to_owned() } else { format!("{corners} corners") };
-        return Err(at.error(format!("{what} with {corners}"), format!("give at least {least_word}")));
-    }
-    if corners > MOST_CORNERS {
-        return Err(at.error(format!("{what} with more than {MOST_CORNERS} corners"), "cut it"));
-    }
-    Ok(())
-}
-
-/// What a corner belongs to, for errors.
-#[derive(Clone, Copy)]
-struct Owner {
-    name: &'static str,
-    forms: &'static str,
-}
-
-const FACE: Owner = Owner { name: "face", forms: "v, v/vt, v//vn or v/vt/vn" };
-const POLYLINE: Owner = Owner { name: "polyline", forms: "v or v/vt" };
-
-/// `v`, `v/vt`, `v//vn` or `v/vt/vn`.
-fn corner(at: At, word: &str, seen: &Scan) -> Result<Corner, SceneError> {
-    let read = Reader { at, word, of: FACE };
-    let mut parts = word.split('/');
-    let (vertex, texture) = read.vertex(&mut parts, seen)?;
-    let normal = match parts.next() {
-        None | Some("") => None,
-        Some(normal) => Some(read.index(normal, "normal", seen.geometry.normals.len())?),
-    };
-    read.end(parts)?;
-    Ok(Corner { vertex, texture, normal, colour: None })
-}
-
-/// `v` or `v/vt`.
-fn polyline_corner(at: At, word: &str, seen: &Scan) -> Result<u32, SceneError> {
-    let read = Reader { at, word, of: POLYLINE };
-    let mut parts = word.split('/');
-    let (vertex, _) = read.vertex(&mut parts, seen)?;
-    read.end(parts)?;
-    Ok(vertex)
-}
-
-/// What reads a corner, and says what is wrong with it.
-struct Reader<'a> {
-    at: At<'a>,
-    word: &'a str,
-    of: Owner,
-}
-
-impl Reader<'_> {
-    /// The vertex, and the texture coordinate that may follow it.
-    fn vertex<'w>(
-        &self,
-        parts: &mut impl Iterator<Item = &'w str>,
-        seen: &Scan,
-    ) -> Result<(u32, Option<u32>), SceneError> {
-        let vertex = self.index(parts.next().unwrap_or_default(), "vertex", seen.geometry.positions.len())?;
-        let texture = match parts.next() {
-            None | Some("") => None,
-            Some(texture) => Some(self.index(texture, "texture coordinate", seen.geometry.coordinates.len())?),
-        };
-        Ok((vertex, texture))
-    }
-
-    /// An index counted from 0; in the file it counts from 1, and a negative one counts back from the last element so far.
-    fn index(&self, part: &str, what: &str, count: usize) -> Result<u32, SceneError> {
-        let number: i64 = part.parse().map_err(|_| self.malformed())?;
-        let from_one = if number < 0 { count as i64 + 1 + number } else { number };
-        if (1..=count as i64).contains(&from_one) {
-            return Ok(from_one as u32 - 1);
+impl Scanner {
+    fn take(&mut self, at: At, statement: &Statement) -> Result<(), SceneError> {
+        let keyword = statement.keyword();
+        let words = || statement.words().take(MOST_CORNERS + 1).collect::<Vec<&[u8]>>();
+        let Scanner { scan, notes, .. } = self;
+        match &*keyword {
+            "v" => self.vertex(at, &words())?,
+            "vn" => {
+                let words = words();
+                let is_one = !words.iter().any(|word| is_no_number(word));
+                scan.geometry.normals.push(if is_one { numbers(at, "vn", &words, &[3])?.into() } else { DVec3::ZERO });
+            }
+            "vt" => {
+                let words = words();
+                let is_one = !words.iter().any(|word| is_no_number(word));
+                let [u, v, _] = if is_one { numbers::<3>(at, "vt", &words, &[1, 2, 3])? } else { [f64::NAN; 3] };
+                scan.geometry.coordinates.push(dvec2(u, v));
+            }
+            // `fo` is what older versions of the format call it.
+            "f" | "fo" => {
+                if let Some(corners) = face(at, &words(), &scan.geometry, notes)? {
+                    scan.geometry.faces.push(Face { place: at.line, material: self.material, corners });
+                    scan.groups.push(self.group.unwrap_or_default());
+                }
+            }
+            "l" => {
+                if let Some(vertices) = polyline(at, &words(), &scan.geometry, notes)? {
+                    scan.geometry.lines.push(Polyline { material: self.material, tint: WHITE, vertices });
+                }
+            }
+            "s" => self.group = Some(self.smoothing(statement.words().next().unwrap_or_default())),
+            "usemtl" | "mtllib" => self.name(&keyword, at.line, statement.name()),
+            ignored if IGNORED.contains(&ignored) => {}
+            undrawn => match UNDRAWN.iter().find(|&&known| known == undrawn) {
+                // `bevel off` and the like.
+                Some(_) if statement.name().eq_ignore_ascii_case(b"off") => {}
+                Some(known) => {
+                    notes.add(known, at.line, || format!("`{known}` is not drawn"), "export what it shows as polygons");
+                }
+                None => {
+                    return Err(at.error(
+                        format!("unknown statement {}", quote(&statement.spelled())),
+                        "an OBJ file of polygons and lines has v, vn, vt, f, l, o, g, s, usemtl and mtllib; remove the line or export polygons",
+                    ));
+                }
+            },
         }
-        let what_if = if number == 0 { ", and counting begins at 1" } else { "" };
-        Err(self.at.error(
-            format!("the corner {} names {what} {number}, but {count} are defined above{what_if}", quote(self.word)),
-            format!("correct the index, or move the definition above the {}", self.of.name),
-        ))
+        Ok(())
     }
 
-    /// That nothing follows.
-    fn end<'w>(&self, mut parts: impl Iterator<Item = &'w str>) -> Result<(), SceneError> {
-        parts.next().map_or(Ok(()), |_| Err(self.malformed()))
+    /// A position; a weight of 1, or a colour without or with alpha, may follow it.
+    fn vertex(&mut self, at: At, words: &[&[u8]]) -> Result<(), SceneError> {
+        let [x, y, z, r, g, b, alpha] = numbers::<7>(at, "v", words, &[3, 4, 6, 7])?;
+        let Scanner { scan, notes, .. } = self;
+        if words.len() == 4 {
+            check_weight(at, r)?;
+        }
+        if words.len() >= 6 {
+            scan.colours.resize(scan.geometry.positions.len(), None);
+            scan.colours.push(Some(dvec3(r, g, b)));
+            if [r, g, b].iter().any(|channel| !(0.0..=1.0).contains(channel)) {
+                self.bright.get_or_insert(at.line);
+            }
+            self.has_fractions |= [r, g, b].iter().any(|c| c.fract() != 0.0 || !(0.0..=255.0).contains(c));
+        }
+        if words.len() == 7 && alpha != 1.0 {
+            let problem = || "this vertex is transparent, and it is drawn without that".to_owned();
+            notes.add("alpha", at.line, problem, "remove the seventh number, or make it 1");
+        }
+        scan.geometry.positions.push(dvec3(x, y, z));
+        Ok(())
     }
 
-    fn malformed(&self) -> SceneError {
-        let Owner { name, forms } = self.of;
-        self.at.error(
-            format!("the corner {} of a {name} is malformed", quote(self.word)),
-            format!("write {forms} with whole numbers"),
-        )
+    /// The number of a smoothing group. One without a name is on, as some programs write it.
+    fn smoothing(&mut self, name: &[u8]) -> u32 {
+        let name = name.to_ascii_lowercase();
+        match &name[..] {
+            b"off" | b"0" => 0,
+            b"" | b"on" | b"1" => ALL,
+            _ => {
+                let next = ALL + 1 + self.group_of.len() as u32;
+                *self.group_of.entry(name).or_insert(next)
+            }
+        }
+    }
+
+    /// Takes the name of a material, or of files of them.
+    fn name(&mut self, keyword: &str, line: usize, name: &[u8]) {
+        let is_empty = name.is_empty() || name.starts_with(b"# ");
+        match (keyword, is_empty) {
+            ("usemtl", true) => {
+                self.material = None;
+                let problem = || "`usemtl` without a name, so what follows has no material".to_owned();
+                self.notes.add("usemtl", line, problem, "give the name after it");
+            }
+            ("usemtl", false) => {
+                let scan = &mut self.scan;
+                self.material = Some(*self.material_of.entry(name.to_owned()).or_insert_with(|| {
+                    scan.materials.push((line, name.to_owned()));
+                    scan.materials.len() - 1
+                }));
+            }
+            (_, true) => {
+                let problem = || "`mtllib` without a name, so no file is read for it".to_owned();
+                self.notes.add("mtllib", line, problem, "give the name after it");
+            }
+            (_, false) => {
+                if self.libraries.insert(name.to_owned()) {
+                    self.scan.libraries.push((line, name.to_owned()));
+                }
+            }
+        }
+    }
+
+    fn finish(mut self) -> Scan {
+        if let Some(line) = self.bright {
+            self.scale_colours(line);
+        }
+        let Scanner { mut scan, notes, group, .. } = self;
+        if group.is_none() {
+            scan.groups.fill(ALL);
+        }
+        // No corner names them.
+        scan.geometry.coordinates.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| *uv = DVec2::ZERO);
+        Scan { notes, ..scan }
+    }
+
+    /// Brings all colours into 0 to 1.
+    fn scale_colours(&mut self, line: usize) {
+        let (problem, unit) = match self.has_fractions {
+            true => ("this vertex has a colour outside 0 to 1, and the nearest inside is drawn", 1.0),
+            false => ("this vertex has a colour above 1, so all are taken for numbers from 0 to 255", 255.0),
+        };
+        self.notes.add("bright", line, || problem.to_owned(), "give red, green and blue from 0 to 1");
+        for colour in self.scan.colours.iter_mut().flatten() {
+            *colour = (*colour / unit).clamp(DVec3::ZERO, DVec3::ONE);
+        }
     }
 }

@@ -3,45 +3,49 @@
 //! A texture that cannot be read is no error here, since only deferred shading looks at it: the error waits in its place.
 
 use super::lines::At;
-use super::material::{Look, TextureName};
-use super::surfaces::{Surfaces, nearest_power};
+use super::material::{Look, Picture};
+use super::parts::Geometry;
+use super::placing::Textures;
+use super::surfaces::{Read, Surfaces, nearest_power};
 use crate::error::SceneError;
 use crate::material::Material;
-use crate::quote::quote;
 use crate::texture::file::{self, Found};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The materials of a mesh whose materials look so; `None` if none says anything that deferred shading alone would show. The paths of
-/// textures go to `files`, what is odd to `warnings`.
+/// textures go to `files`, what is odd to `warnings`; coordinates are moved to where textures lie.
 pub(super) fn surfaces(
     path: &Path,
     looks: &[Look],
+    geometry: &mut Geometry,
     files: &mut Vec<PathBuf>,
     warnings: &mut Vec<String>,
 ) -> Option<Surfaces> {
-    let says = |look: &Look| look.texture.is_some() || look.specular.is_some() || look.shininess.is_some();
+    let says = |look: &Look| look.picture.is_some() || look.specular.is_some() || look.shininess.is_some();
     if !looks.iter().any(says) {
         return None;
     }
-    let (mut textures, mut index_of) = (Vec::new(), BTreeMap::new());
-    let mut texture = |name: &TextureName| {
-        let path = name.path();
-        *index_of.entry(path.clone()).or_insert_with(|| {
-            if path.exists() {
-                files.push(path);
-            }
-            let found = name.read();
-            if let Ok(found) = &found {
-                let at = At { path: &name.library, line: name.line };
-                warnings.extend(found.notes.iter().map(|note| at.warning(note)));
-            }
-            textures.push(found.map(|found| found.texture));
+    let mut textures: Vec<Read> = Vec::new();
+    let mut index_of = BTreeMap::new();
+    let mut texture = |picture: &Picture| {
+        let path = &picture.path;
+        // One that stands once may become another.
+        let key = |is_clamped| (path.clone(), picture.wrong.clone(), is_clamped);
+        let is_clamped = picture.placement.is_clamped;
+        let same = index_of.get(&key(!is_clamped)).copied();
+        *index_of.entry(key(is_clamped)).or_insert_with(|| {
+            textures.push(match same {
+                Some(same) => textures[same as usize].clone(),
+                None => picture.read_with(files, warnings),
+            });
             textures.len() as u32 - 1
         })
     };
-    let textured = |look: &Look| Material { texture: look.texture.as_ref().map(&mut texture), ..material(look) };
-    let materials: Vec<Material> = looks.iter().map(textured).collect();
+    let of_look: Vec<Option<u32>> = looks.iter().map(|look| look.picture.as_ref().map(&mut texture)).collect();
+    Textures { looks, of_look: &of_look, textures: &mut textures }.place(path, geometry, warnings);
+    let textured = |(look, &texture)| Material { texture, ..material(look) };
+    let materials: Vec<Material> = looks.iter().zip(&of_look).map(textured).collect();
     Surfaces::new(path, &materials, textures, warnings)
 }
 
@@ -55,18 +59,23 @@ fn material(look: &Look) -> Material {
     }
 }
 
-impl TextureName {
-    fn path(&self) -> PathBuf {
-        self.library.parent().unwrap_or(Path::new("")).join(&self.name)
+impl Picture {
+    /// Reads it; its path and its oddities go where they are said.
+    fn read_with(&self, files: &mut Vec<PathBuf>, warnings: &mut Vec<String>) -> Read {
+        if self.path.is_file() && !files.contains(&self.path) {
+            files.push(self.path.clone());
+        }
+        let found = self.read()?;
+        let at = At { path: &self.library, line: self.line };
+        warnings.extend(found.notes.iter().map(|note| at.warning(note)));
+        Ok(found.texture)
     }
 
     fn read(&self) -> Result<Found, SceneError> {
         let at = At { path: &self.library, line: self.line };
-        if self.name.starts_with('-') {
-            let option = self.name.split_whitespace().next().unwrap_or_default();
-            let problem = format!("`map_Kd` with the option {}", quote(option));
-            return Err(at.error(problem, "give the name of the file alone, and move the texture coordinates instead"));
+        if let Some((problem, remedy)) = &self.wrong {
+            return Err(at.error(problem, *remedy));
         }
-        file::read(&self.path()).map_err(|(problem, remedy)| at.error(problem, remedy))
+        file::read(&self.path).map_err(|(problem, remedy)| at.error(problem, remedy))
     }
 }

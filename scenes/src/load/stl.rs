@@ -3,8 +3,9 @@
 //! The format is 3D Systems' (1988). A facet is lit by the normal of its three corners, not by the one that the file states: many programs
 //! write zeros there. No crate is used: `stl_io` names no places and drops colours.
 
-use super::lines::{At, numbers};
+use super::lines::At;
 use super::mesh_file::Loaded;
+use super::numbers::numbers;
 use super::parts::{Corner, Face, GREY, Geometry, WHITE};
 use crate::error::SceneError;
 use crate::input::{self, read_bytes, read_lines};

@@ -180,7 +180,7 @@ impl Source<'_> {
             Some(scene) => scene,
             None => {
                 let Loaded { mesh, up, files, warnings } = match &table.mesh {
-                    Some(mesh) => self.mesh(mesh, table.wireframe)?,
+                    Some(mesh) => self.mesh(mesh, table)?,
                     None => Loaded::nothing(),
                 };
                 let camera = &table.camera.0;
@@ -228,9 +228,13 @@ impl Source<'_> {
         Ok([r, g, b])
     }
 
-    fn mesh(&self, name: &Spanned<String>, wireframe: bool) -> Result<Loaded, SceneError> {
+    fn mesh(&self, name: &Spanned<String>, table: &SceneTable) -> Result<Loaded, SceneError> {
         let file = Path::new(name.as_ref());
-        let Some(load) = mesh_file::loader(file) else {
+        let loader = match table.surface.0.texture {
+            Some(_) => mesh_file::loader_for_texture(file),
+            None => mesh_file::loader(file),
+        };
+        let Some(load) = loader else {
             let all = builtin::NAMES.join(", ");
             return Err(self.error(
                 name.span(),
@@ -249,7 +253,7 @@ impl Source<'_> {
                 "the path is relative to the scene file's folder; correct it",
             ));
         }
-        load(&path, wireframe)
+        load(&path, table.wireframe)
     }
 
     fn size(&self, size: &Spanned<Vector<i64, 2>>) -> Result<Size, SceneError> {

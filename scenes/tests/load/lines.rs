@@ -70,8 +70,8 @@ fn a_built_in_scene_may_be_a_wireframe() {
 fn malformed_polylines_are_refused_with_their_line() {
     let many = format!("v 0 0 0\nl{}\n", " 1".repeat(16_385));
     let cases = [
-        ("one", "v 0 0 0\nl 1\n", "mesh.obj:2: a polyline with 1 corner: give at least two"),
-        ("none", "v 0 0 0\nl\n", "mesh.obj:2: a polyline with 0 corners: give at least two"),
+        ("one", "v 0 0 0\nl 1\n", "mesh.obj:2: a polyline with 1 corner is not drawn: give at least two"),
+        ("none", "v 0 0 0\nl\n", "mesh.obj:2: a polyline with 0 corners is not drawn: give at least two"),
         ("many", &many, "mesh.obj:2: a polyline with more than 16384 corners: cut it"),
         (
             "range",
@@ -85,8 +85,8 @@ fn malformed_polylines_are_refused_with_their_line() {
         ),
         (
             "texture",
-            "v 0 0 0\nl 1/1 1\n",
-            "mesh.obj:2: the corner `1/1` names texture coordinate 1, but 0 are defined above: correct the index, or move the definition above the polyline",
+            "v 0 0 0\nl 1 1/1/1\n",
+            "mesh.obj:2: the corner `1/1/1` of a polyline is malformed: write v or v/vt with whole numbers",
         ),
         (
             "point",

@@ -7,6 +7,7 @@ mod gltf_errors;
 mod limits;
 mod lines;
 mod mesh_file;
+mod names;
 mod pictures;
 mod ply;
 mod scene_file;

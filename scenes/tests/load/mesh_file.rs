@@ -11,15 +11,15 @@ fn an_obj_file_keeps_order_colours_and_normals() {
         &[
             (
                 "mesh.obj",
-                "\u{feff}# a quad, a triangle, a line, a point\r\n\
+                "\u{feff}# a quad, a triangle, a line\r\n\
                  mtllib my colours.mtl\r\n\
                  o thing\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.1 0.2 0.3\nv 0 1 \\\n 0\n\
                  vt 0 0\nvn 0 0 2\ns off\n\
                  usemtl dark red\nf 1/1/1 2/1/1 3//1 -1//-1\n\
-                 l 1 2 3 4\np 1\n\
+                 l 1 2 3 4\n\
                  g two\nusemtl plain\nf 1//1 2//1 4//1 # the last\n",
             ),
-            ("my colours.mtl", "# two\nnewmtl dark red\nKa 1\nKd 0.5 0 0\nnewmtl plain\nKd 2\nillum 2\n"),
+            ("my colours.mtl", "# two\nnewmtl dark red\nKa 1\nKd 0.5 0 0\nnewmtl plain\nKd 1\nillum 2\n"),
         ],
     );
     let scene = load(&folder.join("mesh.obj")).unwrap();
@@ -42,12 +42,12 @@ fn normals_are_computed_where_they_lack() {
         &[("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nvn 1 0 0\nf 1 2 3\nf 1//1 3//1 4//1\n")],
     );
     let scene = load(&folder.join("mesh.obj")).unwrap();
-    assert_eq!(scene.mesh.normals()[1], DVec3::Z);
-    assert_eq!(scene.mesh.normals()[3], DVec3::NEG_X);
+    let normals = |triangle: usize| scene.mesh.triangles()[triangle].normals.map(|i| scene.mesh.normals()[i as usize]);
+    assert_eq!([normals(0), normals(1)], [[DVec3::Z; 3], [DVec3::X; 3]]);
     assert_eq!(
         scene.warnings,
         [format!(
-            "{}:6: this face has no normals and others have, so all normals are computed: export all or none",
+            "{}:6: this face has no normals and others have, so its normals are computed: export all or none",
             folder.join("mesh.obj").display()
         )]
     );
@@ -102,7 +102,7 @@ fn malformed_meshes_are_refused_with_their_line() {
         ("inf", "# c\nvn 0 1e999 0\n", "mesh.obj:2: `vn` with the number `1e999`: give finite numbers below 1e30"),
         ("count", "v 0 0\n", "mesh.obj:1: `v` with 2 numbers: give 3 or 4 or 6 or 7"),
         ("weight", "v 0 0 0 2\n", "mesh.obj:1: `v` with the weight 2: remove it: weights belong to free-form surfaces"),
-        ("few", "v 0 0 0\nf 1 1\n", "mesh.obj:2: a face with 2 corners: give at least three"),
+        ("few", "v 0 0 0\nf 1 1\n", "mesh.obj:2: a face with 2 corners is not drawn: give at least three"),
         (
             "range",
             "v 0 0 0\nv 1 0 0\nv 0 1 0\n\nf 1 2 4\n",
@@ -120,8 +120,8 @@ fn malformed_meshes_are_refused_with_their_line() {
         ),
         (
             "normal",
-            "v 0 0 0\nf 1//1 1//1 1//1\n",
-            "mesh.obj:2: the corner `1//1` names normal 1, but 0 are defined above: correct the index, or move the definition above the face",
+            "v 0 0 0\nvn 0 0 1\nf 1//2 1//1 1//1\n",
+            "mesh.obj:3: the corner `1//2` names normal 2, but 1 are defined above: correct the index, or move the definition above the face",
         ),
         (
             "corner",
@@ -133,7 +133,6 @@ fn malformed_meshes_are_refused_with_their_line() {
             "v 0 0 0\nface 1 2 3\n",
             "mesh.obj:2: unknown statement `face`: an OBJ file of polygons and lines has v, vn, vt, f, l, o, g, s, usemtl and mtllib; remove the line or export polygons",
         ),
-        ("usemtl", "usemtl\n", "mesh.obj:1: `usemtl` without a name: give the name after it"),
         (
             "empty",
             "v 0 0 0\n",

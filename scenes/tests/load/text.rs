@@ -77,11 +77,13 @@ fn text_in_another_encoding_is_named_as_such() {
             sentence(name, &utf16(text, &[])),
             format!("{name}: holds a zero byte, as UTF-16 and files that are no text do: save it as text in UTF-8")
         );
-        assert_eq!(
-            sentence(name, text.replace('\n', "\r").as_bytes()),
-            format!("{name}: ends its lines with CR alone: save it with LF or CR LF at the ends of lines")
-        );
     }
+    assert_eq!(
+        sentence("scene.toml", scene.replace('\n', "\r").as_bytes()),
+        "scene.toml: ends its lines with CR alone: save it with LF or CR LF at the ends of lines"
+    );
+    fs::write(folder.join("mac.obj"), TRIANGLE.replace('\n', "\r")).unwrap();
+    assert_eq!(load(&folder.join("mac.obj")).unwrap().mesh, load(&folder.join("sound.obj")).unwrap().mesh);
     let material = utf16("newmtl a\n", &[0xff, 0xfe]);
     fs::write(folder.join("colours.mtl"), material).unwrap();
     let mesh = format!("mtllib colours.mtl\n{TRIANGLE}");

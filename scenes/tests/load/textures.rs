@@ -13,6 +13,23 @@ const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\
 const MATERIALS: &str =
     "newmtl tiles\nKd 1 1 1\nKs 0.1 0.5 0.2\nNs 60\nmap_Kd my tiles.png\nnewmtl wax\nKd 1 0 0\nNs 3\nmap_Ks x\n";
 
+/// What is said of them.
+fn said(folder: &Path) -> [String; 2] {
+    let at = |name: &str| folder.join(name).display().to_string();
+    [
+        format!(
+            "{}:3: `map_Ks` and the hue of `Ks` of this material and 1 more are not drawn: a surface has a colour (Kd), a texture \
+             (map_Kd) and white highlights (Ks, Ns)",
+            at("square.mtl")
+        ),
+        format!(
+            "{}:13: this face has no texture coordinates, so the texture of its material is not drawn on it: export the mesh with \
+             them (`vt`)",
+            at("square.obj")
+        ),
+    ]
+}
+
 /// Writes a picture of two rows: red, green; blue, white.
 fn write_tiles(path: &Path) {
     let mut picture = Frame::blank(Size::new(2, 2).unwrap(), [255; 3]);
@@ -32,7 +49,7 @@ fn materials_have_textures_and_highlights() {
     let folder = folder("textures", &[("square.obj", SQUARE), ("square.mtl", MATERIALS)]);
     write_tiles(&folder.join("my tiles.png"));
     let scene = load(&folder.join("square.obj")).unwrap();
-    assert_eq!(scene.warnings, [""; 0]);
+    assert_eq!(scene.warnings, said(&folder));
     assert_eq!(scene.files, ["square.obj", "square.mtl", "my tiles.png"].map(|name| folder.join(name)));
     let materials = scene.mesh.materials().unwrap();
     let of = |triangle: usize| materials.materials[materials.mappings[triangle].material as usize];
@@ -95,15 +112,18 @@ fn a_bad_texture_is_an_error_of_deferred_shading_alone() {
         ("large.png", "@large.png: is larger than 64 MiB, the most that is read: name a smaller picture".to_owned()),
         (
             "-s 2 2 lost.png",
-            "`map_Kd` with the option `-s`: give the name of the file alone, and move the texture coordinates instead"
-                .to_owned(),
+            "there is no texture @lost.png: correct the path, which is relative to this file's folder".to_owned(),
         ),
+        ("-foo 2 lost.png", "`map_Kd` with the option `-foo`: remove it, or correct the name of the file".to_owned()),
+        ("-s x lost.png", "`map_Kd` with `-s` `x`: give one to three finite numbers after the option".to_owned()),
+        ("-clamp on", "`map_Kd` without a file: give its name after the options".to_owned()),
     ];
     let at = format!("{}/", folder.display());
     for (name, sentence) in cases {
         fs::write(folder.join("square.mtl"), MATERIALS.replace("my tiles.png", name)).unwrap();
         let scene = load(&folder.join("square.obj")).unwrap();
-        assert!(scene.project().is_ok() && scene.warnings.is_empty());
+        assert!(scene.project().is_ok());
+        assert_eq!(scene.warnings, said(&folder));
         assert_eq!(small(&scene).unwrap_err(), format!("{at}square.mtl:5: {}", sentence.replace('@', &at)));
     }
 }
@@ -114,7 +134,6 @@ fn malformed_materials_are_refused_with_their_line() {
         ("Ks 1 2", "`Ks` with 2 numbers: give 1 or 3"),
         ("Ns x", "`x` after `Ns` is not a number: write it as in 1.5 or -2e-3"),
         ("Ns", "`Ns` with 0 numbers: give 1"),
-        ("map_Kd", "`map_Kd` without a file: give its name after it"),
     ];
     for (statement, sentence) in cases {
         let mesh = format!("mtllib m.mtl\n{TRIANGLE}");
@@ -176,6 +195,58 @@ fn a_scene_file_says_what_surfaces_look_like() {
     assert_eq!(materials.materials[1].specular, 0.5);
     assert_eq!(tiles.files, ["tiles.toml", "square.obj", "square.mtl", "my tiles.png"].map(|name| folder.join(name)));
     assert!(small(&tiles).is_ok());
+}
+
+/// The texture that a scene file names lies as the coordinates of the mesh say, wherever the one lies whose place it takes.
+#[test]
+fn a_scene_files_texture_is_not_moved_by_the_options_of_the_meshs_own() {
+    let scene = "mesh = 'square.obj'\n[surface]\ntexture = 'my tiles.png'\n";
+    let with = |test: &str, name: &str| {
+        let materials = MATERIALS.replace("my tiles.png", name);
+        let files = [("square.obj", SQUARE), ("square.mtl", &materials), ("scene.toml", scene)];
+        let folder = folder(test, &files);
+        write_tiles(&folder.join("my tiles.png"));
+        small(&load(&folder.join("scene.toml")).unwrap()).unwrap()
+    };
+    let plain = with("surface_plain", "my tiles.png");
+    assert_eq!(with("surface_placed", "-s 3 3 -o -1 -1 -clamp on my tiles.png"), plain);
+}
+
+/// A texture goes on with the colours of its edges, as fine as it can be.
+#[test]
+fn a_clamped_texture_that_is_reached_too_far_beyond_is_coarser_or_repeats() {
+    let far = |test: &str, scale: &str| {
+        let materials = MATERIALS.replace("my tiles.png", &format!("-s {scale} {scale} -clamp on large.png"));
+        let folder = folder(test, &[("square.obj", SQUARE), ("square.mtl", &materials)]);
+        Frame::blank(Size::new(512, 512).unwrap(), [9; 3]).write_png(folder.join("large.png")).unwrap();
+        let scene = load(&folder.join("square.obj")).unwrap();
+        let texture = scene.mesh.materials().unwrap().textures[0].as_ref().unwrap().level();
+        let all = scene.warnings.iter().filter(|warning| warning.contains("`-clamp on`"));
+        let sentence = all.map(|warning| warning.replace(&format!("{}/", folder.display()), "")).collect::<String>();
+        (texture, sentence)
+    };
+    let remedy = "bring texture coordinates (vt) nearer to 0 to 1";
+    assert_eq!(far("clamp_inside", "1"), (9, String::new()));
+    assert_eq!(far("clamp_near", "1.5"), (10, String::new()));
+    let coarser =
+        "square.obj: a texture with `-clamp on` has 128 in place of 512 texels a side, as faces reach beyond its edges";
+    assert_eq!(far("clamp_far", "7"), (10, format!("{coarser}: {remedy}")));
+    let repeats = "square.obj: a texture with `-clamp on` is reached too far beyond its edges, so it repeats";
+    assert_eq!(far("clamp_too_far", "5000"), (9, format!("{repeats}: {remedy}")));
+}
+
+#[test]
+fn a_texture_that_repeats_too_often_is_a_warning() {
+    let said = |test: &str, scale: &str| {
+        let materials = MATERIALS.replace("my tiles.png", &format!("-s {scale} my tiles.png"));
+        let folder = folder(test, &[("square.obj", SQUARE), ("square.mtl", &materials)]);
+        write_tiles(&folder.join("my tiles.png"));
+        let warnings = load(&folder.join("square.obj")).unwrap().warnings;
+        warnings.concat().contains(
+            "square.obj:12: the texture repeats more than 128 times over this face, so it is stretched: cut the face",
+        )
+    };
+    assert_eq!([said("repeats_128", "128"), said("repeats_129", "-129")], [false, true]);
 }
 
 #[test]
