@@ -10,6 +10,8 @@ mod mesh_file;
 mod names;
 mod pictures;
 mod ply;
+mod real;
+mod real_cases;
 mod scene_file;
 mod stl;
 mod text;
