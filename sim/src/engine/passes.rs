@@ -58,6 +58,9 @@ pub struct Passes {
     pub apart_from: u32,
     /// How many operations on single values such an instance has, at the least.
     pub apart_single: usize,
+    /// No machine code is made of operations: what it would be made of is evaluated instead, by what operations mean. Slow; it
+    /// tells whether a mistake is made before code or in it.
+    pub evaluated: bool,
     /// What code works on lies between pages that nobody may touch, so that code that reaches out of it ends the program;
     /// on wherever debug assertions are.
     pub guarded: bool,
@@ -86,6 +89,7 @@ impl Default for Passes {
             versions_from: 4096,
             apart_from: 64,
             apart_single: 200,
+            evaluated: false,
             guarded: cfg!(debug_assertions),
         }
     }
@@ -122,6 +126,7 @@ impl Passes {
             versions_from: usize::MAX,
             apart_from: u32::MAX,
             apart_single: usize::MAX,
+            evaluated: false,
             guarded: cfg!(debug_assertions),
         }
     }

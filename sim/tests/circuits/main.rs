@@ -11,6 +11,7 @@ mod fields;
 mod lanes_by_name;
 mod looking;
 mod looking_on;
+mod many_operands;
 mod nested;
 mod packed;
 mod quiet;

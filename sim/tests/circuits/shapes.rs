@@ -8,7 +8,7 @@ use crate::build::Build;
 
 /// All passes, none, and all but one, with code for held inputs and functions that are cut early.
 fn every_passes() -> Vec<Passes> {
-    let without: [fn(&mut Passes); 9] = [
+    let without: [fn(&mut Passes); 10] = [
         |passes| passes.siblings = false,
         |passes| passes.fold = false,
         |passes| passes.share = false,
@@ -18,13 +18,15 @@ fn every_passes() -> Vec<Passes> {
         |passes| passes.branch = false,
         |passes| passes.lookups = false,
         |passes| passes.side_by_side = false,
+        |passes| passes.evaluated = true,
     ];
     let without = without.map(|switch| {
         let mut passes = Passes { held_after: 3, longest: 20, near: 0, ..Passes::default() };
         switch(&mut passes);
         passes
     });
-    [Passes::default(), Passes::none()].into_iter().chain(without).collect()
+    let plain = Passes { evaluated: true, ..Passes::none() };
+    [Passes::default(), Passes::none(), plain].into_iter().chain(without).collect()
 }
 
 /// The top of these modules under changing inputs, machine code beside the reference engine, whatever passes there are.

@@ -63,7 +63,7 @@ impl fmt::Display for Tally {
     }
 }
 
-/// Runs a design on both engines; gives how many instants.
+/// Runs a design on both engines, and what code is made of beside the reference engine; gives how many instants.
 ///
 /// # Panics
 ///
@@ -77,9 +77,16 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
         _ => passes,
     };
     let passes = Passes { guarded: true, ..passes };
-    let sim = Simulation::with_passes(design, &passes).unwrap_or_else(|error| panic!("{error}"));
-    let run = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
-    run.recording.steps.len() as u64
+    let steps = |passes: &Passes| {
+        let sim = Simulation::with_passes(design, passes).unwrap_or_else(|error| panic!("{error}"));
+        let run = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
+        run.recording.steps.len() as u64
+    };
+    // What code is made of is right, and so is the code.
+    let evaluated = steps(&Passes { evaluated: true, ..passes.clone() });
+    let instants = steps(&passes);
+    assert_eq!(evaluated, instants, "an assertion fails at another edge");
+    instants
 }
 
 /// Runs a random design, and what random edits make of it.

@@ -58,8 +58,9 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
                 Contents::Fill(word) if program.passes.blanks && is_full && width <= 64 => word.limbs()[0],
                 _ => 0,
             };
-            let (bank, depth) = (banks.len(), ports.depth);
-            all[index] = Some(MemoryAt { bank, first, address, table: None, words, depth, width, blank, is_full });
+            let (bank, lanes, depth) = (banks.len(), ports.lanes, ports.depth);
+            all[index] =
+                Some(MemoryAt { bank, first, address, table: None, words, lanes, depth, width, blank, is_full });
         }
         banks.push(bank);
     }

@@ -11,7 +11,7 @@ use super::scalar::{Scalar, Scalars};
 use super::sequence::Step;
 use super::strips::Strips;
 use super::versions::TableAt;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// A memory as code sees it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,6 +23,7 @@ pub(super) struct MemoryAt {
     /// Code runs for several units: where in what moves with them the address stands.
     pub table: Option<usize>,
     pub words: Words,
+    pub lanes: u32,
     pub depth: u32,
     pub width: u32,
     /// What zeros stand for, up to 64 bits: words are stored as their exclusive or with it, so that a memory that is full
@@ -246,7 +247,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     fn single(&mut self, id: ValueId) {
         let cell = self.function.cell(id);
         match &cell.kind {
-            Kind::Word { memory, address } => {
+            Kind::Lowered(Lowered::Word { memory, address }) => {
                 self.want(*address);
                 self.read(id, *memory, *address);
             }
@@ -264,12 +265,12 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
                 let base = self.base(place);
                 self.scalars.load(self.builder, id, cell.width, 64, base, offset(place.offset));
             }
-            Kind::Gather { of, at } => {
+            Kind::Lowered(Lowered::Gather { of, at }) => {
                 self.want(*at);
                 let number = self.scalars.clean(self.builder, *at)[0];
                 self.load_lane(id, *of, number);
             }
-            Kind::Rotate(of, left) => {
+            Kind::Lowered(Lowered::Rotate { of, left }) => {
                 self.want(*of);
                 self.scalars.rotate(self.builder, id, *of, *left);
             }

@@ -9,7 +9,7 @@ use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::{InstBuilder, UserFuncName, Value};
 use cranelift_codegen::isa::OwnedTargetIsa;
 
-use super::builder::{FunctionBuilder, signature};
+use super::builder::{FunctionBuilder, POINTER, signature};
 use super::pages::CodePages;
 use super::scalar::Call;
 use super::target::{Unsupported, host};
@@ -128,6 +128,15 @@ impl Jit {
     /// There is no memory for code.
     pub fn function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Code {
         self.try_function(body).unwrap_or_else(|refused| panic!("{refused}"))
+    }
+
+    /// Makes a function that calls what is at an address, with a number, the address of the state and the argument.
+    pub fn calling(&mut self, address: usize, number: i64) -> Code {
+        self.function(|builder, state, argument| {
+            let number = builder.ins().iconst(POINTER, number);
+            let left = builder.call(address, &[number, state, argument], true).expect("it gives a number");
+            builder.ins().return_(&[left]);
+        })
     }
 
     fn try_function(&mut self, body: impl FnOnce(&mut FunctionBuilder, Value, Value)) -> Result<Code, Unsupported> {

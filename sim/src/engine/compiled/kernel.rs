@@ -14,7 +14,7 @@ use super::lanes::Vector;
 use super::plan::Kernel;
 use super::scalar::Scalar;
 use super::strip::Strip;
-use crate::engine::program::{Axis, Cell, Kind, ValueId};
+use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 
 /// The order within a strip: cells, and after each the sinks that may run then.
 struct Order {
@@ -198,7 +198,8 @@ impl Emitter<'_, '_, '_> {
     /// Finds the words of memories that have one address in all lanes.
     fn begin_memories(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for &id in &kernel.cells {
-            if let Kind::Word { memory, address } | Kind::WordOf { memory, address, .. } = self.function.cell(id).kind {
+            let Kind::Lowered(lowered) = &self.function.cell(id).kind else { continue };
+            if let Lowered::Word { memory, address } | Lowered::WordOf { memory, address, .. } = *lowered {
                 self.begin_words(strip, memory, address);
             }
         }

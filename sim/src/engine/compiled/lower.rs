@@ -1,11 +1,14 @@
 //! Makes of operations across lanes what a loop over strips can do, and of operations what the machine has.
 //!
 //! What remains across lanes is: [`Kind::Broadcast`] of each lane or of a whole row, [`Kind::Stack`] and [`Kind::Lane`] of a
-//! last axis, [`Kind::Reduce`] likewise, [`Kind::Slide`], [`Kind::Gather`] and [`Kind::WordOf`].
+//! last axis, [`Kind::Reduce`] likewise, and what [`Lowered`] has.
 
 mod choices;
 mod lanes;
+mod many;
 mod map;
+#[cfg(test)]
+mod mutants;
 mod reduce;
 
 use std::collections::BTreeSet;
@@ -17,7 +20,7 @@ use super::emitter::MemoryAt;
 use super::function::{Became, Function, Sink};
 use super::strips::Strips;
 use crate::engine::Passes;
-use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// What lowering depends on.
@@ -62,7 +65,7 @@ impl Target<'_> {
         let Cell { lanes, width, .. } = cell;
         let made = match &cell.kind {
             Kind::Read { memory, address } => {
-                let word = Kind::Word { memory: *memory, address: *address };
+                let word = Kind::Lowered(Lowered::Word { memory: *memory, address: *address });
                 let word = rewriter.add(word, lanes, width);
                 Some(standing(rewriter, &self.memories[*memory as usize], word))
             }
@@ -86,23 +89,26 @@ impl Target<'_> {
             Kind::Reduce { by, of, axis } => Some(reduce::reduce(rewriter, self.strips, *by, *of, *axis, lanes, width)),
             _ => None,
         };
-        made.unwrap_or_else(|| rewriter.number(cell))
+        made.unwrap_or_else(|| match many::fewer(rewriter, &cell) {
+            Some(kind) => rewriter.add(kind, lanes, width),
+            None => rewriter.number(cell),
+        })
     }
 
     /// The lane of a value whose number each lane has in `at`. Of words at one address only those that are taken are read.
     fn gather(&self, rewriter: &mut Rewriter, of: ValueId, at: ValueId, lanes: u32, width: u32) -> ValueId {
         let gather = match rewriter.circuit()[of].kind {
-            Kind::Word { memory, address } if lanes > 1 && self.is_still(memory) => {
+            Kind::Lowered(Lowered::Word { memory, address }) if lanes > 1 && self.is_still(memory) => {
                 match rewriter.circuit()[address].kind {
                     Kind::Broadcast { of: address, .. } if rewriter.circuit()[address].lanes == 1 => {
-                        Kind::WordOf { memory, address, at }
+                        Lowered::WordOf { memory, address, at }
                     }
-                    _ => Kind::Gather { of, at },
+                    _ => Lowered::Gather { of, at },
                 }
             }
-            _ => Kind::Gather { of, at },
+            _ => Lowered::Gather { of, at },
         };
-        rewriter.add(gather, lanes, width)
+        rewriter.add(Kind::Lowered(gather), lanes, width)
     }
 
     /// Whether the words of a memory at an address stand side by side, and stay as long as the function runs.

@@ -10,6 +10,7 @@ mod builder;
 mod demands;
 mod edge;
 mod emitter;
+mod evaluate;
 mod explain;
 mod function;
 mod jit;
@@ -51,6 +52,7 @@ use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
 use bank::Bank;
 use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
+use evaluate::Functions;
 pub(super) use explain::explain;
 use function::Maker;
 pub(crate) use jit::unsupported;
@@ -127,6 +129,9 @@ pub(crate) struct Compiled {
     versions: Vec<Versions>,
     /// How many versions there are.
     versions_made: u64,
+    /// What code has evaluated, where it is not made code of.
+    #[expect(clippy::vec_box, reason = "code has the address of each")]
+    evaluated: Vec<Box<Functions>>,
     /// What has changed since views were last marked stale.
     pending: Triggers,
     /// Counts how often what they show, or where they leave it, was another.
@@ -163,6 +168,8 @@ impl Compiled {
         let program = Arc::new(program);
         let mut layout = Layout::new(Strips::of(&program));
         let (places, apart) = units::places(&program, &mut layout);
+        // A unit is left out by code.
+        let apart = apart.filter(|_| !program.passes.evaluated);
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let inputs = held_inputs(&program).collect();
@@ -195,6 +202,7 @@ impl Compiled {
             rows: Vec::new(),
             versions: Vec::new(),
             versions_made: 0,
+            evaluated: Vec::new(),
             pending: Triggers::NONE,
             version: 0,
             shown: vec![None; program.circuit.len()],

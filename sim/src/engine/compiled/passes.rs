@@ -5,7 +5,7 @@ use super::function::{Became, Function};
 use super::plan::Plan;
 use super::sequence::{self, Step};
 use super::strips::Strips;
-use super::{branch, lower, quiet};
+use super::{branch, demands, lower, quiet};
 use crate::engine::Passes;
 
 /// A function, in order.
@@ -34,11 +34,12 @@ pub(super) fn plan(
     look: &mut dyn FnMut(Seen),
 ) -> Planned {
     let (mut function, became) = lower::lower(function, strips, memories, passes);
+    demands::check_lowered(&function, strips, memories);
     look(Seen::Lowered(&function, &became));
     let far: Vec<bool> = memories.iter().map(|at| !at.words.together() && at.words.size > passes.near).collect();
     let mut plan = Plan::new(&function, &far, passes.postpone);
     look(Seen::Planned(&function, &plan));
-    if passes.branch {
+    if passes.branch && !passes.evaluated {
         quiet::quiet(&mut function, &mut plan, strips);
         branch::branch(&mut function, &mut plan, strips, passes);
     }

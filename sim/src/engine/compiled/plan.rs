@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::function::{Function, Sink};
 use super::versions::Versioned;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// The order of a function.
 #[derive(Debug, Clone, Default)]
@@ -149,9 +149,9 @@ impl Plan {
         plan
     }
 
-    /// Adds a single value that needs nothing computed.
-    pub fn single_first(&mut self, id: ValueId) {
-        self.at(0).single.insert(0, id);
+    /// Adds single values that need nothing computed.
+    pub fn singles_first(&mut self, ids: Vec<ValueId>) {
+        self.at(0).single.splice(0..0, ids);
     }
 
     /// The cell at whose place this one is stored.
@@ -170,8 +170,7 @@ impl Plan {
 /// Arrays that somebody looks at otherwise than lane by lane.
 fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match function.cell(id).kind {
-        Kind::Slide { of, .. }
-        | Kind::Gather { of, .. }
+        Kind::Lowered(Lowered::Slide { of, .. } | Lowered::Gather { of, .. })
         | Kind::Lane { of, .. }
         | Kind::Broadcast { of, .. }
         | Kind::Pack { of, .. } => Some(of),
@@ -196,7 +195,7 @@ struct Ports {
 fn ports(function: &Function, memories: usize) -> Vec<Ports> {
     let mut ports = vec![Ports::default(); memories];
     for (id, cell) in function.circuit().cells() {
-        if let Kind::Word { memory, .. } | Kind::WordOf { memory, .. } = cell.kind {
+        if let Kind::Lowered(Lowered::Word { memory, .. } | Lowered::WordOf { memory, .. }) = cell.kind {
             ports[memory as usize].reads.push(id);
         }
     }
@@ -242,8 +241,8 @@ impl Planner<'_> {
     /// Whether a kernel's cell takes its operand lane by lane.
     fn by_lane(&self, id: ValueId, operand: ValueId) -> bool {
         let takes_lane = match self.function.cell(id).kind {
-            Kind::Gather { of, .. } => operand != of,
-            Kind::Word { .. } | Kind::WordOf { .. } | Kind::Reduce { .. } | Kind::Alias(_) => true,
+            Kind::Lowered(Lowered::Gather { of, .. }) => operand != of,
+            Kind::Lowered(Lowered::Word { .. } | Lowered::WordOf { .. }) | Kind::Reduce { .. } | Kind::Alias(_) => true,
             ref kind => kind.is_elementwise(),
         };
         takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Packed) && !self.is_apart(operand)
@@ -253,7 +252,9 @@ impl Planner<'_> {
     fn is_apart(&self, id: ValueId) -> bool {
         match self.function.cell(id).kind {
             Kind::Reduce { .. } => true,
-            Kind::Word { memory, .. } => self.function.cell(id).lanes > 1 && self.far[memory as usize],
+            Kind::Lowered(Lowered::Word { memory, .. }) => {
+                self.function.cell(id).lanes > 1 && self.far[memory as usize]
+            }
             _ => false,
         }
     }

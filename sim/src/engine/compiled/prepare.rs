@@ -48,8 +48,8 @@ fn begin(b: &mut FunctionBuilder, state: Value, (latest, number): (usize, u64), 
 }
 
 /// How often a function does what it does.
-#[derive(Debug, Clone, Copy)]
-enum Times {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Times {
     Argument,
     Once,
 }
@@ -61,6 +61,11 @@ impl Prepared {
             Sink::Show(value) => Some(self.addresses.of(*value)),
             _ => None,
         })
+    }
+
+    /// What it does.
+    pub fn function(&self) -> &Function {
+        &self.function
     }
 
     /// Whether it changes a memory, or state of the program, which has so many.
@@ -156,6 +161,9 @@ impl Compiled {
     }
 
     fn compile_times(&mut self, parts: &[Prepared], times: Times) -> Code {
+        if self.program.passes.evaluated {
+            return self.evaluate(parts, times);
+        }
         let memories = std::mem::take(&mut self.memories);
         let pieces = parts.iter().map(|part| match part.pieces.as_slice() {
             [_] => Vec::new(),

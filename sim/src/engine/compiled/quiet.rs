@@ -20,7 +20,7 @@ use tilewright_hdl::ir::{Binary, Unary};
 use super::function::{Function, Sink};
 use super::plan::{Kernel, Plan, Switch};
 use super::strips::Strips;
-use crate::engine::program::{Cell, Kind, ValueId};
+use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
 /// Operations on strips that a loop must have to be looked at: for fewer a branch saves little.
 const LEAST: usize = 256;
@@ -166,7 +166,7 @@ impl Part {
             if plan.live_out.contains(&id) || !matches!(kind, Kind::Broadcast { .. }) {
                 self.cells.insert(id);
             }
-            if let Kind::Word { memory, .. } = kind {
+            if let Kind::Lowered(Lowered::Word { memory, .. }) = kind {
                 self.words.insert(*memory);
             }
             kind.for_each_operand(|operand| open.push(operand));

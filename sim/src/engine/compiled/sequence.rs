@@ -3,11 +3,13 @@
 //! Single registers and memories change as early as they may: after what they take is computed, and after all that
 //! looks at what they were. So few values are held at a time, and a cut parts little of what belongs together.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use rustc_hash::FxHashMap;
 
 use super::function::{Function, Sink};
 use super::plan::{Kernel, Plan};
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// A step of a function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +31,8 @@ pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize)
     let steps = interleaved(function, plan);
     let weight = |step: &Step| match *step {
         Step::Kernel(stage, lanes) => kernel_weight(&plan.stages[stage].kernels[&lanes]),
-        _ => 1,
+        Step::Single(id) | Step::Pack(id) => cell_weight(&function.cell(id).kind),
+        Step::Sink(_) => 1,
     };
     if steps.iter().map(weight).sum::<usize>() <= longest {
         return vec![steps];
@@ -49,6 +52,17 @@ pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize)
     pieces
 }
 
+/// About how many operations of the machine, where few operands are as good as none.
+fn cell_weight(kind: &Kind) -> usize {
+    const FEW: usize = 4;
+    match kind {
+        Kind::Select { arms, .. } => arms.len().div_ceil(FEW),
+        Kind::Case { arms, .. } => arms.len().div_ceil(FEW),
+        Kind::Concat(parts) | Kind::Stack { parts, .. } => parts.len().div_ceil(FEW),
+        _ => 1,
+    }
+}
+
 fn kernel_weight(kernel: &Kernel) -> usize {
     match &kernel.switch {
         _ if !kernel.parts.is_empty() => kernel.parts.iter().map(kernel_weight).sum(),
@@ -59,7 +73,8 @@ fn kernel_weight(kernel: &Kernel) -> usize {
 
 /// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
 fn name_states(function: &mut Function, plan: &mut Plan) {
-    let mut names: HashMap<ValueId, ValueId> = HashMap::new();
+    let mut names: FxHashMap<ValueId, ValueId> = FxHashMap::default();
+    let mut added = Vec::new();
     for index in 0..function.sinks.len() {
         let mut sink = function.sinks[index].clone();
         if sink.lanes(function.circuit()) > 1 || matches!(sink, Sink::Show(_) | Sink::Hold(_)) {
@@ -69,13 +84,14 @@ fn name_states(function: &mut Function, plan: &mut Plan) {
             if function.cell(*operand).kind == Kind::State {
                 *operand = *names.entry(*operand).or_insert_with(|| {
                     let name = function.rewriter.copy(*operand);
-                    plan.single_first(name);
+                    added.push(name);
                     name
                 });
             }
         });
         function.sinks[index] = sink;
     }
+    plan.singles_first(added);
 }
 
 /// What a step looks at.
@@ -125,8 +141,8 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
         steps.extend(stage.loops().into_iter().map(|(lanes, _)| Step::Kernel(number, lanes)));
     }
     // Per value: after which step it is there, and nobody looks at it any more.
-    let mut last: HashMap<ValueId, usize> = HashMap::new();
-    let mut words: HashMap<u32, usize> = HashMap::new();
+    let mut last: FxHashMap<ValueId, usize> = FxHashMap::default();
+    let mut words: FxHashMap<u32, usize> = FxHashMap::default();
     for (position, &step) in steps.iter().enumerate() {
         for_each_read(function, plan, step, |id| {
             last.insert(id, position);
@@ -138,7 +154,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
         };
         for &id in computed {
             last.insert(id, position);
-            if let Kind::Word { memory, .. } = function.cell(id).kind {
+            if let Kind::Lowered(Lowered::Word { memory, .. }) = function.cell(id).kind {
                 words.insert(memory, position);
             }
         }
@@ -167,7 +183,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
 
 /// Stores the single values that one function computes and another looks at.
 fn store_between(function: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
-    let mut made: HashMap<ValueId, usize> = HashMap::new();
+    let mut made: FxHashMap<ValueId, usize> = FxHashMap::default();
     let mut stored = BTreeSet::new();
     for (number, piece) in pieces.iter().enumerate() {
         for &step in piece {

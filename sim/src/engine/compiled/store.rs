@@ -35,19 +35,6 @@ impl Store {
         self.words.as_ptr().cast_mut().cast()
     }
 
-    /// An integer of so many bytes, up to 8.
-    fn integer(&self, at: usize, bytes: usize) -> u64 {
-        let word = self.words[at / 8].get();
-        let shifted = word >> (at % 8 * 8);
-        if bytes == 8 { shifted } else { shifted & ((1 << (bytes * 8)) - 1) }
-    }
-
-    fn set_integer(&mut self, at: usize, bytes: usize, value: u64) {
-        let word = &self.words[at / 8];
-        let (shift, ones) = (at % 8 * 8, if bytes == 8 { u64::MAX } else { (1 << (bytes * 8)) - 1 });
-        word.set(word.get() & !(ones << shift) | (value & ones) << shift);
-    }
-
     /// All limbs.
     #[inline]
     pub fn limbs(&self) -> &[Cell<u64>] {
@@ -69,23 +56,12 @@ impl Store {
 
     /// The limbs of one lane of a value, or of a word, of so many bytes.
     pub fn get_word(&self, at: usize, bytes: usize, width: u32, limbs: &mut [u64]) {
-        if is_mask(bytes, width) {
-            limbs[0] = self.integer(at, bytes) & 1;
-            return;
-        }
-        for (i, limb) in limbs.iter_mut().enumerate() {
-            *limb = self.integer(at + i * 8, bytes.min(8));
-        }
+        Cells(&self.words).get_word(at, bytes, width, limbs);
     }
 
     /// Replaces one lane of a value, or a word.
     pub fn put_word(&mut self, at: usize, bytes: usize, width: u32, limbs: &[u64]) {
-        if is_mask(bytes, width) {
-            return self.set_integer(at, bytes, limbs[0].wrapping_neg());
-        }
-        for (i, &limb) in limbs.iter().enumerate() {
-            self.set_integer(at + i * 8, bytes.min(8), limb);
-        }
+        Cells(&self.words).put_word(at, bytes, width, limbs);
     }
 
     /// Replaces that many lanes, or words, one behind the other.
@@ -128,6 +104,46 @@ impl Store {
         let each = limbs.len() / place.lanes as usize;
         for (lane, limbs) in (0..).zip(limbs.chunks_exact(each)) {
             self.put_word(place.lane(lane), place.bytes(), place.width, limbs);
+        }
+    }
+}
+
+/// Numbers that code changes, seen as values.
+#[derive(Clone, Copy)]
+pub(super) struct Cells<'a>(pub &'a [Cell<u64>]);
+
+impl Cells<'_> {
+    /// An integer of so many bytes, up to 8.
+    fn integer(self, at: usize, bytes: usize) -> u64 {
+        let word = self.0[at / 8].get();
+        let shifted = word >> (at % 8 * 8);
+        if bytes == 8 { shifted } else { shifted & ((1 << (bytes * 8)) - 1) }
+    }
+
+    fn set_integer(self, at: usize, bytes: usize, value: u64) {
+        let word = &self.0[at / 8];
+        let (shift, ones) = (at % 8 * 8, if bytes == 8 { u64::MAX } else { (1 << (bytes * 8)) - 1 });
+        word.set(word.get() & !(ones << shift) | (value & ones) << shift);
+    }
+
+    /// The limbs of one lane of a value, or of a word, of so many bytes.
+    pub fn get_word(self, at: usize, bytes: usize, width: u32, limbs: &mut [u64]) {
+        if is_mask(bytes, width) {
+            limbs[0] = self.integer(at, bytes) & 1;
+            return;
+        }
+        for (i, limb) in limbs.iter_mut().enumerate() {
+            *limb = self.integer(at + i * 8, bytes.min(8));
+        }
+    }
+
+    /// Replaces one lane of a value, or a word.
+    pub fn put_word(self, at: usize, bytes: usize, width: u32, limbs: &[u64]) {
+        if is_mask(bytes, width) {
+            return self.set_integer(at, bytes, limbs[0].wrapping_neg());
+        }
+        for (i, &limb) in limbs.iter().enumerate() {
+            self.set_integer(at + i * 8, bytes.min(8), limb);
         }
     }
 }

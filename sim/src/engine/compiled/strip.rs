@@ -12,7 +12,7 @@ use super::emitter::{Emitter, offset};
 use super::lanes::{Lanes, Span, operator};
 use super::layout::Place;
 use super::scalar::{Scalar, Scalars};
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// A strip while its code is emitted.
 #[derive(Debug)]
@@ -243,8 +243,10 @@ impl Emitter<'_, '_, '_> {
     pub(super) fn lane_cell(&mut self, strip: &mut Strip, id: ValueId) {
         let cell = self.function.cell(id);
         match &cell.kind {
-            Kind::Word { memory, address } => self.read_lanes(strip, id, *memory, *address),
-            Kind::WordOf { memory, address, at } => self.read_lanes_at(strip, id, (*memory, *address), *at),
+            Kind::Lowered(Lowered::Word { memory, address }) => self.read_lanes(strip, id, *memory, *address),
+            Kind::Lowered(Lowered::WordOf { memory, address, at }) => {
+                self.read_lanes_at(strip, id, (*memory, *address), *at)
+            }
             // Made available before the loop.
             Kind::Broadcast { .. } if strip.lanes.has(id) => {}
             Kind::Broadcast { of, axis } if axis.inner > 1 => self.tile(strip, id, *of),
@@ -256,7 +258,7 @@ impl Emitter<'_, '_, '_> {
                 let (n, total) = (axis.count, strip.total);
                 self.collect(strip, id, *of, |emitter, lane| emitter.divided(lane, total, n).0);
             }
-            Kind::Gather { of, at } => self.gather(strip, id, *of, *at),
+            Kind::Lowered(Lowered::Gather { of, at }) => self.gather(strip, id, *of, *at),
             Kind::Lane { of, axis, index } => {
                 let (index, group) = (i64::from(*index), axis.count as usize);
                 self.collect(strip, id, *of, |emitter, lane| {
@@ -264,7 +266,7 @@ impl Emitter<'_, '_, '_> {
                     emitter.builder.ins().iadd_imm_s(start, index)
                 });
             }
-            Kind::Slide { of, by } => self.neighbour(strip, id, *of, *by),
+            Kind::Lowered(Lowered::Slide { of, by }) => self.neighbour(strip, id, *of, *by),
             Kind::Reduce { by, of, axis } => return self.accumulate(strip, id, *by, *of, axis.count),
             kind => self.elementwise(strip, id, kind, cell.width),
         }

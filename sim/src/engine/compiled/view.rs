@@ -3,6 +3,8 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashSet;
+
 use super::function::Maker;
 use super::jit::Code;
 use super::layout::Place;
@@ -247,7 +249,8 @@ impl Compiled {
             self.shown[id.index()] = Some((view, place));
             self.slots[id.index()] = Slot::of(&place, Source::View(view as u32));
         }
-        self.views.iter_mut().for_each(|view| view.shown.retain(|id| !shown.contains(id)));
+        let now: FxHashSet<ValueId> = shown.iter().copied().collect();
+        self.views.iter_mut().for_each(|view| view.shown.retain(|id| !now.contains(id)));
         self.views.push(View { code, triggers, stale: true, shown: shown.to_vec() });
         self.version += 1;
         view

@@ -3,7 +3,7 @@
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 
-use crate::engine::program::{Axis, Kind, ValueId};
+use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 
 /// How a value is computed; `name` tells values, `memory` memories.
 pub(in crate::engine) fn operation(
@@ -39,10 +39,13 @@ pub(in crate::engine) fn operation(
         Kind::Concat(parts) => format!("{{{}}}", list(parts)),
         Kind::Repeat(of, times) => format!("{{{times} times {}}}", name(*of)),
         Kind::Extend(of, signed) => format!("{} {}", if *signed { "sext" } else { "zext" }, name(*of)),
-        Kind::Rotate(of, left) => format!("{} rotated left by {left}", name(*of)),
+        Kind::Lowered(Lowered::Assemble { of, pieces }) => format!("{} pieces of {}", pieces.len(), list(of)),
+        Kind::Lowered(Lowered::Rotate { of, left }) => format!("{} rotated left by {left}", name(*of)),
         Kind::Read { memory: of, address } => format!("{}[{}]", memory(*of), name(*address)),
-        Kind::Word { memory: of, address } => format!("{}[{}] as it stands", memory(*of), name(*address)),
-        Kind::WordOf { memory: of, address, at } => {
+        Kind::Lowered(Lowered::Word { memory: of, address }) => {
+            format!("{}[{}] as it stands", memory(*of), name(*address))
+        }
+        Kind::Lowered(Lowered::WordOf { memory: of, address, at }) => {
             format!("lane {} of {}[{}] as it stands", name(*at), memory(*of), name(*address))
         }
         Kind::Broadcast { of, axis } => format!("{} times {}{}", axis.count, name(*of), apart(*axis)),
@@ -69,8 +72,10 @@ pub(in crate::engine) fn operation(
         }
         Kind::Pack { of, axis } => format!("{} lanes of {} side by side{}", axis.count, name(*of), apart(*axis)),
         Kind::Unpack { of, axis } => format!("{} parts of {}{}", axis.count, name(*of), apart(*axis)),
-        Kind::Gather { of, at } => format!("lane {} of {}", name(*at), name(*of)),
-        Kind::Slide { of, by } => format!("lane i {} {} of {}", if *by < 0 { '+' } else { '-' }, by.abs(), name(*of)),
+        Kind::Lowered(Lowered::Gather { of, at }) => format!("lane {} of {}", name(*at), name(*of)),
+        Kind::Lowered(Lowered::Slide { of, by }) => {
+            format!("lane i {} {} of {}", if *by < 0 { '+' } else { '-' }, by.abs(), name(*of))
+        }
     }
 }
 

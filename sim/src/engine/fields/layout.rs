@@ -311,8 +311,8 @@ impl<'a> Layout<'a> {
         if at == 0 || at == *width {
             return true;
         }
-        let mut parts = match form {
-            Form::Parts(parts) => parts.clone(),
+        let parts = match form {
+            Form::Parts(parts) => parts,
             Form::Open => {
                 let parts = [at, width - at].map(|width| self.node(width, Form::Open));
                 self.nodes[node.0].form = Form::Parts(parts.to_vec());
@@ -329,10 +329,14 @@ impl<'a> Layout<'a> {
         if low == at {
             return true;
         }
-        if is_full || !self.split(parts[index], at - low) {
+        let part = parts[index];
+        if is_full || !self.split(part, at - low) {
             return false;
         }
-        if let Form::Parts(inside) = &self.nodes[self.root(parts[index]).0].form {
+        if let (Form::Parts(parts), Form::Parts(inside)) =
+            (&self.nodes[node.0].form, &self.nodes[self.root(part).0].form)
+        {
+            let mut parts = parts.clone();
             parts.splice(index..=index, inside.iter().copied());
             self.nodes[node.0].form = Form::Parts(parts);
         }

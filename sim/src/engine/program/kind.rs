@@ -138,28 +138,35 @@ pub enum Kind {
         /// The axis that the result has more.
         axis: Axis,
     },
-    /// Code only: the operand's lane of the number that a lane of `at` has, which is one of them.
+    /// What no program has, only a function that has been lowered.
+    Lowered(Lowered),
+}
+
+/// What only lowering makes: the operations of the machine that no circuit has.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Lowered {
+    /// The operand's lane of the number that a lane of `at` has, which is one of them.
     Gather {
         /// The operand.
         of: ValueId,
         /// Which lane, of the result's shape.
         at: ValueId,
     },
-    /// Code only: lane `i` is lane `i - by` of the operand, anything where there is none.
+    /// Lane `i` is lane `i - by` of the operand, anything where there is none.
     Slide {
         /// The operand.
         of: ValueId,
         /// How many lanes towards the higher index.
         by: i32,
     },
-    /// Code only: the word of a memory as it stands there, which may be inverted in some bits.
+    /// The word of a memory as it stands there, which may be inverted in some bits.
     Word {
         /// The memory, by index.
         memory: u32,
         /// The address.
         address: ValueId,
     },
-    /// Code only: for each lane, the word of the lane of a memory whose number it has, at an address that all have, as it stands there.
+    /// For each lane, the word of the lane of a memory whose number it has, at an address that all have, as it stands there.
     WordOf {
         /// The memory, by index: it has lanes.
         memory: u32,
@@ -168,8 +175,31 @@ pub enum Kind {
         /// Which lane, of the result's shape.
         at: ValueId,
     },
-    /// Code only: the operand rotated to the left.
-    Rotate(ValueId, u32),
+    /// Pieces of values side by side, very many of them.
+    Assemble {
+        /// The values, each once.
+        of: Vec<ValueId>,
+        /// The pieces, the least significant first.
+        pieces: Vec<Piece>,
+    },
+    /// The operand rotated to the left.
+    Rotate {
+        /// The operand.
+        of: ValueId,
+        /// By how many bits, fewer than it has.
+        left: u32,
+    },
+}
+
+/// Some bits of one of several values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Piece {
+    /// Which value, by its place among them.
+    pub of: u32,
+    /// The first bit.
+    pub low: u32,
+    /// How many bits.
+    pub width: u32,
 }
 
 /// An axis of a value: its lanes are `outer` groups of `count` lanes, which are `inner` lanes each.
@@ -219,11 +249,11 @@ macro_rules! each_operand {
             | Kind::Slice(a, _)
             | Kind::Repeat(a, _)
             | Kind::Extend(a, _)
-            | Kind::Rotate(a, _)
+            | Kind::Lowered(Lowered::Rotate { of: a, .. })
             | Kind::Read { address: a, .. }
-            | Kind::Word { address: a, .. }
+            | Kind::Lowered(Lowered::Word { address: a, .. })
             | Kind::Broadcast { of: a, .. }
-            | Kind::Slide { of: a, .. }
+            | Kind::Lowered(Lowered::Slide { of: a, .. })
             | Kind::Lane { of: a, .. }
             | Kind::Reduce { of: a, .. }
             | Kind::Pack { of: a, .. }
@@ -232,8 +262,7 @@ macro_rules! each_operand {
             | Kind::Compare(_, _, a, b)
             | Kind::Shift(_, a, b)
             | Kind::Pick { of: a, index: b, .. }
-            | Kind::Gather { of: a, at: b }
-            | Kind::WordOf { address: a, at: b, .. } => {
+            | Kind::Lowered(Lowered::Gather { of: a, at: b } | Lowered::WordOf { address: a, at: b, .. }) => {
                 $visit(a);
                 $visit(b);
             }
@@ -258,7 +287,10 @@ macro_rules! each_operand {
                 $visit(of);
                 edge.$iter().for_each($visit);
             }
-            Kind::Concat(parts) | Kind::Stack { parts, .. } | Kind::Interleave { parts, .. } => {
+            Kind::Concat(parts)
+            | Kind::Stack { parts, .. }
+            | Kind::Interleave { parts, .. }
+            | Kind::Lowered(Lowered::Assemble { of: parts, .. }) => {
                 parts.$iter().for_each($visit);
             }
         }
@@ -291,13 +323,11 @@ impl Kind {
             | Kind::Concat(_)
             | Kind::Repeat(..)
             | Kind::Extend(..)
-            | Kind::Rotate(..) => true,
+            | Kind::Lowered(Lowered::Rotate { .. } | Lowered::Assemble { .. }) => true,
             Kind::State
             | Kind::Const(_)
             | Kind::Alias(_)
             | Kind::Read { .. }
-            | Kind::Word { .. }
-            | Kind::WordOf { .. }
             | Kind::Broadcast { .. }
             | Kind::Stack { .. }
             | Kind::Map { .. }
@@ -307,8 +337,7 @@ impl Kind {
             | Kind::Reduce { .. }
             | Kind::Pack { .. }
             | Kind::Unpack { .. }
-            | Kind::Gather { .. }
-            | Kind::Slide { .. } => false,
+            | Kind::Lowered(_) => false,
         }
     }
 }

@@ -31,7 +31,7 @@ pub use circuit::{Cell, Circuit, ValueId};
 pub use compile::{compile, compile_lanes, most_lanes};
 pub(crate) use compile::{flat, tidy};
 pub use hierarchy::Hierarchy;
-pub use kind::{Axis, Kind};
+pub use kind::{Axis, Kind, Lowered, Piece};
 pub(crate) use schedule::assign_to_clocks;
 
 /// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.

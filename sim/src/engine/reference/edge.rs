@@ -56,7 +56,7 @@ impl Engine {
         for &(memory, port) in &program.clocks[clock].reads {
             let read = &program.memories[memory as usize].reads[port as usize];
             for lane in (0..program.memories[memory as usize].lanes).filter(|&lane| self.holds(read.enable, lane)) {
-                let mut limbs = self.read_word(memory, lane, read.address);
+                let mut limbs = self.read_word(memory, lane, self.number(read.address, lane));
                 if self.is_written(program, memory, lane, read, rising) {
                     limbs.iter_mut().for_each(|limb| *limb = !*limb);
                     *limbs.last_mut().expect("a word has a limb") &= top_mask(program.circuit[read.value].width);

@@ -65,10 +65,10 @@ impl Engine {
         for (id, cell) in program.circuit.cells().filter(|(_, cell)| cell.kind != Kind::State) {
             let mut value = std::mem::take(&mut self.values[id.index()]);
             for (lane, out) in (0..).zip(value.chunks_exact_mut(limbs_for(cell.width))) {
-                match cell.kind {
-                    Kind::Read { memory, address } => out.copy_from_slice(&self.read_word(memory, lane, address)),
-                    _ => semantics::lane(cell, lane, out, |id, lane| self.number(id, lane)),
-                }
+                let word = |memory, lane, address: Number, out: &mut [u64]| {
+                    out.copy_from_slice(&self.read_word(memory, lane, address));
+                };
+                semantics::lane_with_words(cell, lane, out, |id, lane| self.number(id, lane), word);
             }
             self.values[id.index()] = value;
         }
@@ -88,15 +88,19 @@ impl Engine {
 
     /// The word that a lane of an address leads to, if it is within the depth.
     fn address(&self, memory: u32, lane: u32, address: ValueId) -> Option<u32> {
-        let (low, high) = self.number(address, lane).limbs.split_first().expect("a value has a limb");
-        let is_within =
-            high.iter().all(|&limb| limb == 0) && *low < u64::from(self.program.memories[memory as usize].depth);
-        is_within.then_some(*low as u32)
+        self.within(memory, self.number(address, lane))
     }
 
-    /// The word at a lane of an address; zero beyond the depth.
-    fn read_word(&self, memory: u32, lane: u32, address: ValueId) -> Vec<u64> {
-        match self.address(memory, lane, address) {
+    /// An address of a memory, if it is within the depth.
+    fn within(&self, memory: u32, address: Number) -> Option<u32> {
+        let (low, high) = address.limbs.split_first().expect("a value has a limb");
+        let depth = self.program.memories[memory as usize].depth;
+        (high.iter().all(|&limb| limb == 0) && *low < u64::from(depth)).then_some(*low as u32)
+    }
+
+    /// The word of a lane of a memory at an address; zero beyond the depth.
+    fn read_word(&self, memory: u32, lane: u32, address: Number) -> Vec<u64> {
+        match self.within(memory, address) {
             Some(address) => self.memories[memory as usize][self.place(memory, lane, address)].to_vec(),
             None => vec![0; limbs_for(self.program.memories[memory as usize].width)],
         }

@@ -42,6 +42,12 @@ impl Rewriter {
         Rewriter { circuit: Circuit::default(), known: FxHashMap::default(), passes: passes.clone(), loc: None }
     }
 
+    /// One that has built this, and applies no rules.
+    #[cfg(test)]
+    pub fn of(circuit: Circuit) -> Rewriter {
+        Rewriter { circuit, ..Rewriter::new(&Passes::none()) }
+    }
+
     /// One that has built nothing, under the same rules.
     pub fn empty(&self) -> Rewriter {
         Rewriter::new(&self.passes)

@@ -6,7 +6,7 @@ use tilewright_hdl::ir::{Binary, Relation, Shift, Unary};
 use tilewright_hdl::top_mask;
 
 use super::Number;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 use crate::limbs;
 
 impl Number<'_> {
@@ -61,7 +61,14 @@ pub(super) fn evaluate<'a>(kind: &Kind, width: u32, out: &mut [u64], operand: im
             (0..*times).for_each(|i| limbs::copy(out, i * of.width, of.limbs, 0, of.width));
         }
         Kind::Extend(of, signed) => extend(out, at(of), *signed, width),
-        Kind::Rotate(of, left) => {
+        Kind::Lowered(Lowered::Assemble { of, pieces }) => {
+            let (of, mut low) = (of.iter().map(at).collect::<Vec<_>>(), 0);
+            for piece in pieces {
+                limbs::copy(out, low, of[piece.of as usize].limbs, piece.low, piece.width);
+                low += piece.width;
+            }
+        }
+        Kind::Lowered(Lowered::Rotate { of, left }) => {
             let (of, left) = (at(of), left % width);
             limbs::copy(out, left, of.limbs, 0, width - left);
             limbs::copy(out, 0, of.limbs, width - left, left);

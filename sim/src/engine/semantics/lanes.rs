@@ -4,7 +4,7 @@ use tilewright_hdl::ir::Reduction;
 use tilewright_hdl::top_mask;
 
 use super::Number;
-use crate::engine::program::{Axis, Cell, Kind, ValueId};
+use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 use crate::limbs;
 
 /// Computes one lane of a cell that is not elementwise into `out`.
@@ -52,8 +52,10 @@ pub(super) fn evaluate<'a>(cell: &Cell, lane: u32, out: &mut [u64], at: impl Fn(
             out.fill(0);
             limbs::copy(out, 0, at(*of, rest).limbs, number * width, width);
         }
-        Kind::Gather { of, at: from } => out.copy_from_slice(at(*of, at(*from, lane).limbs[0] as u32).limbs),
-        Kind::Slide { of, by } => {
+        Kind::Lowered(Lowered::Gather { of, at: from }) => {
+            out.copy_from_slice(at(*of, at(*from, lane).limbs[0] as u32).limbs);
+        }
+        Kind::Lowered(Lowered::Slide { of, by }) => {
             let from = lane.checked_add_signed(-by).filter(|&from| from < cell.lanes).unwrap_or(lane);
             out.copy_from_slice(at(*of, from).limbs);
         }

@@ -4,7 +4,7 @@
 mod elementwise;
 mod lanes;
 
-use crate::engine::program::{Cell, ValueId};
+use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
 /// An operand in one lane; the bits above the width are zero.
 #[derive(Clone, Copy)]
@@ -15,10 +15,30 @@ pub(crate) struct Number<'a> {
 
 /// Computes one lane of a cell into `out`, whose limbs hold its width; `operand` gives a lane of a value.
 ///
-/// State and words of memories are not computed from values.
+/// State is not computed, and words of memories are not computed from values alone: [`lane_with_words`] has those.
 pub(crate) fn lane<'a>(cell: &Cell, lane: u32, out: &mut [u64], operand: impl Fn(ValueId, u32) -> Number<'a>) {
     match cell.kind.is_elementwise() {
         true => elementwise::evaluate(&cell.kind, cell.width, out, |id| operand(id, lane)),
         false => lanes::evaluate(cell, lane, out, operand),
+    }
+}
+
+/// As [`lane`], with memories: `word` gives the word of a lane of one, by its index, at an address, as it stands there, or
+/// zero beyond the depth.
+pub(crate) fn lane_with_words<'a>(
+    cell: &Cell,
+    lane: u32,
+    out: &mut [u64],
+    operand: impl Fn(ValueId, u32) -> Number<'a>,
+    word: impl Fn(u32, u32, Number, &mut [u64]),
+) {
+    match cell.kind {
+        Kind::Read { memory, address } | Kind::Lowered(Lowered::Word { memory, address }) => {
+            word(memory, lane, operand(address, lane), out);
+        }
+        Kind::Lowered(Lowered::WordOf { memory, address, at }) => {
+            word(memory, operand(at, lane).limbs[0] as u32, operand(address, 0), out);
+        }
+        _ => self::lane(cell, lane, out, operand),
     }
 }

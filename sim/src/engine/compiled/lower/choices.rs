@@ -2,11 +2,13 @@
 
 use tilewright_hdl::Bits;
 
-use crate::engine::program::{Cell, Circuit, Kind, ValueId};
+use crate::engine::program::{Cell, Circuit, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
-/// The widest number that constants are looked up by.
+/// The widest number that constants are looked up by, however few they are.
 const LOOKED_UP_BY: u32 = 8;
+/// The words of a table for each constant, where the number is wider.
+const WORDS: usize = 4;
 /// From how many arms on a choice between constants is looked up.
 const ARMS: usize = 4;
 
@@ -21,14 +23,15 @@ pub(super) fn lookup(
     let circuit = rewriter.circuit();
     let is_constant = |value: ValueId| circuit.constant(value).is_some();
     let by = circuit[subject].width;
+    let is_dense = by <= LOOKED_UP_BY || by < u32::BITS && arms.len() * WORDS >= 1 << by;
     let all = is_constant(default) && arms.iter().all(|(_, value)| is_constant(*value));
-    if !all || cell.lanes > 1 || arms.len() < ARMS || by > LOOKED_UP_BY || cell.width > 64 {
+    if !all || cell.lanes > 1 || arms.len() < ARMS || !is_dense || cell.width > 64 {
         return None;
     }
     let mut parts = vec![default; 1 << by];
     arms.iter().for_each(|(key, value)| parts[key.limbs()[0] as usize] = *value);
     let of = rewriter.add(Kind::Stack { parts, inner: 1 }, 1 << by, cell.width);
-    Some(rewriter.add(Kind::Gather { of, at: subject }, 1, cell.width))
+    Some(rewriter.add(Kind::Lowered(Lowered::Gather { of, at: subject }), 1, cell.width))
 }
 
 /// What a concatenation of the two parts of a value rotates, and by how much to the left, if the machine has integers
@@ -39,7 +42,8 @@ pub(super) fn rotation(circuit: &Circuit, parts: &[ValueId]) -> Option<Kind> {
         (&Kind::Slice(of, 0), &Kind::Slice(other, low)) if of == other => {
             let width = circuit[of].width;
             let is_whole = (circuit[upper].width, circuit[lower].width) == (low, width - low);
-            (is_whole && matches!(width, 8 | 16 | 32 | 64)).then_some(Kind::Rotate(of, width - low))
+            (is_whole && matches!(width, 8 | 16 | 32 | 64))
+                .then_some(Kind::Lowered(Lowered::Rotate { of, left: width - low }))
         }
         _ => None,
     }

@@ -8,7 +8,7 @@ use tilewright_hdl::ir::{Binary, Reduction, Relation};
 use super::super::layout::storage;
 use super::super::strips::Strips;
 use super::{Target, flags, reduce, table};
-use crate::engine::program::{Axis, Kind, ValueId};
+use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// Bits of a lane's number.
@@ -27,7 +27,7 @@ pub(super) fn gather(
         return rewriter.add(Kind::Broadcast { of, axis: Axis::last(lanes) }, lanes, width);
     }
     let at = table(rewriter, lanes, lanes, NUMBER, |lane| u64::from(from(lane)));
-    rewriter.add(Kind::Gather { of, at }, lanes, width)
+    rewriter.add(Kind::Lowered(Lowered::Gather { of, at }), lanes, width)
 }
 
 /// A lane over and over, or a row, or what lies between two axes.

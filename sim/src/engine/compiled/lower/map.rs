@@ -3,7 +3,7 @@
 use tilewright_hdl::ir::Affine;
 
 use super::{flags, lanes};
-use crate::engine::program::{Axis, Kind, ValueId};
+use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
 /// A [`Kind::Map`].
@@ -22,7 +22,8 @@ pub(super) fn map(rewriter: &mut Rewriter, map: &Map, lanes: u32, width: u32) ->
     let inside = |lane: u32| index.source(to.split(lane).0, axis.count);
     let anywhere = match (index, count == axis.count) {
         (Affine { mul: 1, add, div: 1 }, true) => {
-            rewriter.add(Kind::Slide { of, by: -add * axis.inner as i32 }, lanes, width)
+            let slide = Lowered::Slide { of, by: -add * axis.inner as i32 };
+            rewriter.add(Kind::Lowered(slide), lanes, width)
         }
         _ => lanes::gather(rewriter, of, lanes, width, |lane| {
             let (number, rest) = to.split(lane);

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Plan, Planner, Position, Role};
 use crate::engine::compiled::function::Sink;
-use crate::engine::program::{Kind, ValueId};
+use crate::engine::program::{Kind, Lowered, ValueId};
 
 /// The neighbours that a loop looks at of a register that it changes.
 #[derive(Debug, Clone, Copy, Default)]
@@ -39,10 +39,11 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     let mut read = |operand: ValueId, reader: Position, kind: Option<&Kind>| {
         let Some(&writer) = written.get(&operand) else { return };
         let by_lane = kind.is_none_or(|kind| {
-            kind.is_elementwise() || matches!(kind, Kind::Word { .. } | Kind::WordOf { .. } | Kind::Reduce { .. })
+            let of_words = matches!(kind, Kind::Lowered(Lowered::Word { .. } | Lowered::WordOf { .. }));
+            kind.is_elementwise() || of_words || matches!(kind, Kind::Reduce { .. })
         });
         match kind {
-            Some(Kind::Slide { by, .. }) if reader == writer => {
+            Some(Kind::Lowered(Lowered::Slide { by, .. })) if reader == writer => {
                 let seen = shifted.entry(writer).or_default().entry(operand).or_default();
                 seen.before |= *by > 0;
                 seen.behind |= *by < 0;

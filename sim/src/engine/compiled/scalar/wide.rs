@@ -10,6 +10,7 @@ use tilewright_hdl::limbs_for;
 
 use super::{LONGEST, Scalar, Scalars};
 use crate::engine::compiled::builder::{FunctionBuilder, POINTER};
+use crate::engine::compiled::emitter::offset;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::semantics::{self, Number};
 
@@ -17,7 +18,7 @@ use crate::engine::semantics::{self, Number};
 #[derive(Debug)]
 pub(in crate::engine::compiled) struct Call {
     cell: Cell,
-    /// Each operand, its width, and its first limb.
+    /// Each operand once, in the order of ids, its width, and its first limb.
     operands: Vec<(ValueId, u32, usize)>,
     /// The first limb of the result.
     out: usize,
@@ -32,7 +33,8 @@ unsafe extern "C" fn run(call: *const Call, scratch: *mut u64) {
         (call, std::slice::from_raw_parts_mut(scratch.add(call.out), limbs_for(call.cell.width)))
     };
     semantics::lane(&call.cell, 0, out, |id, _| {
-        let (_, width, at) = call.operands.iter().find(|(of, ..)| *of == id).expect("an operand");
+        let operand = call.operands.binary_search_by_key(&id, |(of, ..)| *of).expect("an operand");
+        let (_, width, at) = &call.operands[operand];
         // SAFETY: as above.
         Number { limbs: unsafe { std::slice::from_raw_parts(scratch.add(*at), limbs_for(*width)) }, width: *width }
     });
@@ -134,8 +136,8 @@ impl Scalars {
         let scalar = &self.values[&id];
         match scalar.scratch {
             Some(first) => {
-                let at = address(b, first + limb);
-                b.ins().load(types::I64, MemFlagsData::trusted(), at, 0)
+                let scratch = b.scratch();
+                b.ins().load(types::I64, MemFlagsData::trusted(), scratch, offset(8 * (first + limb)))
             }
             None => scalar.limbs.as_ref().expect("a wide value has limbs")[limb],
         }
@@ -154,6 +156,7 @@ impl Scalars {
                 operands.push((id, self.width(id), first));
             }
         });
+        operands.sort_unstable_by_key(|(id, ..)| *id);
         let call = Arc::new(Call { cell: Cell::new(kind.clone(), 1, width), operands, out });
         let arguments = [b.ins().iconst(POINTER, Arc::as_ptr(&call) as i64), b.scratch()];
         b.calls.push(call);
@@ -162,8 +165,8 @@ impl Scalars {
             b.give_back(taken);
             return Scalar::scratch(width, out);
         }
-        let at = address(b, out);
-        let limb = |i: usize| b.ins().load(types::I64, MemFlagsData::trusted(), at, i as i32 * 8);
+        let scratch = b.scratch();
+        let limb = |i: usize| b.ins().load(types::I64, MemFlagsData::trusted(), scratch, offset(8 * (out + i)));
         let limbs: Vec<Value> = (0..limbs_for(width)).map(limb).collect();
         b.give_back(out);
         match limbs.as_slice() {
@@ -179,9 +182,9 @@ impl Scalars {
         }
         let limbs = self.clean(b, id);
         let first = b.take(limbs.len());
-        let at = address(b, first);
+        let scratch = b.scratch();
         for (i, limb) in limbs.into_iter().enumerate() {
-            b.ins().store(MemFlagsData::trusted(), limb, at, i as i32 * 8);
+            b.ins().store(MemFlagsData::trusted(), limb, scratch, offset(8 * (first + i)));
         }
         first
     }

@@ -1,0 +1,176 @@
+//! What code relies on in a function that has been lowered: no operation is left that code does not know, each takes what is
+//! there, and lanes that pad the last strip change nothing.
+
+use tilewright_hdl::Bits;
+use tilewright_hdl::ir::{Binary, Reduction};
+
+use super::bounds::Bounds;
+use super::shapes::{MemoryShape, Shapes};
+use crate::engine::compiled::emitter::MemoryAt;
+use crate::engine::compiled::function::{Function, Sink};
+use crate::engine::compiled::layout::storage;
+use crate::engine::compiled::strips::Strips;
+use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
+
+/// Checks a function from which code is about to be made, for strips and memories as they are.
+///
+/// # Panics
+///
+/// Lowering has made a mistake.
+pub(in crate::engine::compiled) fn check_lowered(function: &Function, strips: &Strips, memories: &[MemoryAt]) {
+    let shape = |at: &MemoryAt| MemoryShape { lanes: at.lanes, depth: at.depth, width: at.width };
+    let shapes: Vec<MemoryShape> = memories.iter().map(shape).collect();
+    let shapes = Shapes { circuit: function.circuit(), memories: &shapes };
+    let mut written = vec![false; memories.len()];
+    for sink in &function.sinks {
+        if let Sink::Write { memory, .. } = sink
+            && let Some(written) = written.get_mut(*memory as usize)
+        {
+            *written = true;
+        }
+    }
+    let mut demands = Demands { function, strips, memories, shapes, written, bounds: Bounds::new(function.circuit()) };
+    function.needed().into_iter().for_each(|id| demands.cell(id));
+    let holds = function.sinks.iter().filter(|sink| matches!(sink, Sink::Hold(_))).count();
+    assert!(holds <= 1, "a lowered function goes on by more than one value");
+    function.sinks.iter().for_each(|sink| demands.sink(sink));
+}
+
+struct Demands<'a> {
+    function: &'a Function,
+    strips: &'a Strips,
+    memories: &'a [MemoryAt],
+    shapes: Shapes<'a>,
+    /// Per memory.
+    written: Vec<bool>,
+    bounds: Bounds<'a>,
+}
+
+impl Demands<'_> {
+    fn cell(&mut self, id: ValueId) {
+        let function = self.function;
+        let cell = function.cell(id);
+        cell.kind.for_each_operand(|operand| {
+            assert!(operand < id, "a lowered function uses a value before it is computed: {cell:?}");
+        });
+        let fits = self.shapes.fit(cell);
+        assert!(fits, "the operands of a lowered operation do not have the shapes that it takes: {cell:?}");
+        assert!(self.is_known(cell), "a lowered operation is none that there is code for: {cell:?}");
+    }
+
+    /// Whether there is code for an operation whose operands have the right shapes.
+    fn is_known(&mut self, cell: &Cell) -> bool {
+        let Cell { ref kind, lanes, width } = *cell;
+        let lanes_of = |id: ValueId| self.function.cell(id).lanes;
+        let width_of = |id: ValueId| self.function.cell(id).width;
+        match *kind {
+            Kind::Read { .. } | Kind::Map { .. } | Kind::Interleave { .. } | Kind::Pick { .. } => false,
+            // Each lane so many times, or a row.
+            Kind::Broadcast { axis, .. } => axis.inner == 1 || axis.lanes() == lanes,
+            Kind::Stack { ref parts, inner } => inner == 1 || self.are_rows(parts, inner, cell),
+            Kind::Lane { axis, .. } => axis.inner == 1,
+            Kind::Reduce { by, of, axis } => {
+                let is_carried = !matches!(by, Reduction::Min | Reduction::Max);
+                axis.inner == 1 && is_carried && (axis.count < lanes_of(of) || self.is_masked(by, of))
+            }
+            Kind::Pack { of, axis } => lanes == 1 && self.are_limbs(axis, width_of(of)),
+            Kind::Unpack { axis, .. } => lanes == axis.count && self.are_limbs(axis, width),
+            Kind::Lowered(ref lowered) => match *lowered {
+                Lowered::Gather { of, at } => {
+                    lanes_of(of) > 1 && width_of(at) <= 64 && self.bounds.most(at) < lanes_of(of).into()
+                }
+                Lowered::Slide { .. } => lanes > 1,
+                Lowered::Word { memory, address } => self.is_one_address(memory, address),
+                Lowered::WordOf { memory, at, .. } => {
+                    let of = &self.memories[memory as usize];
+                    let stays = !self.written[memory as usize] && of.words.together();
+                    let is_small = of.lanes > 1 && width <= 64 && width_of(at) <= 64;
+                    lanes > 1 && stays && is_small && self.bounds.most(at) < of.lanes.into()
+                }
+                Lowered::Rotate { .. } => lanes == 1 && matches!(width, 8 | 16 | 32 | 64),
+                Lowered::Assemble { .. } => lanes == 1 && width > 64,
+            },
+            _ => true,
+        }
+    }
+
+    /// Whether rows that are put together are copied by vectors.
+    fn are_rows(&self, parts: &[ValueId], inner: u32, cell: &Cell) -> bool {
+        let element = storage(self.strips, cell.lanes, cell.width);
+        parts.len() as u32 * inner == cell.lanes
+            && (inner * element).is_multiple_of(128)
+            && element == storage(self.strips, inner, cell.width)
+    }
+
+    /// Whether lanes of so many bits stand as the limbs of the value that they are parts of.
+    fn are_limbs(&self, axis: Axis, width: u32) -> bool {
+        let all = axis.count * width;
+        axis.inner == 1 && storage(self.strips, axis.count, width) == width && all.is_multiple_of(64)
+    }
+
+    /// Whether lanes that pad the last strip add nothing to a reduction of all lanes.
+    fn is_masked(&self, by: Reduction, of: ValueId) -> bool {
+        let Cell { ref kind, lanes, .. } = *self.function.cell(of);
+        lanes == 1
+            || self.is_whole(lanes)
+            || match *kind {
+                Kind::Mux { select, on_false, .. } => {
+                    let neutral = self.function.circuit().constant(on_false);
+                    let is_neutral = |bits: &Bits| match by {
+                        Reduction::And => bits.not().is_zero(),
+                        _ => bits.is_zero(),
+                    };
+                    self.function.is_table(select) && neutral.is_some_and(is_neutral)
+                }
+                _ => false,
+            }
+    }
+
+    /// Whether there are lanes for all of each strip.
+    fn is_whole(&self, lanes: u32) -> bool {
+        lanes.is_multiple_of(self.strips.strip(lanes))
+    }
+
+    /// Whether a memory whose words stand together has the same address in all lanes, of which code takes one.
+    fn is_one_address(&self, memory: u32, address: ValueId) -> bool {
+        let is_one = match self.function.cell(address).kind {
+            // What crosses into a unit is state there, and was the same in all lanes where it was computed.
+            Kind::Const(_) | Kind::State => true,
+            Kind::Broadcast { of, .. } => self.function.cell(of).lanes == 1,
+            _ => false,
+        };
+        is_one || !self.memories[memory as usize].words.together()
+    }
+
+    fn sink(&self, sink: &Sink) {
+        let shapes = &self.shapes;
+        let is = |id: ValueId, width: u32| shapes.is(id, 1, width);
+        let fits = match *sink {
+            Sink::Register { state, next, enable } => {
+                self.function.cell(state).kind == Kind::State && shapes.can_take(state, next, enable)
+            }
+            Sink::Write { memory, enable, address, data } => {
+                shapes.can_write(memory, enable, address, data)
+                    && self.is_one_address(memory, address)
+                    && self.is_existing(enable)
+            }
+            // What is shown is stored where it is computed.
+            Sink::Show(value) => self.function.circuit().constant(value).is_none(),
+            Sink::Hold(value) => is(value, 1),
+            Sink::Row { row, value, .. } => is(row, 64) && self.function.cell(value).lanes == 1,
+        };
+        assert!(fits, "a lowered function does what there is no code for: {sink:?}");
+    }
+
+    /// Whether a flag is 0 in lanes that pad the last strip.
+    fn is_existing(&self, flag: ValueId) -> bool {
+        let Cell { ref kind, lanes, .. } = *self.function.cell(flag);
+        let is_table = |id: ValueId| self.function.is_table(id);
+        lanes == 1
+            || self.is_whole(lanes)
+            || match *kind {
+                Kind::Binary(Binary::And, a, b) => is_table(a) || is_table(b),
+                _ => is_table(flag),
+            }
+    }
+}
