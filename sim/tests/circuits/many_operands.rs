@@ -37,7 +37,7 @@ impl Many {
         let _ = (1..OPERANDS).fold(first, |all, k| all.when(flag(k), value(k)));
         let shuffled = m.reg("shuffled", OPERANDS).reset(0);
         shuffled.next(all(&|k| shuffled.bit(k * 7 % OPERANDS)) ^ i.y.zext(OPERANDS));
-        let few = |k: u32| if k % 3 == 0 { shuffled.part(k / 2, 3) } else { i.y.part(k % 80, 3) };
+        let few = |k: u32| if k.is_multiple_of(3) { shuffled.part(k / 2, 3) } else { i.y.part(k % 80, 3) };
         ManyOut {
             cases: m.pipe("cases_before", cases),
             found: m.pipe("found_before", table),

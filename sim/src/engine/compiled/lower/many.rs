@@ -147,7 +147,7 @@ mod tests {
         let mut rewriter = Rewriter::new(&Passes::default());
         let states: Vec<ValueId> = (0..operands).map(|number| rewriter.state(1, 1 + number % 3)).collect();
         let flags: Vec<ValueId> = states.iter().copied().filter(|id| rewriter.circuit()[*id].width == 1).collect();
-        let cell = make(&mut rewriter, if operands % 2 == 0 { &states } else { &flags });
+        let cell = make(&mut rewriter, if operands.is_multiple_of(2) { &states } else { &flags });
         let kind = fewer(&mut rewriter, &cell).expect("it has many");
         let last = rewriter.add(kind, cell.lanes, cell.width);
         let count = |(_, cell): (ValueId, &Cell)| {

@@ -36,7 +36,7 @@ impl Everything {
         def!(index = m.reg(bits(3).of(row(5))));
         let (key, byte) = (i.at.of(row(5)), i.x.part(0, 8));
         let picked = lanes.pick(i.at) ^ other.pick(index.lane(2));
-        lanes.next(lanes.previous(3) + other.following(byte) ^ picked.of(row(5)));
+        lanes.next((lanes.previous(3) + other.following(byte)) ^ picked.of(row(5)));
         let pairs = interleave([lanes.take(2, |lane| lane), lanes.take(2, |lane| lane * 2)]);
         other.next(other.reversed() ^ pairs.take_or(5, |lane| lane + 1, picked));
         index.next(index ^ key ^ lanes.part(2, 3));
@@ -56,7 +56,7 @@ impl Everything {
         single.write(i.write, i.at, i.x);
         twin.write(i.write & i.at.bit(0), i.at, !i.x);
         def!(turned = m.reg(32));
-        turned.next(cat![turned.part(0, 27), turned.part(27, 5)] ^ single.read_async(i.at) + twin.read(i.at));
+        turned.next(cat![turned.part(0, 27), turned.part(27, 5)] ^ (single.read_async(i.at) + twin.read(i.at)));
         let coded = case(i.at, (0..6u64).map(|k| (k, lit(8, 7 + k * k * 5))), lit(8, 255));
         let sums = lanes.sum() + words.xor_all() + other.maximum() + lanes.or_all() + other.and_all();
         def!(all = m.reg(8));
