@@ -92,15 +92,18 @@ fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
     Ok(recording.take())
 }
 
+/// With this the simulators say what is covered.
+const COVERS: &str = "-DTILEWRIGHT_COVERS";
+
 /// The lines that run the testbench, the last of the files, in two simulators; each in a shell of its own, so that one can follow
-/// the other. `-N` has Icarus end with status 1 at the bench's `$stop`, as Verilator's program does by itself.
+/// the other. `-n` has Icarus ask nothing where a bench stops; the macro has covers printed.
 fn simulators(folder: &Path, files: &[VerilogFile]) -> Vec<String> {
     let folder = quoted(folder);
     let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();
     let top = files.last().map_or("", |bench| bench.name.trim_end_matches(".v"));
     let sources = sources.join(" ");
     vec![
-        format!("(cd {folder} && iverilog -g2005 -s {top} -o bench.vvp {sources} && vvp -N bench.vvp)"),
-        format!("(cd {folder} && verilator --binary --top-module {top} -o bench {sources} && obj_dir/bench)"),
+        format!("(cd {folder} && iverilog -g2005 {COVERS} -s {top} -o bench.vvp {sources} && vvp -n bench.vvp)"),
+        format!("(cd {folder} && verilator --binary {COVERS} --top-module {top} -o bench {sources} && obj_dir/bench)"),
     ]
 }

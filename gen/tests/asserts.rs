@@ -168,6 +168,38 @@ fn one_that_fails_on_another_clock_or_at_the_last_edge_is_reported() {
     fails(&edited, &bench, &["FAIL: time 100000: ", "asserted_tb.dut: the count stays small"]);
 }
 
+/// With a terminal, without one, and where nothing can be asked.
+#[test]
+fn one_that_fails_ends_icarus_with_a_status() {
+    let (design, files) = printed();
+    let held = recording([1, 2, 3, 4, 5, 6, 77, 8, 19, 10], 0);
+    let mut mismatched = held.clone();
+    mismatched.steps[3].outputs[1] = Bits::new(8, 77);
+    let benches = [(held, Some(0)), (recording([1, 2, 3, 4, 200, 6, 7, 8, 9, 10], 0), Some(1)), (mismatched, Some(1))];
+    for (recording, status) in benches {
+        let folder = tempfile::tempdir().unwrap();
+        let bench = testbench(&design, &recording);
+        let names: Vec<&str> = files.iter().chain([&bench]).map(|file| file.name.as_str()).collect();
+        for file in files.iter().chain([&bench]) {
+            std::fs::write(folder.path().join(&file.name), &file.text).unwrap();
+        }
+        if tools::skipped_without(&["iverilog", "vvp"]).is_some() {
+            return;
+        }
+        let run = |program: &str, arguments: &[&str]| {
+            let mut command = Command::new(program);
+            command.args(arguments).current_dir(folder.path()).stdin(std::process::Stdio::null());
+            command.output().unwrap()
+        };
+        let compiled = run("iverilog", &[&["-g2005", "-o", "bench.vvp"], &names[..]].concat());
+        assert!(compiled.status.success(), "{compiled:?}");
+        for options in [&["bench.vvp"][..], &["-n", "bench.vvp"], &["-N", "bench.vvp"]] {
+            let ended = run("vvp", options);
+            assert_eq!(ended.status.code(), status, "{options:?}: {ended:?}");
+        }
+    }
+}
+
 #[test]
 fn none_is_looked_at_while_the_reset_is_high() {
     let (design, files) = printed();

@@ -174,6 +174,32 @@ fn a_run_in_which_they_hold_passes() {
     }
 }
 
+/// In a simulation of somebody else's, covers print nothing.
+#[test]
+fn covers_are_printed_where_that_is_asked_for() {
+    if tools::skipped_without(&["iverilog", "vvp"]).is_some() {
+        return;
+    }
+    let (files, bench) = run(&GOOD);
+    let folder = tempfile::tempdir().unwrap();
+    for file in files.iter().chain([&bench]) {
+        std::fs::write(folder.path().join(&file.name), &file.text).unwrap();
+    }
+    for (option, count) in [("-DTILEWRIGHT_COVERS", 4), ("-DOTHER", 0)] {
+        let mut compile = Command::new("iverilog");
+        compile.args(["-g2005", option, "-o", "bench.vvp", &bench.name, &files[0].name]).current_dir(folder.path());
+        assert!(compile.status().unwrap().success());
+        let output = Command::new("vvp").args(["-n", "bench.vvp"]).current_dir(folder.path()).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        let names: std::collections::BTreeSet<&str> = text
+            .lines()
+            .filter(|line| line.starts_with("COVER: "))
+            .filter_map(|line| line.rsplit_once(": ").map(|(_, name)| name))
+            .collect();
+        assert!(names.len() <= count && names.is_empty() == (count == 0), "{option}: {text}");
+    }
+}
+
 #[test]
 fn a_simulator_stops_where_an_assumption_or_a_past_fails() {
     let early = |x: [u64; 3]| [vec![(1, x), (0, x)], vec![(0, [1, 1, 1]); 2]].concat();

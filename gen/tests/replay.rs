@@ -48,6 +48,19 @@ fn a_counter_passes() {
     run(&Counter { width: 8, limit: 3 }, &counting()).unwrap();
 }
 
+/// 60 Hz is more than 32 bits of picoseconds.
+#[test]
+fn a_clock_may_take_a_second() {
+    let mut slow = counting();
+    for (step, cycle) in slow.steps.iter_mut().zip(1..) {
+        step.time_ps = cycle * 1_000_000_000_001;
+    }
+    run(&Counter { width: 8, limit: 3 }, &slow).unwrap();
+    let mut uneven = slow.clone();
+    uneven.steps[5].time_ps += 1_000_000_000_000;
+    run(&Counter { width: 8, limit: 3 }, &uneven).unwrap();
+}
+
 /// Icarus reads no literal of so many digits.
 #[test]
 fn outputs_of_70000_bits_are_compared() {

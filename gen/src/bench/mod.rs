@@ -16,9 +16,9 @@ use tilewright_hdl::ir::Design;
 use tilewright_hdl::{Bits, Recording};
 
 /// The testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` in a design that has a module `TOP_tb`), for `iverilog -g2005` and `verilator --binary` alike. It prints
-/// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and stops: `vvp -N` and a program of Verilator's then
-/// end with a non-zero status. An assertion of the design that fails is printed as `FAIL: time t: INSTANCE: message`, and
-/// stops it at once.
+/// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and ends with a non-zero status. An assertion of the design
+/// that fails is printed as `FAIL: time t: INSTANCE: message`, and ends it at once with a non-zero status. Compiled with
+/// `-DTILEWRIGHT_COVERS`, it prints which covers are hit.
 ///
 /// ```
 /// # use tilewright_hdl::*;

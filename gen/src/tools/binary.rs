@@ -32,8 +32,27 @@ const PROGRAM: &str = "build/program";
 ///
 /// What Verilator or the compiler printed.
 pub fn verilated(folder: &Path, sources: &[&str], top: &str, flags: &[&str]) -> Result<Option<PathBuf>, Problems> {
-    let verilator = [Verilator::System, Verilator::Python].into_iter().find(|it| it.command().is_some());
-    let verilator = verilator.unwrap_or(Verilator::System);
+    verilated_by(installed()[0], folder, sources, top, flags)
+}
+
+/// The Verilators that are installed, or the one that is looked for.
+pub fn installed() -> Vec<Verilator> {
+    let mut found: Vec<Verilator> =
+        [Verilator::System, Verilator::Python].into_iter().filter(|it| it.command().is_some()).collect();
+    if found.is_empty() {
+        found.push(Verilator::System);
+    }
+    found
+}
+
+/// As [`verilated`], by this Verilator.
+pub fn verilated_by(
+    verilator: Verilator,
+    folder: &Path,
+    sources: &[&str],
+    top: &str,
+    flags: &[&str],
+) -> Result<Option<PathBuf>, Problems> {
     if skipped_without(&[verilator.programs(), vec!["make", COMPILER]].concat()).is_some() {
         return Ok(None);
     }

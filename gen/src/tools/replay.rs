@@ -1,6 +1,6 @@
 //! Replays: a testbench in Icarus and in Verilator, and a dump against the printed Verilog in Yosys.
 
-use super::binary::verilated;
+use super::binary::{installed, verilated_by};
 use super::run::{Folder, problem, skipped_without, sources, top};
 use super::{Checked, Problems};
 use crate::VerilogFile;
@@ -44,12 +44,11 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
     if !succeeded || !output.is_empty() {
         return Err(problem("iverilog", output));
     }
-    // `-N` ends with a non-zero status at `$stop`.
-    let (succeeded, output) = folder.run(Command::new("vvp").args(["-N", "bench.vvp"]));
+    let (succeeded, output) = folder.run(Command::new("vvp").args(["-n", "bench.vvp"]));
     verdict("iverilog", succeeded, output)
 }
 
-/// Builds the testbench with Verilator and runs it; takes a C++ compiler and some seconds.
+/// Builds the testbench with each Verilator that is installed and runs it; takes a C++ compiler and some seconds.
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
@@ -66,12 +65,16 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
 ///
 /// What Verilator, the compiler or the testbench printed, if that is not `PASS`.
 pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
-    let folder = folder_with(files, bench);
     let top = bench.name.trim_end_matches(".v");
     let all: Vec<&str> = [bench.name.as_str()].into_iter().chain(sources(files)).collect();
-    let Some(program) = verilated(folder.path(), &all, top, &[])? else { return Ok(Checked::Skipped) };
-    let (succeeded, output) = folder.run(&mut Command::new(program));
-    verdict("verilator", succeeded, output)
+    for verilator in installed() {
+        let folder = folder_with(files, bench);
+        let program = verilated_by(verilator, folder.path(), &all, top, &[])?;
+        let Some(program) = program else { return Ok(Checked::Skipped) };
+        let (succeeded, output) = folder.run(&mut Command::new(program));
+        let _ = verdict(verilator.name(), succeeded, output)?;
+    }
+    Ok(Checked::Passed)
 }
 
 fn folder_with(files: &[VerilogFile], bench: &VerilogFile) -> Folder {

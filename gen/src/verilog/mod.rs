@@ -41,6 +41,7 @@ pub use fold::lower::packed_width;
 pub use layout::{connect, range};
 pub use literal::pattern;
 use printer::Printer;
+pub use properties::stop;
 pub use scope::{Names, Scope};
 pub use state::{ModuleState, ScopeState, State};
 use tilewright_hdl::ir::Design;

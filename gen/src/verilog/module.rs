@@ -36,6 +36,7 @@ pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     body.section(memory_ports);
     body.section(registers);
     body.section(outputs);
+    body.section(printer.stop_task());
     body.section(properties);
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);

@@ -11,7 +11,7 @@ use super::scope::Names;
 use super::stated::stated;
 use super::states::StateNames;
 use super::usage::Usage;
-use tilewright_hdl::ir::{ClockId, Design, Module, NodeId};
+use tilewright_hdl::ir::{ClockId, Design, Directive, Module, NodeId};
 
 /// A folded module while it is being printed.
 pub struct Printer<'a> {
@@ -31,6 +31,8 @@ pub struct Printer<'a> {
     pub resets: &'a [Option<NodeId>],
     /// For each register whether it stands with the statements.
     pub stated: Vec<bool>,
+    /// The task that a failing assertion or assumption calls.
+    pub stop: Option<String>,
     /// The group whose scope is being printed.
     pub here: Option<usize>,
     /// The lane that the text at hand is about, by axis.
@@ -46,6 +48,8 @@ impl<'a> Printer<'a> {
         let groups = Groups::new(module, &plan, resets);
         let ports = port_values(design, module, &plan);
         let mut taken = Names::of(design, module, printed);
+        let is_checked = module.properties.iter().any(|property| property.directive != Directive::Cover);
+        let stop = is_checked.then(|| taken.fresh("stop"));
         let reads = name_reads(module, &mut taken);
         let mut names = name_nodes(design, module, &plan, &reads, resets, &ports, &mut taken);
         let states = StateNames::new(module, &mut taken);
@@ -53,7 +57,24 @@ impl<'a> Printer<'a> {
         let usage = Usage::new(module.nodes.len());
         let stated = stated(module, &plan, resets);
         let (here, at) = (None, Vec::new());
-        Printer { design, module, plan, taken, names, reads, states, groups, lanes, resets, stated, here, at, usage }
+        Printer {
+            design,
+            module,
+            plan,
+            taken,
+            names,
+            reads,
+            states,
+            groups,
+            lanes,
+            resets,
+           
+            stated,
+            stop,
+            here,
+            at,
+            usage,
+        }
     }
 
     /// The name of a node that has one.

@@ -1,5 +1,6 @@
-//! What is stated: a simulation says which assertion or assumption fails, where and when, and stops, and it says when a cover is hit
-//! for the first time; a formal tool proves, takes for granted, and looks for them; synthesis does not see them.
+//! What is stated: a simulation says which assertion or assumption fails, where and when, and ends with a non-zero status. Where
+//! [`PRINTS_COVERS`] is defined it says when a cover is hit for the first time. A formal tool proves, takes for granted, and looks for
+//! them; synthesis does not see them.
 
 use super::layout::with_place;
 use super::literal::Style;
@@ -8,7 +9,25 @@ use super::printer::Printer;
 use super::text::format_text;
 use tilewright_hdl::ir::{ClockId, Directive, NodeId, Op, Property, Unary};
 
+/// The macro with which covers are printed: in a simulation of somebody else's they are of no account.
+pub const PRINTS_COVERS: &str = "TILEWRIGHT_COVERS";
+
+/// Ends a simulation with a non-zero status. Without a terminal, Icarus ends with status 0 at `$stop`.
+pub fn stop() -> Vec<String> {
+    ["`ifdef __ICARUS__", "$finish_and_return(1);", "`else", "$stop;", "`endif"].map(str::to_owned).to_vec()
+}
+
 impl Printer<'_> {
+    /// The task that a failing assertion or assumption calls, if there are any.
+    pub fn stop_task(&self) -> Vec<String> {
+        let Some(name) = &self.stop else { return Vec::new() };
+        let mut out = ["`ifndef SYNTHESIS", "`ifndef FORMAL"].map(str::to_owned).to_vec();
+        out.extend([format!("task {name};"), "    begin".to_owned()]);
+        out.extend(stop().into_iter().map(|line| if line.starts_with('`') { line } else { format!("        {line}") }));
+        out.extend(["    end", "endtask", "`endif", "`endif"].map(str::to_owned));
+        out
+    }
+
     /// These properties for a formal tool, and for a simulation, with the registers that nothing else reads. What they read counts as unread: a tool for synthesis
     /// finds nothing that reads it.
     pub fn properties(&mut self, properties: &[usize]) -> Vec<String> {
@@ -100,12 +119,19 @@ impl Printer<'_> {
         let (when, body) = match (property.directive, hit) {
             (Directive::Cover, Some(hit)) => (
                 format!("{} && !{hit}", self.operand(property.condition, Style::Count)),
-                vec![format!("$display(\"COVER: time %0t: %m: {message}\", $time);"), format!("{hit} <= 1'b1;")],
+                vec![
+                    format!("`ifdef {PRINTS_COVERS}"),
+                    format!("$display(\"COVER: time %0t: %m: {message}\", $time);"),
+                    "`endif".to_owned(),
+                    format!("{hit} <= 1'b1;"),
+                ],
             ),
             (directive, _) => {
                 let blames = if directive == Directive::Assume { "the stimulus breaks an assumption: " } else { "" };
                 let says = format!("$display(\"FAIL: time %0t: %m: {blames}{message}\", $time);");
-                (self.fails(property.condition), vec![says, "$stop;".to_string()])
+                let stop = self.stop.as_ref().expect("a module that asserts something has the task");
+                let stop = format!("{stop};");
+                (self.fails(property.condition), vec![says, stop])
             }
         };
         let reset = self.reset_is_low(property.clock).map(|low| format!("{low} && ")).unwrap_or_default();

@@ -56,7 +56,11 @@ module grid_tb;
         if (errors == 0) $display("PASS: 3 cycles");
         else begin
             $display("FAIL: %0d mismatches in 3 cycles", errors);
+    `ifdef __ICARUS__
+            $finish_and_return(1);
+    `else
             $stop;
+    `endif
         end
         $finish;
     end

@@ -67,6 +67,9 @@ pub enum Refused {
     Itself(String),
 }
 
+/// The option with which a simulator compiles that covers are printed.
+const PRINT_COVERS: &str = "-DTILEWRIGHT_COVERS";
+
 /// Seconds of processor time for benches that come to an end: more than they need.
 pub const PATIENCE: u64 = 300;
 
@@ -90,7 +93,7 @@ pub fn run(tool: Tool, designs: &[Printed], seconds: u64) -> Result<Vec<Option<S
             }
             match file.name.ends_with(".v") {
                 // An assertion that fails must not end the other benches.
-                true => text += &file.text.replace("$stop;", ""),
+                true => text += &without_stops(&file.text),
                 false => std::fs::write(folder.path().join(&file.name), &file.text).expect("a file can be written"),
             }
         }
@@ -111,7 +114,12 @@ pub fn run(tool: Tool, designs: &[Printed], seconds: u64) -> Result<Vec<Option<S
 fn named_verdicts(bench: &str, number: usize) -> String {
     let named = bench.replace("$display(\"", &format!("$display(\"{number}: "));
     assert!(named.contains("$finish;"), "the testbench does not end with $finish");
-    named.replace("$finish;", "").replace("$stop;", "")
+    without_stops(&named).replace("$finish;", "")
+}
+
+/// The text without what ends a simulation where something fails.
+fn without_stops(text: &str) -> String {
+    text.replace("$stop;", "").replace("$finish_and_return(1);", "")
 }
 
 fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
@@ -153,7 +161,7 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
 }
 
 fn icarus(folder: &TempDir, seconds: u64) -> Result<String, Refused> {
-    let compile = ["-g2005", "-s", "all_benches", "-o", "all_benches.vvp", "all_benches.v"];
+    let compile = ["-g2005", "-s", "all_benches", PRINT_COVERS, "-o", "all_benches.vvp", "all_benches.v"];
     let (succeeded, output) = execute(folder, Command::new("iverilog").args(compile));
     if !succeeded {
         // An assertion of its own is no complaint.
@@ -172,7 +180,7 @@ pub(crate) fn limited(program: impl AsRef<OsStr>, seconds: u64) -> Command {
 
 fn verilator(folder: &TempDir) -> Result<String, Refused> {
     // Gates put into the code of the benches would double the C++.
-    let flags = ["-Wno-fatal", "-Wno-lint", "-fno-gate"];
+    let flags = ["-Wno-fatal", "-Wno-lint", "-fno-gate", PRINT_COVERS];
     match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
         Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program)).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),
