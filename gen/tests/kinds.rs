@@ -61,6 +61,17 @@ fn a_table_too_long_for_the_text() {
     assert_eq!(data.text.lines().nth(20), Some("90"));
 }
 
+/// Verilator 5.006 refuses a signed product of more than 512 bits.
+#[test]
+fn a_signed_product_of_any_width_is_taken() {
+    let files = print("product", |_, i| {
+        let [a, b] = [i.a.repeat(40), i.b.repeat(40)].map(|x| x.signed());
+        a.times(b).bits().slice(250..258)
+    });
+    assert!(files[0].text.contains(" * ") && !files[0].text.contains("$signed"), "{}", files[0].text);
+    tools::lint(&files).unwrap();
+}
+
 /// Yosys takes the square of the words that an `initial` block gives.
 #[test]
 fn a_large_memory_is_filled_from_a_file() {

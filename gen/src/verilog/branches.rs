@@ -3,9 +3,13 @@
 use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
-use super::statement::Statement;
+use super::statement::{Statement, assign_always};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{NodeId, Op, Unary};
+
+/// More conditions than this are no `else if`s of each other: parsers of some tools end at a thousand or so, and Yosys takes time that
+/// grows with their cube.
+const LONGEST_CHAIN: usize = 32;
 
 /// What statements assign to.
 #[derive(Clone)]
@@ -28,7 +32,7 @@ impl Printer<'_> {
         match &self.module.node(id).op {
             _ if self.keeps(target, id) => Vec::new(),
             Op::Case { .. } if self.is_choice(id) => vec![self.case(id, target)],
-            Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => self.if_chain(id, target).into_iter().collect(),
+            Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => self.if_chain(id, target),
             _ => self.leaf(id, target),
         }
     }
@@ -87,7 +91,7 @@ impl Printer<'_> {
     }
 
     /// None where the target keeps its value in any case.
-    fn if_chain(&mut self, id: NodeId, target: &Target) -> Option<Statement> {
+    fn if_chain(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         let (mut arms, last) = self.chain(id);
         let this = &*self;
         let holds = |id: NodeId| this.keeps(target, id);
@@ -95,21 +99,39 @@ impl Printer<'_> {
             arms.pop();
         }
         if arms.is_empty() && holds(last) {
-            return None;
+            return Vec::new();
+        }
+        if arms.len() > LONGEST_CHAIN {
+            return self.separate_ifs(&arms, last, target);
         }
         let is_kept = matches!(arms[..], [(_, value)] if holds(value));
         if let [(condition, _)] = arms[..]
             && is_kept
         {
             let condition = self.negated(condition);
-            return Some(Statement::If(vec![(condition, self.branch(last, target))], Vec::new()));
+            return vec![Statement::If(vec![(condition, self.branch(last, target))], Vec::new())];
         }
         let mut printed = Vec::with_capacity(arms.len());
         for (condition, value) in arms {
             let condition = self.value(condition);
             printed.push((condition, self.full_branch(value, target)));
         }
-        Some(Statement::If(printed, self.branch(last, target)))
+        vec![Statement::If(printed, self.branch(last, target))]
+    }
+
+    /// The same choice without an `else`: the first condition that holds wins, so it stands last.
+    fn separate_ifs(&mut self, arms: &[(NodeId, NodeId)], last: NodeId, target: &Target) -> Vec<Statement> {
+        let mut out = self.branch(last, target);
+        for &(condition, value) in arms.iter().rev() {
+            let condition = self.value(condition);
+            let mut body = self.full_branch(value, target);
+            // What keeps the value keeps none that a condition before this one gave.
+            if !assign_always(&body) {
+                body.insert(0, target.keep());
+            }
+            out.push(Statement::If(vec![(condition, body)], Vec::new()));
+        }
+        out
     }
 
     /// A condition that holds where the given one does not.

@@ -16,6 +16,17 @@ pub enum Statement {
     },
 }
 
+/// Whether some of the statements assigns, whatever the conditions are.
+pub fn assign_always(statements: &[Statement]) -> bool {
+    statements.iter().any(|statement| match statement {
+        Statement::Assign(_) => true,
+        Statement::If(arms, last) => assign_always(last) && arms.iter().all(|(_, body)| assign_always(body)),
+        Statement::Case { arms, default, .. } => {
+            assign_always(default) && arms.iter().all(|(_, body)| assign_always(body))
+        }
+    })
+}
+
 /// The same statements, those that follow each other under the same conditions in one.
 pub fn merged(statements: Vec<Statement>) -> Vec<Statement> {
     let mut out: Vec<Statement> = Vec::with_capacity(statements.len());

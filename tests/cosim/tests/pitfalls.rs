@@ -34,6 +34,43 @@ const PITFALLS: &[Pitfall] = &[
         circuit: |i| case(lit(2, 2) << lit(2, 1), [(0, i.a), (1, i.b)], i.c),
         rows: &[[1, 0, 0, 1], [0, 1, 1, 0]],
     },
+    // Two shifts by as much as the amounts hold are one by their whole sum.
+    Pitfall {
+        name: "shifted_left_twice",
+        widths: [8, 2, 2],
+        circuit: |i| (i.a << i.b) << i.c,
+        rows: &[[0xff, 3, 3, 0xc0], [0xff, 3, 1, 0xf0], [0xff, 0, 0, 0xff]],
+    },
+    Pitfall {
+        name: "shifted_right_three_times",
+        widths: [8, 2, 2],
+        circuit: |i| ((i.a >> i.b).named("once") >> i.c) >> i.b,
+        rows: &[[0xff, 3, 1, 1], [0xff, 3, 3, 0], [0xff, 0, 2, 0x3f]],
+    },
+    // A signed product that is wider than some tools have.
+    Pitfall {
+        name: "wide_signed_product",
+        widths: [8, 8, 1],
+        circuit: |i| i.a.signed().sext(300).times(i.b.signed().sext(300)).bits().slice(0..16),
+        rows: &[[0xff, 0xff, 0, 1], [0x80, 2, 0, 0xff00], [0x7f, 0x81, 0, 0xc0ff]],
+    },
+    // Exclusive ors and inversions of bits of a wide value.
+    Pitfall {
+        name: "a_bit_left_over_by_three",
+        widths: [39, 1, 1],
+        circuit: |i| cat!(i.a.slice(32..39), i.a.bit(38) ^ i.a.bit(31) ^ i.a.bit(38)).ne(i.a.slice(31..39)),
+        rows: &[[0x40_8000_0000, 0, 0, 0], [0x40_0000_0000, 0, 0, 0], [0x00_8000_0000, 0, 0, 0]],
+    },
+    Pitfall {
+        name: "inverted_twice_between_ands",
+        widths: [8, 8, 8],
+        circuit: |i| {
+            let not_both = !(i.a.bit(3) & i.b.bit(1));
+            let or = !(i.c.bit(2) & not_both);
+            i.c.bit(0) & !!or
+        },
+        rows: &[[8, 2, 5, 1], [0, 2, 5, 0], [8, 2, 1, 1], [8, 2, 4, 0]],
+    },
     // A signed comparison stays signed beside an unsigned operand.
     Pitfall {
         name: "signed_compare_in_unsigned_context",

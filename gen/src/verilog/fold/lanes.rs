@@ -152,7 +152,7 @@ impl Fold {
                 Is(Op::Const((1..count).fold(value.clone(), |all, _| all.concat(&value))))
             }
             Op::Broadcast { of: inner, axis: same } if same == axis => Is(Op::Repeat(inner, count)),
-            Op::Stack { parts, axis: same } if same == axis => self.concat(parts.into_iter().rev().collect()),
+            Op::Stack { parts, axis: same } if same == axis => self.concat(id, parts.into_iter().rev().collect()),
             _ => Is(Op::Pack { of, axis }),
         }
     }

@@ -9,8 +9,9 @@ mod operators;
 mod shift;
 
 use super::order::{for_each_read, map_operands, operands_first};
+use operators::WIDEST_SIGNED_PRODUCT;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Design, Directive, Kind, Module, Node, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Binary, Design, Directive, Kind, Module, Node, NodeId, Op, Shape};
 
 /// A circuit that is ready to be printed.
 pub struct Folded {
@@ -183,18 +184,19 @@ impl Fold {
         }
         match op {
             Op::Unary(unary, a) => self.unary(unary, a),
+            Op::Binary(Binary::MulSigned, a, b) if width > WIDEST_SIGNED_PRODUCT => self.wide_product(id, a, b),
             Op::Binary(binary, a, b) => self.binary(binary, a, b),
             Op::Compare { relation, signed, operands: [a, b] } => self.compare(relation, signed, a, b),
             Op::Shift(shift, a, amount) => self.shift(id, shift, a, amount),
             Op::Mux { select, on_true, on_false } => self.mux(select, on_true, on_false),
-            Op::Select { arms, default } => self.select(arms, default),
+            Op::Select { arms, default } => self.select(id, arms, default),
             Op::Case { subject, arms, default } => match self.constant(subject) {
                 Some(value) => Same(arms.iter().find(|(key, _)| *key == value).map_or(default, |&(_, value)| value)),
                 None if arms.iter().all(|&(_, value)| value == default) => Same(default),
-                None => Is(Op::Case { subject, arms, default }),
+                None => self.case(id, subject, arms, default),
             },
             Op::Slice { of, low } => self.slice(id, of, low, width),
-            Op::Concat(parts) => self.concat(parts),
+            Op::Concat(parts) => self.concat(id, parts),
             Op::Repeat(a, 1) => Same(a),
             Op::Repeat(a, times) => match self.constant(a) {
                 Some(value) => Is(Op::Const((1..times).fold(value.clone(), |all, _| all.concat(&value)))),

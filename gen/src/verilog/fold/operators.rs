@@ -3,8 +3,16 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use crate::verilog::constant;
+use crate::verilog::plan::{MOST_ARMS, MOST_KEYS};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Node, NodeId, Op, Relation, Unary};
+
+/// A concatenation of more parts than this is one of concatenations: Verilator makes one of it in which each part is a level deeper, and has
+/// no stack for tens of thousands.
+const MOST_PARTS: usize = 256;
+
+/// Verilator 5.006 has no wider signed product.
+pub(super) const WIDEST_SIGNED_PRODUCT: u32 = 512;
 
 impl Fold {
     pub(super) fn unary(&self, unary: Unary, a: NodeId) -> Outcome {
@@ -47,6 +55,14 @@ impl Fold {
             Binary::Or if ones(&values.1) => Same(b),
             _ => Is(Op::Binary(binary, a, b)),
         }
+    }
+
+    /// A signed product as the low half of an unsigned one, of factors of its width.
+    pub(super) fn wide_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Outcome {
+        let width = self.width(id);
+        let [a, b] = [a, b].map(|of| self.add(id, width, Op::Extend { of, signed: true }));
+        let product = self.add(id, 2 * width, Op::Binary(Binary::Mul, a, b));
+        self.slice(id, product, 0, width)
     }
 
     /// Whether one is the other inverted.
@@ -98,7 +114,7 @@ impl Fold {
         }
     }
 
-    pub(super) fn select(&self, arms: Vec<(NodeId, NodeId)>, default: NodeId) -> Outcome {
+    pub(super) fn select(&mut self, id: NodeId, arms: Vec<(NodeId, NodeId)>, default: NodeId) -> Outcome {
         let (mut kept, mut default) = (Vec::with_capacity(arms.len()), default);
         for (condition, value) in arms {
             match self.constant(condition) {
@@ -113,11 +129,31 @@ impl Fold {
         while kept.last().is_some_and(|&(_, value)| value == default) {
             kept.pop();
         }
+        // Each part of a long choice may become a net.
+        while kept.len() > MOST_ARMS {
+            let arms = kept.split_off((kept.len() - 1) / MOST_ARMS * MOST_ARMS);
+            default = self.add(id, self.width(id), Op::Select { arms, default });
+        }
         match kept[..] {
             [] => Same(default),
             [(select, on_true)] => self.mux(select, on_true, default),
             _ => Is(Op::Select { arms: kept, default }),
         }
+    }
+
+    /// Each part of a long `case` becomes a net, which is the default of the part before.
+    pub(super) fn case(
+        &mut self,
+        id: NodeId,
+        subject: NodeId,
+        mut arms: Vec<(Bits, NodeId)>,
+        mut default: NodeId,
+    ) -> Outcome {
+        while arms.len() > MOST_KEYS {
+            let arms = arms.split_off((arms.len() - 1) / MOST_KEYS * MOST_KEYS);
+            default = self.add(id, self.width(id), Op::Case { subject, arms, default });
+        }
+        Is(Op::Case { subject, arms, default })
     }
 
     pub(super) fn extend(&self, of: NodeId, signed: bool, width: u32) -> Outcome {
@@ -177,18 +213,26 @@ impl Fold {
             }
             base = end;
         }
-        self.concat(taken)
+        self.concat(id, taken)
     }
 
-    pub(super) fn concat(&self, parts: Vec<NodeId>) -> Outcome {
+    pub(super) fn concat(&mut self, id: NodeId, mut parts: Vec<NodeId>) -> Outcome {
         if let [part] = parts[..] {
             return Same(part);
         }
         let values: Option<Vec<Bits>> = parts.iter().map(|&part| self.constant(part)).collect();
-        match values.and_then(|values| values.into_iter().reduce(|high, low| high.concat(&low))) {
-            Some(value) => Is(Op::Const(value)),
-            None => Is(Op::Concat(parts)),
+        if let Some(value) = values.and_then(|values| values.into_iter().reduce(|high, low| high.concat(&low))) {
+            return Is(Op::Const(value));
         }
+        while parts.len() > MOST_PARTS {
+            parts = parts.chunks(MOST_PARTS).map(|parts| self.joined(id, parts)).collect::<Vec<_>>();
+        }
+        Is(Op::Concat(parts))
+    }
+
+    fn joined(&mut self, id: NodeId, parts: &[NodeId]) -> NodeId {
+        let width = parts.iter().map(|&part| self.width(part)).sum();
+        self.add(id, width, Op::Concat(parts.to_vec()))
     }
 }
 

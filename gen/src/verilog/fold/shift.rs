@@ -3,7 +3,7 @@
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{NodeId, Op, Shift, Unary};
+use tilewright_hdl::ir::{Binary, NodeId, Op, Shift, Unary};
 
 /// Shift amounts above this width are cut, with the fill where a dropped bit is set.
 const WIDEST_AMOUNT: u32 = 16;
@@ -18,6 +18,9 @@ impl Fold {
         if self.constant(a).is_some_and(|value| value.is_zero()) {
             return Same(a);
         }
+        if let Some((inner, amount)) = self.twice_shifted(id, shift, a, amount) {
+            return self.shift(id, shift, inner, amount);
+        }
         let amount_width = self.width(amount);
         if amount_width <= WIDEST_AMOUNT || width >= 1 << WIDEST_AMOUNT {
             return Is(Op::Shift(shift, a, amount));
@@ -29,6 +32,22 @@ impl Fold {
         let filling = self.shift_by(id, shift, a, width);
         let filling = self.settle(id, width, filling);
         self.mux(beyond, filling, shifted)
+    }
+
+    /// For a value that is shifted the same way already: what it was before, and both amounts together. Verilator 5.048 makes one shift of two,
+    /// also across nets, and loses the carry of the amounts.
+    fn twice_shifted(&mut self, id: NodeId, shift: Shift, mut a: NodeId, amount: NodeId) -> Option<(NodeId, NodeId)> {
+        while let Op::Wire(of) | Op::QuasiStatic(of, _) = self.module.node(a).op {
+            a = of;
+        }
+        match self.module.node(a).op {
+            Op::Shift(same, inner, first) if same == shift && shift != Shift::RightSigned => {
+                let width = self.width(first).max(self.width(amount)) + 1;
+                let [first, amount] = [first, amount].map(|of| self.add(id, width, Op::Extend { of, signed: false }));
+                Some((inner, self.add(id, width, Op::Binary(Binary::Add, first, amount))))
+            }
+            _ => None,
+        }
     }
 
     /// The node of an outcome.

@@ -18,6 +18,13 @@ const NAME: usize = 16;
 /// Branches of an always block nest no deeper than this.
 const DEEPEST: u32 = 4;
 
+/// A net that is chosen under more conditions than this is several: Yosys takes time that grows with the square of those that one
+/// `always @*` has. A register is one, however many it has.
+pub const MOST_ARMS: usize = 64;
+
+/// The most keys of a `case`: Verilator takes time that grows with the square of their number.
+pub const MOST_KEYS: usize = 256;
+
 /// How a node appears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
@@ -198,17 +205,17 @@ impl Planner<'_> {
     fn find_branches(&mut self, order: &[NodeId]) {
         let module = self.module;
         for register in &module.registers {
-            self.branch(register.next, DEEPEST);
+            self.branch(register.next, DEEPEST, usize::MAX);
         }
         for &id in order.iter().rev() {
             let wants_block = match (self.form(id), &module.node(id).op) {
                 (Form::Inline | Form::Net, Op::Select { .. } | Op::Case { .. }) => true,
-                (Form::Net, Op::Mux { .. }) => self.mux_chain(id) > 2,
+                (Form::Net, Op::Mux { .. }) => self.is_chain(id),
                 _ => false,
             };
             if wants_block {
                 self.set(id, Form::Block);
-                self.branch_operands(id, DEEPEST);
+                self.branch_operands(id, DEEPEST, MOST_ARMS);
                 // A block that reads nothing but constants never runs; a net has a first value.
                 let mut reads = Vec::new();
                 for_each_read(self.module, id, |read| reads.push(read));
@@ -217,30 +224,29 @@ impl Planner<'_> {
         }
     }
 
-    /// How many choices follow each other in the `else` of a choice.
-    fn mux_chain(&self, mut id: NodeId) -> u32 {
-        let mut length = 0;
-        while let Op::Mux { on_false, .. } = self.module.node(id).op {
-            length += 1;
-            if self.form(on_false) != Form::Inline {
-                break;
+    /// Whether three multiplexers or more follow each other in the `else` of one.
+    fn is_chain(&self, mut id: NodeId) -> bool {
+        for _ in 0..2 {
+            match self.module.node(id).op {
+                Op::Mux { on_false, .. } if self.form(on_false) == Form::Inline => id = on_false,
+                _ => return false,
             }
-            id = on_false;
         }
-        length
+        matches!(self.module.node(id).op, Op::Mux { .. })
     }
 
-    fn branch(&mut self, id: NodeId, depth: u32) {
+    fn branch(&mut self, id: NodeId, depth: u32, most: usize) {
         let choice = matches!(self.module.node(id).op, Op::Mux { .. } | Op::Select { .. } | Op::Case { .. });
         if choice && self.form(id) == Form::Inline && depth > 0 {
             self.set(id, Form::Branches);
-            self.branch_operands(id, depth);
+            self.branch_operands(id, depth, most);
         }
     }
 
-    /// The last `else` may go on as `else if` without nesting deeper.
-    fn branch_operands(&mut self, mut id: NodeId, depth: u32) {
+    /// The last `else` may go on as `else if` without nesting deeper, up to so many of them.
+    fn branch_operands(&mut self, mut id: NodeId, depth: u32, most: usize) {
         let module = self.module;
+        let mut count = 0;
         loop {
             // What is never chosen would have no driver.
             match &module.node(id).op {
@@ -254,16 +260,23 @@ impl Planner<'_> {
             }
             id = match &module.node(id).op {
                 Op::Mux { on_true, on_false, .. } => {
-                    self.branch(*on_true, depth - 1);
+                    self.branch(*on_true, depth - 1, most);
+                    count += 1;
                     *on_false
                 }
                 Op::Select { arms, default } => {
-                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1));
+                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1, most));
+                    count += arms.len();
                     *default
                 }
                 Op::Case { arms, default, .. } => {
-                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1));
-                    return self.branch(*default, depth - 1);
+                    arms.iter().for_each(|&(_, value)| self.branch(value, depth - 1, most));
+                    return match module.node(*default).op {
+                        Op::Case { .. } if arms.len() >= MOST_KEYS && self.form(*default) == Form::Inline => {
+                            self.set(*default, Form::Net);
+                        }
+                        _ => self.branch(*default, depth - 1, most),
+                    };
                 }
                 _ => return,
             };
@@ -271,8 +284,9 @@ impl Planner<'_> {
                 return;
             }
             match module.node(id).op {
+                Op::Mux { .. } | Op::Select { .. } if count >= most => return self.set(id, Form::Net),
                 Op::Mux { .. } | Op::Select { .. } => self.set(id, Form::Branches),
-                _ => return self.branch(id, depth - 1),
+                _ => return self.branch(id, depth - 1, most),
             }
         }
     }
