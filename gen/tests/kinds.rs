@@ -72,6 +72,77 @@ fn a_signed_product_of_any_width_is_taken() {
     tools::lint(&files).unwrap();
 }
 
+/// A read beyond the last word gives 0, which costs a comparison and a multiplexer where the address can come there.
+#[test]
+fn a_read_is_gated_where_its_address_can_be_beyond_the_depth() {
+    fn read(m: Module, i: Pair, address: Signal) -> Signal {
+        let words = m.memory("words", 400, 8, ReadUnderWrite::Old);
+        words.write(i.a.bit(0), cat![i.a.bit(1), i.b], i.a);
+        words.read(address) ^ words.read_async(address)
+    }
+    fn counter(m: Module, last: u32) -> Signal {
+        let at = m.reg("at", 9).reset(0);
+        at.when(at.eq(last), 0).otherwise(at + 1);
+        *at
+    }
+    let texts = [
+        ("whole", false, clean("whole", |m, i| read(m, i, counter(m, 399)))),
+        ("one_beyond", true, clean("one_beyond", |m, i| read(m, i, counter(m, 400)))),
+        (
+            "above",
+            false,
+            clean("above", |m, i| {
+                let at = m.reg("at", 9).reset(3);
+                let next = at + i.a.slice(0..3).zext(9);
+                at.when(next.lt(400), next);
+                read(m, i, *at)
+            }),
+        ),
+        (
+            "not_above",
+            true,
+            clean("not_above", |m, i| {
+                let at = m.reg("at", 9).reset(3);
+                let next = at + i.a.slice(0..3).zext(9);
+                at.when(next.le(400), next);
+                read(m, i, *at)
+            }),
+        ),
+        (
+            "down",
+            false,
+            clean("down", |m, i| {
+                let at = m.reg("at", 9).reset(399);
+                at.when(i.a.bit(7), mux(at.eq(0), 399, at - 1));
+                read(m, i, *at)
+            }),
+        ),
+        (
+            "cut",
+            false,
+            clean("cut", |m, i| {
+                let at = cat![i.a.bit(0), i.b];
+                read(m, i, mux(at.ge(400), 0, at))
+            }),
+        ),
+        // What a reset does not set starts from anything.
+        (
+            "no_reset",
+            true,
+            clean("no_reset", |m, i| {
+                let at = m.reg("at", 9);
+                at.when(at.ge(399), 0).otherwise(at + 1);
+                read(m, i, *at)
+            }),
+        ),
+        ("from_input", true, clean("from_input", |m, i| read(m, i, cat![i.a.bit(0), i.b]))),
+    ];
+    for (name, is_gated, text) in texts {
+        assert_eq!(text.contains("_inside"), is_gated, "{name}\n{text}");
+        assert_eq!(text.contains("< 9'd400) ?"), is_gated, "{name}\n{text}");
+    }
+}
+
 /// Yosys takes the square of the words that an `initial` block gives.
 #[test]
 fn a_large_memory_is_filled_from_a_file() {

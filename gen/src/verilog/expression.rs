@@ -5,7 +5,7 @@ use super::lane_values::values;
 use super::literal::{Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
-use super::reads::{can_exceed, constant_address};
+use super::reads::constant_address;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
 
@@ -231,11 +231,11 @@ impl Printer<'_> {
 
     /// The word of an asynchronous port, zero beyond the depth.
     pub fn asynchronous_read(&mut self, memory: MemoryId, port: u32) -> String {
-        let module = self.module;
+        let (module, beyond) = (self.module, self.beyond[memory.0 as usize][port as usize]);
         let memory = &module.memories[memory.0 as usize];
         let address = memory.reads[port as usize].address;
         let word = self.word(memory, address);
-        if !can_exceed(module, memory, address) {
+        if !beyond {
             return word;
         }
         let zero = literal(&Bits::zero(memory.width), Style::Count);

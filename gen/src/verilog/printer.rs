@@ -29,6 +29,8 @@ pub struct Printer<'a> {
     pub lanes: GroupNames,
     /// For each register what it is reset to, if that differs between its lanes.
     pub resets: &'a [Option<NodeId>],
+    /// For each memory and read port whether the address can be beyond the last word.
+    pub beyond: &'a [Vec<bool>],
     /// For each register whether it stands with the statements.
     pub stated: Vec<bool>,
     /// The task that a failing assertion or assumption calls.
@@ -43,14 +45,14 @@ pub struct Printer<'a> {
 impl<'a> Printer<'a> {
     /// With the names of the modules before it in the design.
     pub fn new(design: &'a Design, folded: &'a Folded, printed: &[Names]) -> Printer<'a> {
-        let Folded { module, resets } = folded;
+        let Folded { module, resets, beyond } = folded;
         let plan = Plan::new(folded);
         let groups = Groups::new(module, &plan, resets);
         let ports = port_values(design, module, &plan);
         let mut taken = Names::of(design, module, printed);
         let is_checked = module.properties.iter().any(|property| property.directive != Directive::Cover);
         let stop = is_checked.then(|| taken.fresh("stop"));
-        let reads = name_reads(module, &mut taken);
+        let reads = name_reads(module, beyond, &mut taken);
         let mut names = name_nodes(design, module, &plan, &reads, resets, &ports, &mut taken);
         let states = StateNames::new(module, &mut taken);
         let lanes = GroupNames::new(design, module, &groups, &ports, printed, &mut names, &mut taken);
@@ -68,7 +70,7 @@ impl<'a> Printer<'a> {
             groups,
             lanes,
             resets,
-           
+            beyond,
             stated,
             stop,
             here,

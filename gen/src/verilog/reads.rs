@@ -25,21 +25,21 @@ pub struct RawRead {
 ///
 /// The data is called what the description calls it, else `m_read` for memory `m`; with several synchronous ports
 /// `m_read0`, `m_read1` and so on.
-pub fn name_reads(module: &Module, taken: &mut Names) -> Vec<Vec<Option<ReadNames>>> {
-    module.memories.iter().map(|memory| name_reads_of(module, memory, taken)).collect()
+pub fn name_reads(module: &Module, beyond: &[Vec<bool>], taken: &mut Names) -> Vec<Vec<Option<ReadNames>>> {
+    module.memories.iter().zip(beyond).map(|(memory, beyond)| name_reads_of(module, memory, beyond, taken)).collect()
 }
 
-fn name_reads_of(module: &Module, memory: &Memory, taken: &mut Names) -> Vec<Option<ReadNames>> {
+fn name_reads_of(module: &Module, memory: &Memory, beyond: &[bool], taken: &mut Names) -> Vec<Option<ReadNames>> {
     let several = memory.reads.iter().filter(|read| read.clock.is_some()).count() > 1;
     let mut index = 0;
     let mut names = Vec::with_capacity(memory.reads.len());
-    for read in &memory.reads {
+    for (read, &beyond) in memory.reads.iter().zip(beyond) {
         names.push(read.clock.map(|_| {
             let number = if several { index.to_string() } else { String::new() };
             index += 1;
             let named = module.node(read.node).name.clone();
             let data = named.unwrap_or_else(|| taken.fresh(&format!("{}_read{number}", memory.name)));
-            let raw = can_exceed(module, memory, read.address).then(|| RawRead {
+            let raw = beyond.then(|| RawRead {
                 word: taken.fresh(&format!("{data}_word")),
                 inside: taken.fresh(&format!("{data}_inside")),
             });
@@ -63,7 +63,7 @@ pub fn constant_address(module: &Module, address: NodeId) -> Option<u64> {
     }
 }
 
-/// Whether the address of a read port can exceed the depth, and is not known to.
+/// Whether the address of a read port can exceed the depth by its width, and is not known to.
 pub fn can_exceed(module: &Module, memory: &Memory, address: NodeId) -> bool {
     let node = module.node(address);
     let highest = match &node.op {

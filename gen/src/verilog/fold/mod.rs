@@ -6,6 +6,7 @@ mod lanes;
 pub mod lower;
 mod memories;
 mod operators;
+mod ranges;
 mod shift;
 
 use super::order::{for_each_read, map_operands, operands_first};
@@ -19,6 +20,8 @@ pub struct Folded {
     pub module: Module,
     /// For each register what it is reset to, if that differs between its lanes.
     pub resets: Vec<Option<NodeId>>,
+    /// For each memory and read port whether the address can be beyond the last word.
+    pub beyond: Vec<Vec<bool>>,
 }
 
 /// The same circuit, simplified. Nodes keep their ids; new ones are appended.
@@ -34,7 +37,8 @@ pub fn fold(design: &Design, module: &Module) -> Folded {
     fold.rewire();
     fold.settle_memories();
     resets.iter_mut().flatten().for_each(|id| *id = fold.stands_for(*id));
-    Folded { module: fold.module, resets }
+    let beyond = ranges::beyond(&fold.module);
+    Folded { module: fold.module, resets, beyond }
 }
 
 /// Whether some node comes before an operand of its.

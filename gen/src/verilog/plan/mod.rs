@@ -6,7 +6,6 @@ mod needs;
 use super::fold::Folded;
 use super::lane_values::lane_constants;
 use super::order::{for_each_read, operands_first};
-use super::reads::can_exceed;
 pub use needs::is_place;
 use needs::{lane_operands, lists};
 use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
@@ -50,11 +49,11 @@ pub struct Plan(Vec<Form>);
 impl Plan {
     /// Decides for a folded module, and what its registers are reset to.
     pub fn new(folded: &Folded) -> Plan {
-        let Folded { module, resets } = folded;
+        let Folded { module, resets, beyond } = folded;
         let order = operands_first(module);
         let mut planner =
             Planner { module, form: vec![Form::Dead; module.nodes.len()], uses: vec![0; module.nodes.len()] };
-        planner.find_live(&order, resets);
+        planner.find_live(&order, resets, beyond);
         planner.find_nets(&order);
         planner.find_branches(&order);
         planner.split_long(&order);
@@ -74,16 +73,16 @@ impl Plan {
 
 /// Calls `visit` with every node that a register, memory, instance, port or property takes its value from, as often as
 /// the text names it.
-pub fn for_each_root(module: &Module, mut visit: impl FnMut(NodeId)) {
+pub fn for_each_root(module: &Module, beyond: &[Vec<bool>], mut visit: impl FnMut(NodeId)) {
     for register in &module.registers {
         register.enable.iter().for_each(|&id| visit(id));
         visit(register.next);
     }
-    for memory in &module.memories {
-        for read in &memory.reads {
+    for (memory, beyond) in module.memories.iter().zip(beyond) {
+        for (read, beyond) in memory.reads.iter().zip(beyond) {
             read.enable.iter().for_each(|&id| visit(id));
             visit(read.address);
-            if can_exceed(module, memory, read.address) {
+            if *beyond {
                 visit(read.address);
             }
         }
@@ -112,9 +111,9 @@ impl Planner<'_> {
     }
 
     /// Counts uses from what is printed; whatever has a name is printed.
-    fn find_live(&mut self, order: &[NodeId], resets: &[Option<NodeId>]) {
+    fn find_live(&mut self, order: &[NodeId], resets: &[Option<NodeId>], beyond: &[Vec<bool>]) {
         let module = self.module;
-        for_each_root(module, |id| self.uses[id.0 as usize] += 1);
+        for_each_root(module, beyond, |id| self.uses[id.0 as usize] += 1);
         resets.iter().flatten().for_each(|id| self.uses[id.0 as usize] += 1);
         let mut live: Vec<NodeId> = order.iter().copied().rev().filter(|&id| self.is_root(id)).collect();
         live.reverse();
