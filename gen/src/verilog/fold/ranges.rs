@@ -12,7 +12,7 @@ use tilewright_hdl::ir::{Binary, Init, Memory, Module, NodeId, Op, Relation, Shi
 /// A choice in a choice is looked at so deep.
 const DEEPEST: u32 = 8;
 /// For one node no more nodes than this are looked at.
-const MOST_WORK: u32 = 4096;
+const MOST_WORK: u32 = 1024;
 /// After so many rounds a register that still grows may have any value.
 const PATIENT_ROUNDS: usize = 12;
 /// After so many rounds nothing is known.
@@ -27,7 +27,7 @@ pub fn beyond(module: &Module) -> Vec<Vec<bool>> {
     };
     let mut beyond: Vec<Vec<bool>> = module.memories.iter().map(by_width).collect();
     if beyond.iter().flatten().any(|&can| can)
-        && let Some(ranges) = Ranges::of(module)
+        && let Some(ranges) = Ranges::of(module, &cone(module, &beyond))
     {
         for (memory, ports) in module.memories.iter().zip(&mut beyond) {
             for (read, can) in memory.reads.iter().zip(ports) {
@@ -36,6 +36,26 @@ pub fn beyond(module: &Module) -> Vec<Vec<bool>> {
         }
     }
     beyond
+}
+
+/// What those addresses follow from, operands first.
+fn cone(module: &Module, beyond: &[Vec<bool>]) -> Vec<NodeId> {
+    let reads = module.memories.iter().zip(beyond).flat_map(|(memory, beyond)| memory.reads.iter().zip(beyond));
+    let mut stack: Vec<NodeId> = reads.filter(|(_, can)| **can).map(|(read, _)| read.address).collect();
+    let mut is_in = vec![false; module.nodes.len()];
+    while let Some(id) = stack.pop() {
+        if std::mem::replace(&mut is_in[id.0 as usize], true) {
+            continue;
+        }
+        match &module.node(id).op {
+            Op::Register(register) => {
+                let register = &module.registers[register.0 as usize];
+                stack.extend(register.enable.into_iter().chain([register.next]));
+            }
+            op => op.for_each_operand(|operand| stack.push(operand)),
+        }
+    }
+    operands_first(module).into_iter().filter(|id| is_in[id.0 as usize]).collect()
 }
 
 /// The values from `low` to `high`.
@@ -101,12 +121,12 @@ struct Ranges<'a> {
 
 impl<'a> Ranges<'a> {
     /// The ranges of all nodes, if they are found soon.
-    fn of(module: &'a Module) -> Option<Ranges<'a>> {
-        let order = operands_first(module);
+    fn of(module: &'a Module, order: &[NodeId]) -> Option<Ranges<'a>> {
+        let is_wanted: BTreeSet<NodeId> = order.iter().copied().collect();
         let limits = limits(module);
         let all = module.nodes.iter().map(|node| Range::of_width(node.width)).collect();
         let mut ranges = Ranges { module, all, known: BTreeMap::new(), before: Vec::new(), work: 0 };
-        for register in &module.registers {
+        for register in module.registers.iter().filter(|register| is_wanted.contains(&register.node)) {
             let width = module.width(register.node);
             let reset = register.reset.iter().flat_map(|reset| match reset {
                 Init::Each(values) => values.clone(),
@@ -119,19 +139,21 @@ impl<'a> Ranges<'a> {
         }
         for round in 0..MOST_ROUNDS {
             // Where lanes chain, a node comes before what it is computed from, of which nothing is known then.
-            for &id in &order {
+            for &id in order {
                 if !matches!(module.node(id).op, Op::Register(_)) {
                     ranges.all[id.0 as usize] = Range::of_width(module.width(id));
                 }
             }
-            for &id in &order {
+            for &id in order {
                 if !matches!(module.node(id).op, Op::Register(_)) {
                     ranges.work = MOST_WORK;
-                    let range = ranges.range(id, DEEPEST);
+                    // What is below is known; but not what a choice's condition says of it.
+                    let is_choice = matches!(module.node(id).op, Op::Mux { .. } | Op::Select { .. } | Op::Case { .. });
+                    let range = ranges.range(id, if is_choice { DEEPEST } else { 1 });
                     ranges.all[id.0 as usize] = range.unwrap_or(Range::of_width(module.width(id)));
                 }
             }
-            if !ranges.grow(round, &limits) {
+            if !ranges.grow(&is_wanted, round, &limits) {
                 return Some(ranges);
             }
         }
@@ -139,10 +161,10 @@ impl<'a> Ranges<'a> {
     }
 
     /// Lets registers have what they take, too; whether that is more than before.
-    fn grow(&mut self, round: usize, limits: &BTreeSet<u64>) -> bool {
+    fn grow(&mut self, is_wanted: &BTreeSet<NodeId>, round: usize, limits: &BTreeSet<u64>) -> bool {
         let module = self.module;
         let mut grown = false;
-        for register in &module.registers {
+        for register in module.registers.iter().filter(|register| is_wanted.contains(&register.node)) {
             self.work = MOST_WORK;
             let taken = match register.enable {
                 Some(enable) => self.where_it_is(enable, true, register.next, DEEPEST),
@@ -504,8 +526,8 @@ mod tests {
             let Ok(design) = elaborate(&Walk { seed }) else { continue };
             let folded = fold(&design, design.top());
             let module = &folded.module;
-            let Some(ranges) = Ranges::of(module) else { continue };
             let order = operands_first(module);
+            let Some(ranges) = Ranges::of(module, &order) else { continue };
             let start = |register: &ir::Register| register.reset.as_ref().unwrap().lane(0).to_u64().unwrap();
             let mut states = vec![module.registers.iter().map(start).collect::<Vec<u64>>()];
             let mut seen: BTreeSet<Vec<u64>> = states.iter().cloned().collect();
