@@ -6,6 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 struct Crate {
     root: &'static str,
@@ -174,4 +175,27 @@ fn has_example(documentation: &[&str]) -> bool {
         fences.next();
     }
     opening.iter().any(|fence| ["", "no_run"].contains(fence))
+}
+
+/// What a crate of the workspace needs of another one is found in a registry, too, by its version. What only its tests need may be
+/// of no version, as two crates may need each other so, of which one has to be the first there.
+#[test]
+fn every_crate_can_be_packaged() {
+    let cargo = std::env::var("CARGO").unwrap_or("cargo".to_owned());
+    let run = Command::new(cargo).args(["metadata", "--no-deps", "--offline", "--format-version", "1"]).output().unwrap();
+    let workspace: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
+    let packages = workspace["packages"].as_array().unwrap();
+    let is_published = |package: &serde_json::Value| package["publish"].as_array().is_none_or(|to| !to.is_empty());
+    let mut count = 0;
+    for package in packages.iter().filter(|package| is_published(package)) {
+        let dependencies = package["dependencies"].as_array().unwrap().iter();
+        for needed in dependencies.filter(|it| it["path"].is_string() && it["kind"] != "dev") {
+            let (name, of) = (&needed["name"], &package["name"]);
+            assert_ne!(needed["req"], "*", "{of} needs {name}, of no version");
+            let target = packages.iter().find(|package| package["name"] == *name).unwrap();
+            assert!(is_published(target), "{of} needs {name}, which is never published");
+            count += 1;
+        }
+    }
+    assert!(count > 10, "only {count} are found");
 }
