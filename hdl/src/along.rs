@@ -96,8 +96,9 @@ impl Along {
         if !(0..count.into()).contains(&index) {
             let problem =
                 Problem::new(loc, format!("lane {index} of a signal of {count} lanes")).help("lanes count from 0");
+            let id = self.of.id();
             return elaboration::with(|e| {
-                e.report(problem);
+                e.report_instead_of(&[id], problem);
                 Signal::zero_in(e, self.of.width, self.inner(), self.of.kind, loc)
             });
         }
@@ -236,8 +237,11 @@ impl Along {
             Some(edge) => Some(self.one(edge.operand().with_width_of(self.of, method), "the edge", method).id()),
             None => None,
         };
-        let shape = self.inner().with(self.axis, count).expect("the axis is put back");
-        let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), shape, loc));
+        let asked = self.inner().with(self.axis, count).expect("the axis is put back");
+        let shape = elaboration::with(|e| sound_shape(e, &format!("what `.{method}` gives"), asked, loc));
+        if shape != asked {
+            return elaboration::with(|e| Signal::zero_in(e, self.of.width, shape, self.of.kind, loc));
+        }
         let (axis, has) = (self.axis, self.count());
         let (problem, help) = match index(Index::lane()).affine() {
             None => (

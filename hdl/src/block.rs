@@ -8,7 +8,7 @@ use crate::elaboration;
 use crate::fields::Fields;
 use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
-use crate::limits::DEEPEST;
+use crate::limits::{DEEPEST, check_period};
 use crate::loc::Loc;
 use crate::module::{Module, declare, port_name};
 use crate::module_name::module_name;
@@ -177,6 +177,12 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
         About::default()
     }
 
+    /// Where `block!` declares it; of one that is none, nothing is known.
+    #[doc(hidden)]
+    fn declared(&self) -> Option<Loc> {
+        None
+    }
+
     /// The name of its module in Verilog: by default the type's name in snake case with its type arguments and parameters behind
     /// it, as `counter_width8`. Blocks that differ have names that differ, and where they would not that is a problem.
     ///
@@ -305,6 +311,7 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
     let loc = Loc::caller();
     let mut ports = None;
     let ended = elaboration::run(|| {
+        elaboration::with(|e| check_period(e, "the default clock", period, loc));
         let child = elaborate_module(block, loc);
         ports = Some(port_numbers(block, &child));
         elaboration::with(names::check_module_names);
@@ -360,14 +367,14 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         elaboration::stop(Problem::new(loc, problem.to_string()));
     }
     let parameters = format!("{block:?}");
+    let name = names::short(std::any::type_name::<B>());
+    if let Some(problem) = elaboration::with(|e| nested_too_deep(&e.drafts, name, &parameters, loc)) {
+        elaboration::stop(problem);
+    }
     elaboration::with(|e| {
-        assert!(
-            e.drafts.len() < DEEPEST,
-            "`{parameters}`, at {loc}, is nested more than {DEEPEST} deep: does it instantiate itself?"
-        );
         e.drafts_begun += 1;
         let serial = e.drafts_begun;
-        e.drafts.push(Draft::new(serial, names::short(std::any::type_name::<B>()), loc));
+        e.drafts.push(Draft { declared: block.declared(), ..Draft::new(serial, name, loc) });
     });
     let widths = block.inputs();
     let (mut directions, mut answers) = (backwards(&widths).into_iter(), Vec::new());
@@ -400,12 +407,26 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     })
 }
 
+/// Instances that nest without end.
+fn nested_too_deep(drafts: &[Draft], name: &str, parameters: &str, loc: Loc) -> Option<Problem> {
+    if drafts.len() < DEEPEST {
+        return None;
+    }
+    let problem = Problem::new(loc, format!("`{parameters}` is nested more than {DEEPEST} deep"));
+    let outermost = drafts.iter().find(|draft| draft.block == name).or(drafts.first());
+    let problem = match outermost {
+        Some(draft) => problem.note(format!("the outermost `{}` is instantiated", draft.block), draft.loc),
+        None => problem,
+    };
+    Some(problem.help("does it instantiate itself? Then a parameter has to become smaller each time, and to end it"))
+}
+
 /// What says that this module takes from the stream that comes in.
 fn declare_ready(path: &str, width: Width) -> Signal {
     let stream = path.strip_suffix(".ready").unwrap_or(path);
     elaboration::with(|e| {
         let shape = sound_shape(e, &format!("input `{}`", port_name("", path)), width.shape, width.loc);
-        untaken(e, Origin::Input(port_name("", stream)), shape, width.clock, width.loc)
+        untaken(e, Origin::Input(stream.to_owned()), shape, width.clock, width.loc)
     })
 }
 

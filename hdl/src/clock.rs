@@ -13,7 +13,7 @@ use std::fmt;
 pub struct Period(u64);
 
 impl Period {
-    /// A period of so many picoseconds, an even number, since half of it is the clock's high time.
+    /// A period of so many picoseconds, an even number, since half of it is the clock's high time. A clock's is 2^50 ps at most, 18 minutes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -21,6 +21,11 @@ impl Period {
     /// const PIXEL: Period = Period::ps(39_722);
     /// assert_eq!(PIXEL.picoseconds(), 39_722);
     /// ```
+    ///
+    /// # Panics
+    ///
+    /// It is 0 or odd.
+    #[track_caller]
     pub const fn ps(picoseconds: u64) -> Period {
         assert!(
             picoseconds > 0 && picoseconds.is_multiple_of(2),
@@ -35,8 +40,14 @@ impl Period {
     /// # use tilewright_hdl::*;
     /// assert_eq!(Period::ns(10), DEFAULT_PERIOD);
     /// ```
+    ///
+    /// # Panics
+    ///
+    /// It is 0.
+    #[track_caller]
     pub const fn ns(nanoseconds: u64) -> Period {
-        Period::ps(nanoseconds * 1000)
+        // What is too long for a clock is told where a clock has it.
+        Period::ps(nanoseconds.saturating_mul(1000) & !1)
     }
 
     /// The period in picoseconds.

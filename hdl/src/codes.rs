@@ -261,21 +261,22 @@ impl Signal {
             let problem = Problem::new(loc, format!("`{operator}` computes with `{text}`, a code of `{}`", names.of));
             let help = "a code is compared, by `.is(..)` and `.eq(..)`, and chosen by; `.bits()` reads it as a number";
             e.report_instead_of(&[id], problem.help(help));
-        });
-        self.bits()
+            Signal::zero_in(e, self.width, self.shape, Kind::Number, loc)
+        })
     }
 
     /// The signal, which is of that kind; if not, that is a problem.
     #[track_caller]
     fn read_as(self, kind: Kind, method: &str) -> Signal {
-        if self.kind != kind {
-            let (loc, id) = (Loc::caller(), self.id());
-            elaboration::with(|e| {
-                let text = e.draft().describe(id);
-                let problem = Problem::new(loc, format!("`{method}` is over {kind}, but `{text}` is {}", self.kind));
-                e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
-            });
+        if self.kind == kind {
+            return self;
         }
-        self
+        let (loc, id) = (Loc::caller(), self.id());
+        elaboration::with(|e| {
+            let text = e.draft().describe(id);
+            let problem = Problem::new(loc, format!("`{method}` is over {kind}, but `{text}` is {}", self.kind));
+            e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
+            Signal::zero_in(e, self.width, self.shape, kind, loc)
+        })
     }
 }

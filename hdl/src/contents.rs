@@ -3,13 +3,13 @@
 use crate::bits::Bits;
 use crate::data::{Data, Fits, Layout, number_of_field};
 use crate::elaboration;
-use crate::fields::Fields;
-use crate::ir::{Contents, Op, ReadUnderWrite};
+use crate::ir::{Contents, NodeId, Op, ReadUnderWrite};
 use crate::loc::Loc;
 use crate::memory::Mem;
 use crate::module::Module;
 use crate::operand::Value;
 use crate::problem::Problem;
+use crate::record::sound_fields;
 use crate::signal::{Signal, bits_text};
 use crate::signed::READ_AS;
 use crate::width::Width;
@@ -106,7 +106,10 @@ impl<V: Data> Mem<V> {
             }
             if given > depth as usize {
                 let message = format!("memory `{name}` has {depth} words, but its contents have {given}");
-                e.report(Problem::new(loc, message).help("the contents are at most as many words as the memory has"));
+                let problem = Problem::new(loc, message);
+                let stand_in = e.draft().memories[self.index as usize].stand_in;
+                let problem = problem.help("the contents are at most as many words as the memory has");
+                e.report_instead_of(stand_in.as_slice(), problem);
             }
         });
     }
@@ -114,7 +117,7 @@ impl<V: Data> Mem<V> {
     /// A number, or a record of numbers, as a word; `which` it is among the contents.
     #[track_caller]
     fn number(&self, word: impl Fits<V>, of: &str, which: &str) -> Bits {
-        let fields: Vec<(String, Width)> = self.layout.leaves();
+        let fields = sound_fields(&self.layout);
         let mut bits: Option<Bits> = None;
         for (value, (path, width)) in word.given().for_fields(&fields, of).into_iter().zip(&fields) {
             let name = || {
@@ -122,12 +125,17 @@ impl<V: Data> Mem<V> {
                 format!("{field}{which} of memory `{}`", self.name())
             };
             let part = match value {
-                Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind)),
-                Value::Signal(signal) | Value::Low(signal) => constant(signal, name, *width),
+                Value::Literal(number) => number_of_field(&number, name, (width.bits, width.kind), self.stand_in()),
+                Value::Signal(signal) | Value::Low(signal) => constant(signal, name, *width, self.stand_in()),
             };
             bits = Some(bits.map_or(part.clone(), |bits| bits.concat(&part)));
         }
         bits.unwrap_or(Bits::zero(self.word.bits)).resize(self.word.bits)
+    }
+
+    /// What stands for it where its declaration is faulty.
+    pub(crate) fn stand_in(&self) -> Option<NodeId> {
+        elaboration::draft(|draft| draft.memories[self.index as usize].stand_in)
     }
 
     /// As it was declared.
@@ -138,7 +146,7 @@ impl<V: Data> Mem<V> {
 
 /// The constant that a signal has to be.
 #[track_caller]
-fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width) -> Bits {
+fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width, stand_in: Option<NodeId>) -> Bits {
     let (loc, id, name) = (Loc::caller(), signal.id(), name());
     elaboration::with(|e| match &e.draft().node(id).op {
         Op::Const(bits) if bits.width() == width.bits && signal.kind == width.kind => bits.clone(),
@@ -152,7 +160,7 @@ fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width) -> Bits
                 let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width.bits));
                 Problem::new(loc, message).help("contents are numbers known while the block is built")
             };
-            e.report_instead_of(&[id], problem);
+            e.report_instead_of(&stand_in.into_iter().chain([id]).collect::<Vec<_>>(), problem);
             Bits::zero(width.bits)
         }
     })

@@ -5,7 +5,7 @@ use crate::bundle::Bundle;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
 use crate::integers::{Integer, for_integers};
-use crate::ir::{Kind, Names};
+use crate::ir::{Kind, Names, NodeId};
 use crate::loc::Loc;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
@@ -208,7 +208,7 @@ fn each_of<V: Data, A: Fits<V>>(list: Vec<A>) -> Vec<V::Like<Value>> {
         match element.given() {
             Given::Each(values) => elements.push(values),
             Given::All(number) => {
-                panic!("a list of records has the number {number} in it, at {}: write the record", Loc::caller())
+                elaboration::mistake(format!("a list of records has the number {number} in it"), "write the record")
             }
         }
     }
@@ -221,6 +221,7 @@ impl<V: Data> Given<V> {
     pub(crate) fn for_fields<T: Clone>(self, fields: &[(String, T)], of: &str) -> Vec<Value> {
         let loc = Loc::caller();
         let zero = || Value::Literal(Literal::Integer(0, Radix::Any));
+        let mut operands = Vec::new();
         let problem = match self {
             Given::All(0) => None,
             Given::All(number) => {
@@ -237,30 +238,35 @@ impl<V: Data> Given<V> {
                 };
                 let Uneven { has, needs, .. } = &uneven;
                 let message = format!("`{of}` gives a list{uneven} of {has} where one of {needs} is wanted");
-                report_instead_of_all(&values, loc);
+                operands = nodes_of(&values, loc);
                 Some(Problem::new(loc, message).help("both records have lists of the same lengths"))
             }
         };
         if let Some(problem) = problem {
-            elaboration::with(|e| e.report(problem));
+            elaboration::with(|e| e.report_instead_of(&operands, problem));
         }
         fields.iter().map(|_| zero()).collect()
     }
 }
 
-/// The signals among the values count as used.
-fn report_instead_of_all(values: &[(String, Value)], loc: Loc) {
-    for (_, value) in values {
-        if let Value::Signal(signal) | Value::Low(signal) = value {
-            let id = signal.id_at(loc);
-            elaboration::draft(|draft| draft.in_problems.insert(id));
-        }
-    }
+/// The signals among the values.
+fn nodes_of(values: &[(String, Value)], loc: Loc) -> Vec<NodeId> {
+    let node = |(_, value): &(String, Value)| match value {
+        Value::Signal(signal) | Value::Low(signal) => Some(signal.id_at(loc)),
+        Value::Literal(_) => None,
+    };
+    values.iter().filter_map(node).collect()
 }
 
-/// The number, which must fit in the field; where that holds codes of an enum it is one of them.
+/// The number, which must fit in the field; where that holds codes of an enum it is one of them. If `stand_in` follows a problem, as
+/// the field's declaration does, that one is enough.
 #[track_caller]
-pub(crate) fn number_of_field(number: &Literal, name: impl FnOnce() -> String, (width, kind): (u32, Kind)) -> Bits {
+pub(crate) fn number_of_field(
+    number: &Literal,
+    name: impl FnOnce() -> String,
+    (width, kind): (u32, Kind),
+    stand_in: Option<NodeId>,
+) -> Bits {
     let (bits, fits) = number.bits(width, kind);
     let is_code = |names: Names| match number {
         Literal::Integer(value, _) => usize::try_from(*value).is_ok_and(|code| code < names.codes.len()),
@@ -276,7 +282,8 @@ pub(crate) fn number_of_field(number: &Literal, name: impl FnOnce() -> String, (
         Kind::Code(names) => Problem::new(loc, format!("`{number}` is no code of `{}`, as {name} is", names.of)),
         _ => Problem::new(loc, format!("`{number}` does not fit in the {} of {name}", bits_text(width))),
     };
-    elaboration::with(|e| e.report(problem.help("a number takes the width of what is declared, and its sign")));
+    let problem = problem.help("a number takes the width of what is declared, and its sign");
+    elaboration::with(|e| e.report_instead_of(stand_in.as_slice(), problem));
     Bits::zero(width)
 }
 
@@ -286,6 +293,6 @@ pub(crate) fn value_of_field(value: Value, field: Signal) -> Value {
     let Value::Literal(number) = value else { return value };
     let id = field.id();
     let name = || elaboration::draft(|draft| format!("`{}`", draft.describe(id)));
-    let bits = number_of_field(&number, name, (field.width, field.kind));
+    let bits = number_of_field(&number, name, (field.width, field.kind), Some(id));
     Value::Literal(Literal::Exact(bits))
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::bundle::{Bundle, join};
 use crate::fields::Fields;
 use crate::ir::About;
+use crate::limits::MOST_PORTS;
 use crate::module::Module;
 use crate::signal::Signal;
 use crate::stream::backwards;
@@ -322,6 +323,10 @@ macro_rules! block {
             $crate::block! { @ranges $ranges }
             $crate::block! { @about [$([$($attribute)*])*] $latency [$source] }
 
+            fn declared(&self) -> ::std::option::Option<$crate::Loc> {
+                ::std::option::Option::Some($crate::Loc::caller())
+            }
+
             fn build(&self, m: $crate::Module, i: Self::In) -> Self::Out {
                 // The struct's own `build` comes before those of traits. Without one this would call itself: a second trait
                 // makes that an error.
@@ -457,7 +462,12 @@ pub struct NoBuild;
 /// A list of ports that are alike.
 #[doc(hidden)]
 pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
-    vec![widths; crate::integers::count(count) as usize]
+    let count = crate::integers::count(count);
+    if count > MOST_PORTS {
+        let help = "lanes are one port: `bits(8).of(row(lanes))`";
+        crate::elaboration::mistake(format!("a list of {count} ports, more than {MOST_PORTS}"), help);
+    }
+    vec![widths; count as usize]
 }
 
 /// The widths of an output that is declared with them, each with its path.

@@ -6,7 +6,7 @@ use crate::ir::*;
 use crate::loc::Loc;
 use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// What a description has declared so far. The parts that may still be missing are `Option`s here and plain in
 /// [`Module`].
@@ -14,6 +14,8 @@ pub(crate) struct Draft {
     /// Tells this module's handles from another's.
     pub serial: u32,
     pub block: &'static str,
+    /// Where the block is declared, if it says so.
+    pub declared: Option<Loc>,
     pub loc: Loc,
     /// The clocks used so far; the first is the default clock, `None`.
     pub clocks: Vec<Option<Clock>>,
@@ -32,6 +34,8 @@ pub(crate) struct Draft {
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
     pub properties: Vec<Property>,
+    /// Where each cover stands, by its name.
+    pub covers: HashMap<String, Loc>,
     /// The registers of past values, by what they are the past of.
     pub pasts: BTreeMap<(NodeId, ClockId), NodeId>,
     /// The subjects of choices by the codes of an enum.
@@ -42,7 +46,8 @@ pub(crate) struct Draft {
     pub ignored: BTreeSet<NodeId>,
     /// What stands in faulty expressions, of which the circuit has only a stand-in.
     pub in_problems: BTreeSet<NodeId>,
-    /// The zeros that stand for a faulty expression, whose problem is reported.
+    /// What stands for something faulty, whose problem is reported, and what is computed from it: nothing more is reported of these. What a
+    /// register holds or a wire carries is declared, and so does not count as computed.
     pub stand_ins: BTreeSet<NodeId>,
 }
 
@@ -73,6 +78,8 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
+    /// Stands for it where its declaration is faulty.
+    pub stand_in: Option<NodeId>,
     /// Where each write port is made.
     pub written: Vec<Loc>,
 }
@@ -92,6 +99,7 @@ impl Draft {
         Draft {
             serial,
             block,
+            declared: None,
             loc,
             clocks: vec![None],
             clock_used: vec![false],
@@ -106,6 +114,7 @@ impl Draft {
             instances: Vec::new(),
             instance_outputs: Vec::new(),
             properties: Vec::new(),
+            covers: HashMap::new(),
             pasts: BTreeMap::new(),
             chosen: Vec::new(),
             synchronizers: Vec::new(),
@@ -117,8 +126,16 @@ impl Draft {
     }
 
     pub fn add(&mut self, op: Op, width: u32, shape: Shape, loc: Loc) -> NodeId {
+        let id = NodeId(self.nodes.len() as u32);
+        if !self.stand_ins.is_empty() {
+            let mut follows = false;
+            op.for_each_operand(|operand| follows |= self.stand_ins.contains(&operand));
+            if follows {
+                self.stand_ins.insert(id);
+            }
+        }
         self.nodes.push(Node::new(op, width, shape, loc));
-        NodeId(self.nodes.len() as u32 - 1)
+        id
     }
 
     pub fn node(&self, id: NodeId) -> &Node {
@@ -166,18 +183,9 @@ impl Draft {
         id
     }
 
-    /// Whether one of the nodes is computed from what stands for a faulty expression. What a register holds or a wire carries is declared.
+    /// Whether one of the nodes stands for something faulty, or is computed from it.
     pub fn follows_a_problem(&self, nodes: &[NodeId]) -> bool {
-        let (mut open, mut seen) = (nodes.to_vec(), BTreeSet::new());
-        while let (false, Some(node)) = (self.stand_ins.is_empty(), open.pop()) {
-            if self.stand_ins.contains(&node) {
-                return true;
-            }
-            if seen.insert(node) && !matches!(self.node(node).op, Op::Wire(_)) {
-                self.node(node).op.for_each_operand(|operand| open.push(operand));
-            }
-        }
-        false
+        nodes.iter().any(|node| self.stand_ins.contains(node))
     }
 
     /// The name of a clock for messages.

@@ -8,6 +8,7 @@ use crate::clock::{Clock, Period};
 use crate::draft::Draft;
 use crate::ir::latency::Delay;
 use crate::ir::{Module, ModuleId, NodeId};
+use crate::limits::check_period;
 use crate::loc::Loc;
 use crate::problem::{Problem, Problems};
 use crate::summary::Summary;
@@ -80,6 +81,16 @@ pub(crate) fn stop(problem: Problem) -> ! {
     resume_unwind(Box::new(Stopped))
 }
 
+/// A mistake that leaves nothing to go on with: a problem while a block is built, and elsewhere a panic of the same sentence.
+#[track_caller]
+pub(crate) fn mistake(message: String, help: &str) -> ! {
+    let loc = Loc::caller();
+    if CURRENT.with_borrow(Option::is_some) {
+        stop(Problem::new(loc, message).help(help))
+    }
+    panic!("{message}, at {loc}: {help}")
+}
+
 /// Runs `describe` with a fresh arena and gives what it left there.
 pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
     CURRENT.with_borrow_mut(|current| {
@@ -133,7 +144,14 @@ impl Elaboration {
 
     /// Takes note of a clock; its name stands for one period in the whole design.
     pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
-        let (period, first) = *self.clocks.entry(clock.name).or_insert((clock.period, loc));
+        let (period, first) = match self.clocks.get(clock.name) {
+            Some(known) => *known,
+            None => {
+                check_period(self, &format!("clock `{}`", clock.name), clock.period, loc);
+                self.clocks.insert(clock.name, (clock.period, loc));
+                return;
+            }
+        };
         if period != clock.period {
             let message =
                 format!("clock `{}` has a period of {} here and of {period} elsewhere", clock.name, clock.period);
@@ -149,8 +167,8 @@ impl Elaboration {
         }
     }
 
-    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used. Where one of them is
-    /// itself what stands in for another, that one's problem is enough.
+    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used. Where one of them
+    /// follows a problem, that one is enough.
     pub fn report_instead_of(&mut self, operands: &[NodeId], problem: Problem) {
         let draft = self.draft();
         draft.in_problems.extend(operands);

@@ -46,6 +46,8 @@ pub(crate) fn finish(
     // What is reported here is not reported once more of every parent.
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
+    let ports = draft.inputs.iter().map(|input| input.node).chain(nodes);
+    summary.faulty = ports.filter(|node| draft.stand_ins.contains(node)).collect();
     e.summaries.push(summary);
     e.instantiated.push(draft.loc);
     let block = draft.block;
@@ -89,8 +91,12 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
     resets
 }
 
-/// Where the block is described: where its `build` makes the first thing, as its ports may be another block's.
+/// Where the block is described: where it is declared; if it does not say, where its `build` makes the first thing, as its ports may be
+/// another block's.
 fn place(draft: &Draft) -> Loc {
+    if let Some(declared) = draft.declared {
+        return declared;
+    }
     let is_port = |(i, node): &(usize, &Node)| {
         matches!(node.op, Op::Input(_)) || draft.streams.get(&NodeId(*i as u32)).is_some_and(DraftStream::comes_in)
     };

@@ -1,12 +1,31 @@
 //! The graph algorithms that the checks need, all iterative and in linear time.
 
 /// Which of `0..count` can reach themselves: the strongly connected components of more than one vertex or with an
-/// edge to itself, each sorted (Tarjan's algorithm with an explicit stack).
+/// edge to itself, each sorted.
 pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
+    let mut found = Vec::new();
+    components(edges, |component| {
+        if is_cyclic(edges, component) {
+            let mut component = component.to_vec();
+            component.sort_unstable();
+            found.push(component);
+        }
+    });
+    found.sort();
+    found
+}
+
+/// Whether the vertices of a component reach themselves.
+pub(crate) fn is_cyclic(edges: &Edges, component: &[u32]) -> bool {
+    component.len() > 1 || edges.of(component[0]).contains(&component[0])
+}
+
+/// Calls `visit` with each strongly connected component, after all those that it has edges to (Tarjan's algorithm with an explicit stack).
+pub(crate) fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
     const NEW: u32 = u32::MAX;
     let count = edges.count();
     let (mut index, mut low, mut on_stack) = (vec![NEW; count], vec![0; count], vec![false; count]);
-    let (mut stack, mut work, mut next, mut found) = (Vec::new(), Vec::new(), 0, Vec::new());
+    let (mut stack, mut work, mut next) = (Vec::new(), Vec::new(), 0);
     for root in 0..count as u32 {
         if index[root as usize] != NEW {
             continue;
@@ -33,17 +52,12 @@ pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
             }
             if low[v] == index[v] {
                 let at = stack.iter().rposition(|&member| member == vertex).expect("a root is on the stack");
-                let mut component = stack.split_off(at);
-                component.iter().for_each(|&member| on_stack[member as usize] = false);
-                if component.len() > 1 || edges.of(vertex).contains(&vertex) {
-                    component.sort_unstable();
-                    found.push(component);
-                }
+                stack[at..].iter().for_each(|&member| on_stack[member as usize] = false);
+                visit(&stack[at..]);
+                stack.truncate(at);
             }
         }
     }
-    found.sort();
-    found
 }
 
 /// Every vertex after those that it has edges to, where no cycle forbids it.
@@ -118,15 +132,6 @@ impl Edges {
     pub fn of(&self, vertex: u32) -> &[u32] {
         &self.targets[self.starts[vertex as usize] as usize..self.starts[vertex as usize + 1] as usize]
     }
-
-    /// The same edges the other way round.
-    pub fn reversed(&self) -> Edges {
-        let mut lists = vec![Vec::new(); self.count()];
-        for vertex in 0..self.count() as u32 {
-            self.of(vertex).iter().for_each(|&to| lists[to as usize].push(vertex));
-        }
-        Edges::new(self.count(), |vertex, push| lists[vertex as usize].iter().for_each(|&to| push(to)))
-    }
 }
 
 /// A set of small numbers for each vertex.
@@ -153,26 +158,20 @@ impl Sets {
             .flat_map(|(i, &word)| (0..64).filter(move |bit| word >> bit & 1 == 1).map(move |b| i * 64 + b))
     }
 
-    /// Adds to every vertex the members of its operands, until nothing changes.
+    /// Adds to every vertex the members of all that it is computed from.
     pub fn spread(&mut self, operands: &Edges) {
-        let users = operands.reversed();
-        let mut queue: std::collections::VecDeque<u32> = (0..operands.count() as u32).collect();
-        let mut queued = vec![true; operands.count()];
-        while let Some(vertex) = queue.pop_front() {
-            queued[vertex as usize] = false;
-            for &user in users.of(vertex) {
-                let mut changed = false;
-                for word in 0..self.words {
-                    let add = self.bits[vertex as usize * self.words + word];
-                    let into = &mut self.bits[user as usize * self.words + word];
-                    changed |= add & !*into != 0;
-                    *into |= add;
-                }
-                if changed && !queued[user as usize] {
-                    queued[user as usize] = true;
-                    queue.push_back(user);
+        let mut union = vec![0; self.words];
+        components(operands, |component| {
+            union.fill(0);
+            for &vertex in component {
+                for &from in operands.of(vertex).iter().chain([&vertex]) {
+                    let from = &self.bits[from as usize * self.words..][..self.words];
+                    union.iter_mut().zip(from).for_each(|(all, some)| *all |= some);
                 }
             }
-        }
+            for &vertex in component {
+                self.bits[vertex as usize * self.words..][..self.words].copy_from_slice(&union);
+            }
+        });
     }
 }

@@ -72,7 +72,7 @@ macro_rules! with_integers {
             type Output = Index;
 
             fn sub(self, by: $ty) -> Index {
-                self.plus(-by.integer())
+                by.integer().checked_neg().map_or(Index(None), |by| self.plus(by))
             }
         }
 

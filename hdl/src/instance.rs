@@ -99,27 +99,32 @@ impl Module {
     }
 
     /// Declares an instance whose inputs come later, with its output nodes.
-    fn declare(self, name: &str, child: ModuleId, shape: Shape, loc: Loc) -> Declared {
+    fn declare(self, name: &str, child: ModuleId, array: Shape, loc: Loc) -> Declared {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let child_clocks = module.clocks.clone();
+            let faulty = &e.summaries[child.0 as usize].faulty;
             let port = |port: &ir::Output| {
-                (port.name.clone(), Port { kind: port.kind, ..Port::of(port.name.clone(), module.node(port.node)) })
+                let of = Port::of(port.name.clone(), module.node(port.node), faulty.contains(&port.node));
+                (port.name.clone(), Port { kind: port.kind, ..of })
             };
             let ports: Vec<_> = module.outputs.iter().map(port).collect();
-            let shapes: Vec<_> = ports.iter().map(|(_, port)| beside(e, name, shape, port, loc)).collect();
+            let shapes: Vec<_> = ports.iter().map(|(_, port)| beside(e, name, array, port, loc)).collect();
             let clocks = child_clocks.iter().map(|clock| self.bind(e, clock)).collect();
             let draft = e.draft();
             let id = InstanceId(draft.instances.len() as u32);
             let output = |(index, ((_, port), shape)): (usize, (&(String, Port), Shape))| {
                 let node = draft.add(Op::Output(id, index as u32), port.width, shape, loc);
                 draft.node_mut(node).kind = port.kind;
+                if port.is_faulty || Some(shape) != array.beside(port.shape) {
+                    draft.stand_ins.insert(node);
+                }
                 node
             };
             let outputs: Vec<_> = ports.iter().zip(shapes).enumerate().map(output).collect();
             let name = name.to_owned();
-            let instance =
-                Instance { name, module: child, shape, inputs: Vec::new(), outputs: outputs.clone(), clocks, loc };
+            let (shape, inputs) = (array, Vec::new());
+            let instance = Instance { name, module: child, shape, inputs, outputs: outputs.clone(), clocks, loc };
             draft.instances.push(instance);
             draft.instance_outputs.push(ports.into_iter().map(|(name, _)| name).collect());
             Declared { id, outputs }
@@ -141,10 +146,12 @@ impl Module {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
             let own = module.inputs.len() - answers.len();
-            let ports: Vec<_> = module.inputs[..own]
-                .iter()
-                .map(|i| (i.path.clone(), Port::of(i.name.clone(), module.node(i.node))))
-                .collect();
+            let faulty = &e.summaries[child.0 as usize].faulty;
+            let port = |input: &ir::Input| {
+                let is_faulty = faulty.contains(&input.node);
+                (input.path.clone(), Port::of(input.name.clone(), module.node(input.node), is_faulty))
+            };
+            let ports: Vec<_> = module.inputs[..own].iter().map(port).collect();
             let mut inputs: Vec<_> = match uneven(&drivers, &ports) {
                 None => {
                     ports.iter().zip(&drivers).map(|((_, port), (_, signal))| fit(e, id, port, *signal, loc)).collect()
@@ -235,12 +242,14 @@ struct Port {
     width: u32,
     shape: Shape,
     kind: Kind,
+    /// Its declaration or what drives it has a problem.
+    is_faulty: bool,
     declared: Loc,
 }
 
 impl Port {
-    fn of(name: String, node: &ir::Node) -> Port {
-        Port { name, width: node.width, shape: node.shape, kind: node.kind, declared: node.loc }
+    fn of(name: String, node: &ir::Node, is_faulty: bool) -> Port {
+        Port { name, width: node.width, shape: node.shape, kind: node.kind, is_faulty, declared: node.loc }
     }
 }
 
@@ -260,6 +269,10 @@ fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: L
 fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Loc) -> NodeId {
     let driver = signal.node;
     let draft = e.draft();
+    if port.is_faulty {
+        draft.in_problems.insert(driver);
+        return zero(e, id, port, loc);
+    }
     let (instance, node) = (&draft.instances[id.0 as usize], draft.node(driver));
     let (name, text) = (&instance.name, draft.describe(driver));
     let Some(shape) = instance.shape.beside(port.shape) else {

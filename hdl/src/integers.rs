@@ -1,5 +1,6 @@
 //! Integers: which there are, on the left of an operator, and as factors.
 
+use crate::elaboration;
 use crate::ir::{Binary, Kind};
 use crate::operand::{Literal, Operand, Value};
 use crate::register::Reg;
@@ -37,8 +38,10 @@ pub trait Integer: Copy + Display {
 /// A number of things, for which nothing below 0 can stand.
 #[track_caller]
 pub(crate) fn not_negative(number: impl Integer) -> u128 {
-    let Ok(count) = u128::try_from(number.integer()) else { panic!("a number of {number}: it is 0 or more") };
-    count
+    match u128::try_from(number.integer()) {
+        Ok(count) => count,
+        Err(_) => elaboration::mistake(format!("a number of {number}"), "it is 0 or more"),
+    }
 }
 
 /// As [`not_negative`]; what is too large for any use is the largest there is.
@@ -128,7 +131,7 @@ mod tests {
     use super::*;
 
     #[test]
-    #[should_panic(expected = "a number of -1: it is 0 or more")]
+    #[should_panic(expected = "a number of -1, at ")]
     fn nothing_is_counted_by_a_negative_number() {
         let _ = count(-1);
     }

@@ -7,6 +7,7 @@ use crate::fields::{Fields, Leaf};
 use crate::index::Index;
 use crate::integers::Integer;
 use crate::ir::{Kind, Op, Shape};
+use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
@@ -18,10 +19,6 @@ use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
 /// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
-///
-/// # Panics
-///
-/// There are none.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -35,7 +32,9 @@ use crate::width::Width;
 pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<Signal> {
     let loc = Loc::caller();
     let values: Vec<B> = values.into_iter().collect();
-    let first = values.first().unwrap_or_else(|| panic!("a stack of nothing, at {loc}: give a value for each lane"));
+    let Some(first) = values.first() else {
+        elaboration::mistake("a stack of nothing".to_owned(), "give a value for each lane")
+    };
     let mut by_lane: Vec<_> = values.iter().map(Fields::leaves).collect();
     for lane in 1..by_lane.len() {
         if let Some(uneven) = uneven(&by_lane[lane], &by_lane[0]) {
@@ -123,6 +122,9 @@ pub fn constants<L: Layout, N: Integer + Leaf>(layout: L, of: impl Fn(u32) -> <L
 fn row_of_constants(width: Width, of: impl Fn(u32) -> i128) -> Signal {
     let loc = Loc::caller();
     let shape = elaboration::with(|e| sound_shape(e, "a list of constants", width.shape, loc));
+    if shape != width.shape {
+        return elaboration::with(|e| Signal::zero_in(e, width.bits.clamp(1, WIDEST), shape, width.kind, loc));
+    }
     let values = crate::select::constants(width, (0..shape.lanes()).map(of));
     let bits = values[0].width;
     let row = |values: &[Signal]| {
@@ -142,10 +144,6 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> i128) -> Signal {
 
 /// Lane 0 of each row, then lane 1 of each, and so on: of two rows of four, one of eight.
 ///
-/// # Panics
-///
-/// There are none.
-///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
@@ -158,7 +156,9 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> i128) -> Signal {
 pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let loc = Loc::caller();
     let mut parts: Vec<Signal> = rows.into_iter().collect();
-    assert!(!parts.is_empty(), "nothing is interleaved, at {loc}: give it at least one row");
+    if parts.is_empty() {
+        elaboration::mistake("nothing is interleaved".to_owned(), "give it at least one row");
+    }
     let first = parts[0].along("interleave");
     for part in &mut parts {
         *part = crate::operand::Value::Signal(*part).like(first.of, "interleave");
@@ -250,9 +250,12 @@ impl Signal {
     /// ```
     #[track_caller]
     pub fn unpack(self, shape: impl crate::IntoShape) -> Signal {
-        let (loc, shape) = (Loc::caller(), shape.into_shape());
-        let shape = elaboration::with(|e| sound_shape(e, "an unpacked word", shape, loc));
+        let (loc, asked) = (Loc::caller(), shape.into_shape());
+        let shape = elaboration::with(|e| sound_shape(e, "an unpacked word", asked, loc));
         let (id, lanes) = (self.id(), shape.lanes());
+        if shape != asked {
+            return elaboration::with(|e| Signal::zero_in(e, self.width, shape, Kind::Number, loc));
+        }
         if !self.shape.is_plain() || shape.is_plain() || !self.width.is_multiple_of(lanes) {
             return elaboration::with(|e| {
                 let text = e.draft().describe(id);

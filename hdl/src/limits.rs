@@ -1,6 +1,8 @@
-//! How wide a signal may be, and how large a design.
+//! How wide a signal may be, how large a design, and how slow a clock.
 
-use crate::elaboration::Elaboration;
+use crate::clock::Period;
+use crate::elaboration::{self, Elaboration};
+use crate::integers::{self, Integer};
 use crate::ir::NodeId;
 use crate::loc::Loc;
 use crate::problem::Problem;
@@ -13,6 +15,15 @@ pub(crate) const DEEPEST: usize = 100;
 
 /// The most lanes that arrays in arrays come to.
 pub(crate) const MOST_LANES: u64 = 1 << 24;
+
+/// The most ports of a list.
+pub(crate) const MOST_PORTS: u32 = 1 << 16;
+
+/// The most stages of a pipeline.
+const MOST_STAGES: u32 = 1 << 16;
+
+/// The longest period of a clock, in picoseconds: 18 minutes.
+pub(crate) const LONGEST_PERIOD: u64 = 1 << 50;
 
 /// The most lanes that are looked at one by one for a combinational loop: some gibibytes, some seconds.
 pub(crate) const MOST_LOOPED_LANES: u64 = 1 << 26;
@@ -37,4 +48,24 @@ pub(crate) fn sound_width(e: &mut Elaboration, operands: &[NodeId], what: &str, 
     };
     e.report_instead_of(operands, problem);
     sound as u32
+}
+
+/// A number of stages; too many are a problem, and one stands in.
+#[track_caller]
+pub(crate) fn sound_stages(count: impl Integer, loc: Loc) -> u32 {
+    let stages = integers::count(count);
+    if stages <= MOST_STAGES {
+        return stages;
+    }
+    let problem = Problem::new(loc, format!("a pipeline of {stages} stages has more than {MOST_STAGES}"));
+    elaboration::with(|e| e.report(problem.help("a memory delays by as many clocks as it has words")));
+    1
+}
+
+/// A period that a clock can have; otherwise that is a problem.
+pub(crate) fn check_period(e: &mut Elaboration, clock: &str, period: Period, loc: Loc) {
+    if period.picoseconds() > LONGEST_PERIOD {
+        let message = format!("{clock} has a period of {period}, more than {LONGEST_PERIOD} ps");
+        e.report(Problem::new(loc, message).help("a period is some nanoseconds, and 18 minutes at most"));
+    }
 }

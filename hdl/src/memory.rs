@@ -2,8 +2,8 @@
 
 use crate::clock::Clock;
 use crate::data::Data;
-use crate::elaboration;
-use crate::ir::{Kind, MemoryId, Op, ReadPort, WritePort};
+use crate::elaboration::{self, Elaboration};
+use crate::ir::{Kind, MemoryId, NodeId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::problem::Problem;
@@ -157,7 +157,7 @@ impl Mem {
                     true => format!("widen it with `.zext({width})` or `.sext({width})`"),
                     false => format!("cut it with `.trunc({width})`"),
                 });
-            e.report_instead_of(&[id], problem);
+            self.report_instead_of(e, id, problem);
             Signal::zero_in(e, width, signal.shape, kind, loc)
         })
     }
@@ -175,9 +175,9 @@ impl Mem {
                     .note(format!("`{name}` is declared"), memory.loc)
                     .note(format!("`{text}` is made"), draft.node(id).loc)
                     .help(crate::signed::READ_AS);
-            e.report_instead_of(&[id], problem);
-        });
-        Signal { kind, ..signal }
+            self.report_instead_of(e, id, problem);
+            Signal::zero_in(e, signal.width, signal.shape, kind, loc)
+        })
     }
 
     /// The signal, which is plain or has a lane for each lane of the memory; if not, that is a problem.
@@ -196,9 +196,16 @@ impl Mem {
                 .note(format!("`{name}` is declared"), memory.loc)
                 .note(format!("`{text}` is made"), draft.node(id).loc)
                 .help("it is plain, one for all lanes, or has the memory's lanes");
-            e.report_instead_of(&[id], problem);
+            self.report_instead_of(e, id, problem);
             Signal::zero_in(e, signal.width, self.word.shape, signal.kind, loc)
         })
+    }
+
+    /// Reports a problem with `operand` of this memory, unless one of the two follows another problem.
+    fn report_instead_of(self, e: &mut Elaboration, operand: NodeId, problem: Problem) {
+        let stand_in = e.draft().memories[self.index as usize].stand_in;
+        let operands: Vec<NodeId> = stand_in.into_iter().chain([operand]).collect();
+        e.report_instead_of(&operands, problem);
     }
 
     /// The handle of another module is a panic, as only a helper that keeps handles between blocks can have one.
@@ -281,7 +288,11 @@ impl Mem {
             let clock = synchronous.then(|| draft.use_clock(self.clock));
             let port = draft.memories[self.index as usize].memory.reads.len() as u32;
             let node = draft.add(Op::Read(MemoryId(self.index), port), self.word.bits, self.word.shape, loc);
-            draft.memories[self.index as usize].memory.reads.push(ReadPort { clock, address, enable, node });
+            let memory = &mut draft.memories[self.index as usize];
+            memory.memory.reads.push(ReadPort { clock, address, enable, node });
+            if memory.stand_in.is_some() {
+                draft.stand_ins.insert(node);
+            }
             Signal::at(e, node).kept_in(e, self.word.kind)
         })
     }

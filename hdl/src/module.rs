@@ -7,7 +7,7 @@ use crate::draft::{DraftMemory, DraftRegister, DraftWire, Synchronizer, UNDRIVEN
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
 use crate::integers::Integer;
-use crate::ir::{Contents, Memory, NodeId, Op, ReadUnderWrite, RegisterId};
+use crate::ir::{Contents, Kind, Memory, NodeId, Op, ReadUnderWrite, RegisterId, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::machine::StateReg;
@@ -236,11 +236,20 @@ impl Module {
     ) -> Mem<L::Value> {
         let (depth, layout, loc) = (depth.integer(), layout.layout(), Loc::caller());
         let word = word(&layout, name, loc);
-        let Mem { stamp, module, index, address_width, word, clock, .. } = self.words(name, depth, word, policy, loc);
+        let is_sound = layout.leaves().iter().all(|(_, width)| (1..=WIDEST).contains(&width.bits));
+        let words = self.words(name, depth, (word, is_sound), policy, loc);
+        let Mem { stamp, module, index, address_width, word, clock, .. } = words;
         Mem { stamp, module, index, address_width, word, clock, layout }
     }
 
-    fn words(self, name: &str, depth: i128, word: Width, policy: ReadUnderWrite, loc: Loc) -> Mem {
+    fn words(
+        self,
+        name: &str,
+        depth: i128,
+        (word, has_sound_fields): (Width, bool),
+        policy: ReadUnderWrite,
+        loc: Loc,
+    ) -> Mem {
         let width = word.bits;
         elaboration::with(|e| {
             let shape = sound_shape(e, &format!("memory `{name}`"), word.shape, loc);
@@ -257,7 +266,10 @@ impl Module {
                 let message = format!("memory `{name}` has {depth} words, more than {}", u32::MAX);
                 e.report(Problem::new(loc, message).help("make wider words, or several memories"));
             }
-            let (depth, width) = (depth.clamp(1, u32::MAX.into()) as u32, width.clamp(1, WIDEST));
+            let (sound_depth, sound_width) = (depth.clamp(1, u32::MAX.into()), width.clamp(1, WIDEST));
+            let is_sound = has_sound_fields && (depth, width, word.shape) == (sound_depth, sound_width, shape);
+            let stand_in = (!is_sound).then(|| Signal::zero_in(e, 1, Shape::Plain, Kind::Number, loc).node);
+            let (depth, width) = (sound_depth as u32, sound_width);
             let (stamp, draft) = (e.stamp, e.draft());
             let index = draft.memories.len() as u32;
             draft.memories.push(DraftMemory {
@@ -274,6 +286,7 @@ impl Module {
                     loc,
                 },
                 true_dual_port: false,
+                stand_in,
                 written: Vec::new(),
             });
             let (module, address_width) = (draft.serial, index_width(depth.into()));
@@ -398,6 +411,9 @@ pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), w
     let bits = sound_width(e, &[], &what, width.bits.into(), loc);
     let draft = e.draft();
     let id = draft.add(op, bits, shape, loc);
+    if (bits, shape) != (width.bits, width.shape) {
+        draft.stand_ins.insert(id);
+    }
     let node = draft.node_mut(id);
     (node.name, node.kind) = (Some(name.to_owned()), width.kind);
     id

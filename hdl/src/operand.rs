@@ -185,7 +185,9 @@ macro_rules! constant_shift_amounts {
             #[track_caller]
             fn shift(self, operand: Signal, shift: Shift) -> $crate::Signal {
                 let amount = self.integer();
-                assert!(amount >= 0, "a shift by {amount} bits: an amount is 0 or more");
+                if amount < 0 {
+                    elaboration::mistake(format!("a shift by {amount} bits"), "an amount is 0 or more");
+                }
                 operand.shift_by(shift, u32::try_from(amount).unwrap_or(u32::MAX))
             }
         }

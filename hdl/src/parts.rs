@@ -89,7 +89,7 @@ impl Signal {
         if width == 0 || width > self.width {
             return self.bad_width(
                 format!("`.trunc({width})` cannot cut"),
-                width.max(1),
+                width.clamp(1, WIDEST),
                 "`.zext(n)` and `.sext(n)` widen".to_owned(),
             );
         }

@@ -4,6 +4,7 @@ use crate::bits::Bits;
 use crate::draft::{Draft, DraftRegister};
 use crate::elaboration;
 use crate::fields::Fields;
+use crate::graph::{Edges, components, is_cyclic};
 use crate::ir::{Binary, ClockId, Directive, Init, NodeId, Op, RegisterId, Shape, Unary};
 use crate::loc::Loc;
 use crate::module::Module;
@@ -12,7 +13,8 @@ use crate::record::from_leaves;
 use crate::select::condition;
 use crate::signal::Signal;
 use crate::summary::{self, Summary};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::ops::RangeFrom;
 
 /// Past values are for statements: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A statement that looks at one, be it within
 /// the expression or through nets and instances, waits until there is one: it says nothing of the first edge after power-on or a reset, and nothing of the first two
@@ -120,11 +122,11 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     if draft.pasts.is_empty() {
         return;
     }
-    let pasts: Pasts = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    let looks_back = edges_back(draft, summaries);
     let mut passed: BTreeMap<ClockId, Vec<NodeId>> = BTreeMap::new();
     for index in 0..draft.properties.len() {
         let property = draft.properties[index].clone();
-        let edges = edges_back(draft, summaries, &pasts, property.condition);
+        let edges = looks_back[property.condition.0 as usize];
         if edges > 0 {
             let passed = passed.entry(property.clock).or_default();
             while passed.len() < edges {
@@ -138,35 +140,27 @@ pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: 
     name_registers(draft, passed.into_values().flatten(), outputs);
 }
 
-/// What each past value is of.
-type Pasts = BTreeMap<NodeId, NodeId>;
-
-/// How many edges back a node looks.
-fn edges_back(draft: &Draft, summaries: &[Summary], pasts: &Pasts, node: NodeId) -> usize {
-    let mut level = BTreeSet::from([node]);
-    // Past values of each other have no end.
-    for edges in 0..pasts.len() {
-        level = pasts_behind(draft, summaries, pasts, level);
-        if level.is_empty() {
-            return edges;
-        }
-    }
-    pasts.len()
-}
-
-/// What the past values are of that these nodes are computed from within a cycle.
-fn pasts_behind(draft: &Draft, summaries: &[Summary], pasts: &Pasts, nodes: BTreeSet<NodeId>) -> BTreeSet<NodeId> {
-    let (mut found, mut seen) = (BTreeSet::new(), nodes.clone());
-    let mut open: Vec<NodeId> = nodes.into_iter().collect();
-    while let Some(node) = open.pop() {
-        found.extend(pasts.get(&node));
-        summary::operands(draft, summaries, node, &mut |operand| {
-            if seen.insert(operand) {
-                open.push(operand);
-            }
-        });
-    }
-    found
+/// How many edges back each node looks.
+fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
+    let pasts: BTreeMap<NodeId, NodeId> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
+    let past_of = |node: u32| pasts.get(&NodeId(node)).map(|of| of.0);
+    let edges = Edges::new(draft.nodes.len(), |node, push| {
+        past_of(node).into_iter().for_each(&mut *push);
+        summary::operands(draft, summaries, NodeId(node), &mut |id| push(id.0));
+    });
+    let mut back = vec![0; draft.nodes.len()];
+    components(&edges, |component| {
+        // Past values of each other have no end.
+        let has_no_end = is_cyclic(&edges, component) && component.iter().any(|node| past_of(*node).is_some());
+        let behind = |node: &u32| {
+            let own = usize::from(past_of(*node).is_some());
+            edges.of(*node).iter().map(move |of| (*of, own))
+        };
+        let most = component.iter().flat_map(behind).map(|(of, own)| back[of as usize] + own).max().unwrap_or(0);
+        let most = if has_no_end { pasts.len() } else { most };
+        component.iter().for_each(|node| back[*node as usize] = most);
+    });
+    back
 }
 
 /// A register that is high once one more edge has passed since power-on or a reset than `before` it.
@@ -207,15 +201,20 @@ fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outpu
     let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
     // In order of declaration, so that the past of a past finds a name.
     pasts.sort_unstable();
+    let mut numbers: HashMap<String, RangeFrom<u64>> = HashMap::new();
     let passed = passed.map(|node| (node, None));
     for (node, of) in pasts.into_iter().map(|(past, of)| (past, Some(of))).chain(passed) {
         let name = match of {
             None => "has_past".to_owned(),
             Some(of) => draft.node(of).name.as_ref().map_or("past".to_owned(), |name| format!("{name}_past")),
         };
-        let mut numbered = (2..).map(|number| format!("{name}_{number}"));
-        let free = if taken.contains(&name) { numbered.find(|name| !taken.contains(name)) } else { Some(name) };
-        let free = free.expect("there are names without end");
+        let free = if taken.contains(&name) {
+            let numbers = numbers.entry(name.clone()).or_insert(2..);
+            let mut numbered = numbers.map(|number| format!("{name}_{number}"));
+            numbered.find(|name| !taken.contains(name)).expect("there are names without end")
+        } else {
+            name
+        };
         taken.insert(free.clone());
         draft.node_mut(node).name = Some(free);
     }

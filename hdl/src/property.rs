@@ -109,11 +109,11 @@ impl Module {
 }
 
 /// A test asks for a cover by its name.
-fn second_cover(draft: &Draft, name: &str, loc: Loc) -> Option<Problem> {
-    let mut covers = draft.properties.iter().filter(|property| property.directive == Directive::Cover);
-    let first = covers.find(|cover| cover.message == name)?;
+fn second_cover(draft: &mut Draft, name: &str, loc: Loc) -> Option<Problem> {
+    let Some(&first) = draft.covers.get(name) else {
+        draft.covers.insert(name.to_owned(), loc);
+        return None;
+    };
     let problem = Problem::new(loc, format!("a second cover is called `{name}`"));
-    Some(
-        problem.note("the first one stands", first.loc).help("give each a name of its own: a test asks for it by that"),
-    )
+    Some(problem.note("the first one stands", first).help("give each a name of its own: a test asks for it by that"))
 }

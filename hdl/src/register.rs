@@ -95,7 +95,8 @@ impl Reg {
                 elaboration::with(|e| {
                     let name = e.draft().describe(self.signal.node);
                     let message = format!("`{name}` has {}, but {} reset values", self.shape, each.len());
-                    e.report(Problem::new(loc, message).help("`.reset(value)` gives all lanes the same"));
+                    let problem = Problem::new(loc, message).help("`.reset(value)` gives all lanes the same");
+                    e.report_instead_of(&[self.signal.node], problem);
                 });
                 each.resize(lanes, Bits::zero(self.width));
             }
@@ -170,7 +171,8 @@ impl Reg {
                 let message = format!("the {when} value of `{name}` is not a constant of {}", bits_text(self.width));
                 let problem = Problem::new(loc, message)
                     .help(format!("the {when} value is a number known while the block is built"));
-                e.report_instead_of(&[id], problem);
+                let own = Some(self.signal.node).filter(|_| e.draft().serial == self.signal.module);
+                e.report_instead_of(&[Some(id), own].into_iter().flatten().collect::<Vec<_>>(), problem);
                 Bits::zero(self.width)
             }
         });

@@ -233,7 +233,9 @@ impl<B: Block> Script<B> {
     /// assert_eq!(script.finish("counts to 5"), held.finish("counts to 5"));
     /// ```
     pub fn wait(&mut self, clocks: impl Integer) {
-        self.at_ps += not_negative(clocks) as u64 * self.period;
+        let clocks = u64::try_from(not_negative(clocks)).unwrap_or(u64::MAX);
+        let at_ps = clocks.checked_mul(self.period).and_then(|time| self.at_ps.checked_add(time));
+        self.at_ps = at_ps.unwrap_or_else(|| panic!("a script of {clocks} clocks more is longer than 2^64 ps"));
     }
 
     /// The scenario written so far.
@@ -253,5 +255,5 @@ impl<B: Block> Script<B> {
 
 /// The bits of a port: those of all its lanes.
 fn all_lanes(width: Width) -> u32 {
-    width.bits() * width.shape().lanes()
+    width.bits().checked_mul(width.shape().lanes()).expect("all lanes of an input have less than 2^32 bits")
 }

@@ -15,6 +15,7 @@ use crate::record::from_leaves;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, Width, index_width};
+use std::collections::{HashMap, HashSet};
 
 /// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give. It is signed if the width
 /// is.
@@ -44,8 +45,10 @@ pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) ->
     // A loop, as a closure would be the caller that messages name.
     let mut signals = Vec::new();
     for value in values {
-        let value = if sound == width.bits { value } else { 0 };
-        signals.push(Literal::Integer(value, Radix::Any).sized(sound, kind));
+        signals.push(match sound == width.bits {
+            true => Literal::Integer(value, Radix::Any).sized(sound, kind),
+            false => elaboration::with(|e| Signal::zero_in(e, sound, Shape::Plain, kind, loc)),
+        });
     }
     signals
 }
@@ -62,7 +65,7 @@ pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) ->
 #[track_caller]
 pub fn concat(parts: &[Signal]) -> Signal {
     match parts {
-        [] => panic!("a concatenation of nothing, at {}: give it at least one signal", Loc::caller()),
+        [] => elaboration::mistake("a concatenation of nothing".to_owned(), "give it at least one signal"),
         [one] => one.bits(),
         _ => {
             let loc = Loc::caller();
@@ -72,8 +75,10 @@ pub fn concat(parts: &[Signal]) -> Signal {
             let width: u64 = parts.iter().map(|part| u64::from(part.width)).sum();
             elaboration::with(|e| {
                 let sound = sound_width(e, &ids, "a concatenation", width, loc);
-                let op = if width == sound.into() { Op::Concat(ids) } else { Op::Const(Bits::zero(sound)) };
-                Signal::make_in(e, op, sound, shape, loc)
+                match width == sound.into() {
+                    true => Signal::make_in(e, Op::Concat(ids), sound, shape, loc),
+                    false => Signal::zero_in(e, sound, shape, Kind::Number, loc),
+                }
             })
         }
     }
@@ -145,7 +150,10 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
         Value::Signal(signal) => *signal,
         Value::Literal(Literal::Exact(bits)) => elaboration::with(|e| {
             let sound = sound_width(e, &[], "a constant", bits.width().into(), loc);
-            Signal::make_in(e, Op::Const(bits.resize(sound)), sound, Shape::Plain, loc)
+            match sound == bits.width() {
+                true => Signal::make_in(e, Op::Const(bits.clone()), sound, Shape::Plain, loc),
+                false => Signal::zero_in(e, sound, Shape::Plain, Kind::Number, loc),
+            }
         }),
         Value::Literal(code @ Literal::Code { names, .. }) => {
             code.clone().sized(index_width(names.codes.len() as u64), Kind::Code(*names))
@@ -156,8 +164,13 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
                 _ => ("low bits", "give one a width, as in `.trunc(8)`".to_owned()),
             };
             let message = format!("`{of}` has only {only} to choose from, which leaves its width open");
-            elaboration::with(|e| e.report(Problem::new(loc, message).help(help)));
-            return values.iter().map(|_| lit(1, 0)).collect();
+            let low = |value: &Value| if let Value::Low(signal) = value { Some(signal.id_at(loc)) } else { None };
+            let operands: Vec<NodeId> = values.iter().filter_map(low).collect();
+            let zero = elaboration::with(|e| {
+                e.report_instead_of(&operands, Problem::new(loc, message).help(help));
+                Signal::zero_in(e, 1, Shape::Plain, Kind::Number, loc)
+            });
+            return vec![zero; values.len()];
         }
     };
     values[first] = Value::Signal(signal);
@@ -253,18 +266,20 @@ pub fn case<V: Data, K: Integer, A: Fits<V>>(
 ) -> V {
     let (loc, subject) = (Loc::caller(), subject.into());
     let (numbers, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
-    let mut keys = Vec::with_capacity(numbers.len());
+    let (mut keys, mut known) = (Vec::with_capacity(numbers.len()), HashSet::with_capacity(numbers.len()));
     for number in numbers {
         let (key, fits) = Literal::Integer(number.integer(), Radix::Any).bits(subject.width, subject.kind);
         let problem = if !fits {
             Some(format!("the key {number} of `case` does not fit in {}", bits_text(subject.width)))
         } else {
-            keys.contains(&key).then(|| format!("the key {number} of `case` stands twice"))
+            (!known.insert(key.clone())).then(|| format!("the key {number} of `case` stands twice"))
         };
         keys.push(key);
         if let Some(problem) = problem {
-            let problem = Problem::new(loc, problem).help("each key is a value of the subject, once");
-            elaboration::with(|e| e.report(problem));
+            let (id, problem) = (subject.id_at(loc), Problem::new(loc, problem));
+            elaboration::with(|e| {
+                e.report_instead_of(&[id], problem.help("each key is a value of the subject, once"));
+            });
         }
     }
     by_value(subject, &keys, given(values, default), "case")
@@ -294,9 +309,11 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
             let default = nodes.pop().expect("the default is the last but one");
             Op::Case { subject, arms: keys.iter().cloned().zip(nodes).collect(), default }
         } else {
-            let default = shared(&nodes);
-            let is_other = |(_, node): &(Bits, NodeId)| !same(*node, default);
-            let arms: Vec<_> = keys.iter().cloned().zip(nodes).filter(is_other).collect();
+            let classes = classes(&nodes);
+            let most = most_often(&classes);
+            let (default, shared) = (nodes[most], classes[most]);
+            let arms = keys.iter().cloned().zip(nodes).zip(classes);
+            let arms: Vec<_> = arms.filter(|(_, class)| *class != shared).map(|(arm, _)| arm).collect();
             if arms.is_empty() {
                 chosen.push(Signal { kind, ..elaboration::with(|e| Signal::at(e, default)) });
                 continue;
@@ -308,17 +325,25 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
     from_leaves(&shape, chosen)
 }
 
-/// The node that stands most often among these, as itself or as the same constant; of as many, the last.
-fn shared(nodes: &[NodeId]) -> NodeId {
-    let often = |node: &&NodeId| nodes.iter().filter(|other| same(**node, **other)).count();
-    *nodes.iter().max_by_key(often).expect("an enum has a code")
+/// For each node a number, the same for what is the same node or the same constant.
+fn classes(nodes: &[NodeId]) -> Vec<usize> {
+    elaboration::draft(|draft| {
+        let (mut constants, mut others) = (HashMap::new(), HashMap::new());
+        let mut numbers = 0..;
+        let mut new = || numbers.next().expect("endless");
+        let class = |id: &NodeId| match &draft.node(*id).op {
+            Op::Const(bits) => *constants.entry(bits).or_insert_with(&mut new),
+            _ => *others.entry(*id).or_insert_with(&mut new),
+        };
+        nodes.iter().map(class).collect()
+    })
 }
 
-fn same(a: NodeId, b: NodeId) -> bool {
-    elaboration::draft(|draft| match (&draft.node(a).op, &draft.node(b).op) {
-        (Op::Const(a), Op::Const(b)) => a == b,
-        _ => a == b,
-    })
+/// Which of these stands most often; of as many, the last.
+fn most_often(classes: &[usize]) -> usize {
+    let mut often = vec![0; classes.len()];
+    classes.iter().for_each(|class| often[*class] += 1);
+    (0..classes.len()).max_by_key(|at| often[classes[*at]]).expect("an enum has a code")
 }
 
 /// What the arms give, and then what the default does.
@@ -336,10 +361,10 @@ fn given<V: Data>(arms: Vec<impl Fits<V>>, default: impl Fits<V>) -> Vec<Given<V
 /// For each field what it is in each arm, and one of the arms, whose fields all have.
 #[track_caller]
 fn fields<V: Data>(arms: Vec<Given<V>>, of: &str) -> (V::Like<Value>, Vec<Vec<Value>>) {
-    let loc = Loc::caller();
     let shape = arms.iter().find_map(|arm| if let Given::Each(fields) = arm { Some(fields.clone()) } else { None });
     let Some(shape) = shape else {
-        panic!("`{of}` has only numbers to choose a record from, at {loc}: write one of them as a record");
+        let message = format!("`{of}` has only numbers to choose a record from");
+        elaboration::mistake(message, "write one of them as a record");
     };
     let paths = shape.leaves();
     let mut fields = vec![Vec::with_capacity(arms.len()); paths.len()];

@@ -3,6 +3,7 @@
 use crate::elaboration::{self, Elaboration};
 use crate::integers::{Integer, count};
 use crate::ir::{Op, Shape};
+use crate::limits::MOST_LANES;
 use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::signal::Signal;
@@ -19,7 +20,7 @@ use crate::signal::Signal;
 ///
 /// # Panics
 ///
-/// The number is negative.
+/// The number is negative. While a block is built, that is a problem of its description.
 #[track_caller]
 pub fn row(lanes: impl Integer) -> Shape {
     Shape::Row(count(lanes))
@@ -37,7 +38,7 @@ pub fn row(lanes: impl Integer) -> Shape {
 ///
 /// # Panics
 ///
-/// A number is negative.
+/// A number is negative. While a block is built, that is a problem of its description.
 #[track_caller]
 pub fn grid(rows: impl Integer, columns: impl Integer) -> Shape {
     Shape::Grid(count(rows), count(columns))
@@ -72,7 +73,7 @@ impl<N: Integer> IntoShape for N {
     }
 }
 
-/// The shape of what is to have that one and is called `what`: no lanes are a problem, and one stands in.
+/// The shape of what is to have that one and is called `what`: no lanes, or too many, are a problem, and one stands in. What is made with it stands in, too.
 pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Loc) -> Shape {
     let sound = match shape {
         Shape::Plain => shape,
@@ -81,6 +82,13 @@ pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Lo
     };
     if sound != shape {
         e.report(Problem::new(loc, format!("{what} has no lanes")).help("a row, and a side of a grid, is at least 1"));
+    } else if u64::from(sound.lanes()) > MOST_LANES {
+        let message = format!("{what} has {sound}, more than {MOST_LANES}");
+        e.report(Problem::new(loc, message).help("make it smaller, or keep what is so large in a memory"));
+        return match sound {
+            Shape::Grid(..) => Shape::Grid(1, 1),
+            _ => Shape::Row(1),
+        };
     }
     sound
 }
@@ -128,8 +136,11 @@ impl Signal {
     /// ```
     #[track_caller]
     pub fn of(self, shape: impl crate::IntoShape) -> Signal {
-        let (loc, shape) = (Loc::caller(), shape.into_shape());
-        let shape = elaboration::with(|e| sound_shape(e, "a signal", shape, loc));
+        let (loc, asked) = (Loc::caller(), shape.into_shape());
+        let shape = elaboration::with(|e| sound_shape(e, "a signal", asked, loc));
+        if shape != asked {
+            return elaboration::with(|e| Signal::zero_in(e, self.width, shape, self.kind, loc));
+        }
         if self.shape == shape {
             return self;
         }
@@ -180,8 +191,11 @@ impl Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| match self.shape {
             Shape::Row(_) => {
-                let shape = self.shape.with(axis, times).expect("a row gets a second axis");
-                let shape = sound_shape(e, "a grid", shape, loc);
+                let asked = self.shape.with(axis, times).expect("a row gets a second axis");
+                let shape = sound_shape(e, "a grid", asked, loc);
+                if shape != asked {
+                    return Signal::zero_in(e, self.width, shape, self.kind, loc);
+                }
                 Signal::make_in(e, Op::Broadcast { of: id, axis }, self.width, shape, loc).kept_in(e, self.kind)
             }
             _ => {

@@ -2,6 +2,7 @@
 
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
+use crate::elaboration;
 use crate::integers::Integer;
 use crate::ir::{Binary, Op, Unary};
 use crate::module::Module;
@@ -105,7 +106,12 @@ impl Signal {
 #[track_caller]
 fn places_in(width: u32, places: impl Integer) -> u32 {
     let places = places.integer();
-    assert!(places >= 0, "a rotation by {places} places: `rotate_left` and `rotate_right` take 0 or more");
+    if places < 0 {
+        elaboration::mistake(
+            format!("a rotation by {places} places"),
+            "`rotate_left` and `rotate_right` take 0 or more",
+        );
+    }
     (places % i128::from(width)) as u32
 }
 

@@ -114,7 +114,7 @@ impl Signal {
                 None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
             };
             e.report(problem.help("give the block an input for it"));
-            e.draft().add(Op::Const(Bits::zero(self.width)), self.width, self.shape, loc)
+            Signal::zero_in(e, self.width, self.shape, self.kind, loc).node
         })
     }
 
@@ -270,14 +270,15 @@ impl Signal {
         let (shape, left, right) = (left.shape, left.id(), right.id());
         elaboration::with(|e| {
             let sound = sound_width(e, &[left, right], "a product", width, loc);
-            let op = if width == sound.into() { Op::Binary(op, left, right) } else { Op::Const(Bits::zero(sound)) };
-            Signal::make_in(e, op, sound, shape, loc)
+            match width == sound.into() {
+                true => Signal::make_in(e, Op::Binary(op, left, right), sound, shape, loc).kept_in(e, self.kind),
+                false => Signal::zero_in(e, sound, shape, self.kind, loc),
+            }
         })
-        .kept_as(self.kind)
     }
 
     /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
-    /// reason is printed beside it in the Verilog.
+    /// reason is printed in the header of the module's Verilog.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -300,7 +301,9 @@ impl Signal {
     /// }
     ///
     /// // Without the reason, `rgb` samples a register of another clock, which is a problem.
-    /// elaborate(&Border)?;
+    /// let design = elaborate(&Border)?;
+    /// # let text = &tilewright_gen::verilog(&design)[0].text;
+    /// # assert!(text.contains("// Stable      held: it is set while the screen is dark ("), "{text}");
     /// # Ok::<(), Problems>(())
     /// ```
     #[track_caller]

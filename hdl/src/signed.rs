@@ -1,7 +1,7 @@
 //! Signed values: signals whose bits are read in two's complement, which do not mix with unsigned ones.
 
 use crate::elaboration;
-use crate::ir::{Binary, Kind, Op, Shape};
+use crate::ir::{Binary, Kind, NodeId, Op, Shape};
 use crate::loc::Loc;
 use crate::operand::Literal;
 use crate::problem::Problem;
@@ -76,17 +76,16 @@ impl Signal {
 
     #[track_caller]
     pub(crate) fn negative(self) -> Signal {
-        let zero = Literal::Integer(0, Radix::Any).for_signal(self, "-");
         if self.kind != Kind::Signed {
             let (loc, id) = (Loc::caller(), self.id());
-            elaboration::with(|e| {
+            return elaboration::with(|e| {
                 let text = e.draft().describe(id);
                 let problem = Problem::new(loc, format!("`-` makes a negative number, but `{text}` is not signed"));
                 e.report_instead_of(&[id], problem.help("`.signed()` reads it in two's complement"));
+                Signal::zero_in(e, self.width, self.shape, Kind::Signed, loc)
             });
-            return zero;
         }
-        zero.binary(Binary::Sub, self)
+        Literal::Integer(0, Radix::Any).for_signal(self, "-").binary(Binary::Sub, self)
     }
 
     /// The signal, which stands for what `left` does, with which it meets in `operator`; if not, that is a problem.
@@ -105,8 +104,8 @@ impl Signal {
                 .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
                 .help(READ_AS);
             e.report_instead_of(&[left_id, right_id], problem);
-        });
-        Signal { kind: left.kind, ..self }
+            Signal::zero_in(e, self.width, self.shape, left.kind, loc)
+        })
     }
 }
 
@@ -120,7 +119,7 @@ impl Literal {
             _ => true,
         };
         if fits {
-            return self.sized(left.width, left.kind);
+            return self.sized_beside(Some(left), left.width, left.kind);
         }
         let (loc, id) = (Loc::caller(), left.id());
         elaboration::with(|e| {
@@ -149,18 +148,28 @@ impl Literal {
         }
     }
 
-    /// The literal in `width` bits; one that does not fit is a problem, and is cut.
+    /// The literal in `width` bits; one that does not fit is a problem.
     #[track_caller]
     pub(crate) fn sized(self, width: u32, kind: Kind) -> Signal {
+        self.sized_beside(None, width, kind)
+    }
+
+    /// As [`Literal::sized`], beside what it takes its width from.
+    #[track_caller]
+    fn sized_beside(self, left: Option<Signal>, width: u32, kind: Kind) -> Signal {
         let loc = Loc::caller();
         let (bits, fits) = self.bits(width, kind);
+        if fits {
+            return elaboration::with(|e| {
+                Signal::make_in(e, Op::Const(bits), width, Shape::Plain, loc).kept_in(e, kind)
+            });
+        }
+        let operands: Vec<NodeId> = left.into_iter().map(|left| left.id_at(loc)).collect();
+        let sign = if kind == Kind::Signed { "signed" } else { "unsigned" };
+        let problem = Problem::new(loc, format!("`{self}` does not fit in {}, {sign}", bits_text(width)));
         elaboration::with(|e| {
-            if !fits {
-                let kind = if kind == Kind::Signed { "signed" } else { "unsigned" };
-                let message = format!("`{self}` does not fit in {}, {kind}", bits_text(width));
-                e.report(Problem::new(loc, message).help("an integer takes the width of the signal it meets"));
-            }
-            Signal::make_in(e, Op::Const(bits), width, Shape::Plain, loc).kept_in(e, kind)
+            e.report_instead_of(&operands, problem.help("an integer takes the width of the signal it meets"));
+            Signal::zero_in(e, width, Shape::Plain, kind, loc)
         })
     }
 }

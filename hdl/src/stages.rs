@@ -6,8 +6,9 @@ use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration::draft;
 use crate::fields::Fields;
-use crate::integers::{self, Integer};
+use crate::integers::Integer;
 use crate::ir::{NodeId, Op};
+use crate::limits::sound_stages;
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::record::from_leaves;
@@ -138,7 +139,7 @@ impl Module {
             *enable = condition(*enable, "stages");
         }
         let Start { mut record, name, cleared } = start.into();
-        let stages = integers::count(count);
+        let stages = sound_stages(count, loc);
         let pipeline = Pipeline::begin(enable, &record, loc);
         for number in 1..=stages {
             let next = stage(number, record);

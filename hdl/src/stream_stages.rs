@@ -1,7 +1,8 @@
 //! Pipelines between streams: each stage holds what it has while the next one is full.
 
 use crate::data::Data;
-use crate::integers::{self, Integer};
+use crate::integers::Integer;
+use crate::limits::sound_stages;
 use crate::loc::Loc;
 use crate::module::{Module, port_name};
 use crate::record::from_leaves;
@@ -68,7 +69,7 @@ impl Module {
         stage: impl Fn(u32, P) -> P,
     ) -> Stream<P> {
         let loc = Loc::caller();
-        let stages = integers::count(count);
+        let stages = sound_stages(count, loc);
         let Start { record: mut stream, name, .. } = start.into();
         let pipeline = Pipeline::begin(None, &stream.payload, loc);
         for number in 1..=stages {

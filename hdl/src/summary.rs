@@ -2,7 +2,7 @@
 
 use crate::circuit::Circuit;
 use crate::draft::Draft;
-use crate::graph::{Edges, Sets};
+use crate::graph::{Edges, Sets, components};
 use crate::ir::{Module, NodeId, Op};
 use std::collections::BTreeSet;
 
@@ -11,6 +11,8 @@ pub(crate) struct Summary {
     pub outputs: Vec<Dependence>,
     /// Indices of input ports that are wired to a synchronizer, with its name.
     pub synchronized: Vec<(u32, String)>,
+    /// The input ports whose declaration is faulty, and the outputs that follow a problem: both by their nodes.
+    pub faulty: BTreeSet<NodeId>,
 }
 
 pub(crate) struct Dependence {
@@ -36,7 +38,11 @@ impl Summary {
     /// Of a module that is not sound, of which nothing more is to be reported.
     pub fn unknown(outputs: usize) -> Summary {
         let nothing = || Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![], wired: true };
-        Summary { outputs: std::iter::repeat_with(nothing).take(outputs).collect(), synchronized: vec![] }
+        Summary {
+            outputs: std::iter::repeat_with(nothing).take(outputs).collect(),
+            synchronized: vec![],
+            faulty: BTreeSet::new(),
+        }
     }
 }
 
@@ -77,35 +83,51 @@ fn timed_operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut 
     }
 }
 
-/// The input ports that a node is wired to, if it is wired to ports, state and constants with at most inverters between:
-/// then it changes at most once a clock. None if there is logic, which glitches. A quasi-static signal is what its author
-/// declares it to be.
+/// The input ports that a node is wired to, if it is [wired](is_wired) to ports, state and constants: then it changes at most once
+/// a clock. None if there is logic, which glitches. A quasi-static signal is what its author declares it to be.
 pub(crate) fn wired_inputs(draft: &Draft, summaries: &[Summary], id: NodeId) -> Option<Vec<u32>> {
     let (mut seen, mut behind, mut inputs) = (BTreeSet::new(), vec![id], Vec::new());
     while let Some(id) = behind.pop() {
         if !seen.insert(id) {
             continue;
         }
-        let op = &draft.node(id).op;
-        let is_wired = match op {
-            Op::Read(memory, port) => draft.memories[memory.0 as usize].memory.reads[*port as usize].clock.is_some(),
-            Op::Output(instance, port) => {
-                let module = draft.instances[instance.0 as usize].module;
-                summaries[module.0 as usize].outputs[*port as usize].wired
-            }
-            Op::Input(index) => {
-                inputs.push(*index);
-                true
-            }
+        match draft.node(id).op {
+            Op::Input(index) => inputs.push(index),
             Op::QuasiStatic(..) => continue,
-            op => op.is_wiring(),
-        };
-        if !is_wired {
-            return None;
+            _ if !is_wired(draft, summaries, id) => return None,
+            _ => {}
         }
         operands(draft, summaries, id, &mut |id| behind.push(id));
     }
     Some(inputs)
+}
+
+/// Whether a node is no logic: a port, state, a constant, or wires and at most an inverter of what it is given.
+fn is_wired(draft: &Draft, summaries: &[Summary], id: NodeId) -> bool {
+    match &draft.node(id).op {
+        Op::Read(memory, port) => draft.memories[memory.0 as usize].memory.reads[*port as usize].clock.is_some(),
+        Op::Output(instance, port) => {
+            let module = draft.instances[instance.0 as usize].module;
+            summaries[module.0 as usize].outputs[*port as usize].wired
+        }
+        Op::Input(_) => true,
+        op => op.is_wiring(),
+    }
+}
+
+/// For each node whether it comes without logic, as [`wired_inputs`] says.
+fn wired(draft: &Draft, summaries: &[Summary], edges: &Edges) -> Vec<bool> {
+    let mut wired = vec![true; draft.nodes.len()];
+    components(edges, |component| {
+        let comes = |node: &u32| {
+            let is_static = matches!(draft.node(NodeId(*node)).op, Op::QuasiStatic(..));
+            let behind = || edges.of(*node).iter().all(|of| wired[*of as usize]);
+            is_static || is_wired(draft, summaries, NodeId(*node)) && behind()
+        };
+        let all = component.iter().all(comes);
+        component.iter().for_each(|node| wired[*node as usize] = all);
+    });
+    wired
 }
 
 fn timed_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
@@ -172,14 +194,16 @@ pub(crate) fn of_loops(module: &Module, summaries: &[Summary], outputs: &[NodeId
 
 /// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
-    let inputs = input_sets(draft, &combinational_edges(draft, summaries));
+    let edges = combinational_edges(draft, summaries);
+    let inputs = input_sets(draft, &edges);
+    let wired = wired(draft, summaries, &edges);
     let timed_inputs = timed_input_sets(draft, summaries);
     let clocks = clock_sets(draft, summaries, View::Outside);
     let dependence = |output: &NodeId| Dependence {
         inputs: inputs.members(output.0).map(|i| i as u32).collect(),
         timed_inputs: timed_inputs.members(output.0).map(|i| i as u32).collect(),
         clocks: clocks.members(output.0).filter_map(|clock| renumber[clock]).collect(),
-        wired: wired_inputs(draft, summaries, *output).is_some(),
+        wired: wired[output.0 as usize],
     };
-    Summary { outputs: outputs.iter().map(dependence).collect(), synchronized: vec![] }
+    Summary { outputs: outputs.iter().map(dependence).collect(), synchronized: vec![], faulty: BTreeSet::new() }
 }

@@ -133,7 +133,7 @@ pub fn bit() -> Width {
 ///
 /// # Panics
 ///
-/// The number is negative.
+/// The number is negative. While a block is built, that is a problem of its description.
 #[track_caller]
 pub fn below(count: impl Integer) -> Width {
     bits(width_below(not_negative(count)))
@@ -149,7 +149,7 @@ pub fn below(count: impl Integer) -> Width {
 ///
 /// # Panics
 ///
-/// The number is negative.
+/// The number is negative. While a block is built, that is a problem of its description.
 #[track_caller]
 pub fn up_to(most: impl Integer) -> Width {
     bits(width_below(not_negative(most) + 1))

@@ -1,5 +1,6 @@
 //! Descriptions of a size that would show anything worse than linear.
 
+use std::time::{Duration, Instant};
 use tilewright_hdl::*;
 
 bundle! {
@@ -98,4 +99,83 @@ fn a_block_that_twice_holds_its_next_smaller_self_is_built_once_a_size() {
     }
     let design = elaborate(&Tree(30)).unwrap();
     assert_eq!((BUILT.get(), design.modules().len()), (31, 31));
+}
+
+/// So long takes none of what follows, be the machine as busy as it likes; with a cost that is a square each takes minutes.
+const LONG: Duration = Duration::from_secs(60);
+
+#[track_caller]
+fn is_quick(build: fn(Module, Signal) -> Signal) {
+    let start = Instant::now();
+    let design = elaborate(&Big(build)).unwrap();
+    design.latencies();
+    assert!(start.elapsed() < LONG, "{:?}", start.elapsed());
+}
+
+#[test]
+fn a_concatenation_of_262144_parts() {
+    is_quick(|_, x| concat(&(0..262_144).map(|part| x.bit(part % 8)).collect::<Vec<_>>()).part(100, 8));
+}
+
+#[test]
+fn choices_of_100000_arms() {
+    is_quick(|_, x| case(x.zext(20), (0..100_000).map(|key| (key, key % 251)), x));
+    is_quick(|_, x| select((0..100_000).map(|arm| (x.bit(arm % 8), x)), 0));
+}
+
+#[test]
+fn a_register_with_100000_updates() {
+    is_quick(|m, x| {
+        def!(held = m.reg(8).reset(0));
+        let mut updates = held.when(x.bit(0), 0);
+        for update in 1..100_000 {
+            updates = updates.when(x.bit(update % 8), x);
+        }
+        *held
+    });
+}
+
+#[test]
+fn a_stack_of_100000_lanes() {
+    is_quick(|_, x| stack((0..100_000).map(|_| x)).xor_all());
+}
+
+#[test]
+fn statements_by_the_ten_thousands() {
+    is_quick(|m, x| {
+        for cover in 0..100_000 {
+            m.cover(&format!("cover {cover}"), x.bit(cover % 8));
+        }
+        for past in 0..20_000 {
+            m.assert(m.past(x ^ (past % 256)).eq(m.past(x ^ (past % 256))), "it is itself");
+        }
+        x
+    });
+}
+
+#[test]
+fn outputs_and_instances_by_the_thousands() {
+    bundle! { struct Many<T> { ys: Vec<T> } }
+    /// Gives 1,000 outputs and has 1,000 nets.
+    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
+    struct Lines;
+    impl Block for Lines {
+        type In = Word;
+        type Out = Many;
+        fn inputs(&self) -> Word<Width> {
+            Word { x: bits(8) }
+        }
+        fn outputs(&self) -> Vec<(String, Width)> {
+            Many { ys: vec![bits(8); 1_000] }.leaves()
+        }
+        fn build(&self, _: Module, i: Word) -> Many {
+            let all = concat(&vec![i.x; 1_000]);
+            Many { ys: (0..1_000).map(|at| all.part(8 * at, 8).named(&format!("line{at}"))).collect() }
+        }
+    }
+    is_quick(|m, x| {
+        let lines = m.instance("u_lines", &Lines, Word { x }).ys;
+        let more = (0..40).map(|at| m.instance(&format!("u_more{at}"), &Lines, Word { x: lines[at] }).ys[at]);
+        more.fold(x, |sum, line| sum ^ line)
+    });
 }

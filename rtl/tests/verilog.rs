@@ -35,8 +35,7 @@ fn every_block_has_a_golden_file() {
         let text = fs::read_to_string(&path).unwrap();
         for block in text.split("\nblock! {\n").skip(1) {
             let name = block.split("pub struct ").nth(1).unwrap().split([' ', ';', '\n']).next().unwrap();
-            // A module is described where its first value is, which may be a file beside that of the block.
-            let unit = format!("// Described   rtl/{}/", path.parent().unwrap().display());
+            let unit = format!("// Described   rtl/{}:", path.display());
             let parameters = [format!("// Parameters  {name} {{"), format!("// Parameters  {name}\n")];
             let is_of_block =
                 |header: &String| header.contains(&unit) && parameters.iter().any(|line| header.contains(line));

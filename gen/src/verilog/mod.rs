@@ -87,7 +87,7 @@ fn print_all(design: &Design, mut visit: impl FnMut(&Printer, String)) {
         let mut folded = fold::fold(design, module);
         adopt::adopt_names(&mut folded.module);
         let mut printer = Printer::new(design, &folded, &names);
-        let text = module::print(&mut printer, latency.as_ref());
+        let text = module::print(&mut printer, module, latency.as_ref());
         visit(&printer, text);
         names.push(printer.taken);
     }

@@ -1,6 +1,8 @@
 //! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
 //! outputs, properties, and what nothing reads.
 
+use std::collections::BTreeSet;
+
 use super::group::UNREAD;
 use super::layout::{broken, prose, range, with_place, wrapped};
 use super::plan::Form;
@@ -8,8 +10,8 @@ use super::printer::Printer;
 use super::text::{attribute, mark};
 use tilewright_hdl::ir::{Latency, Module, NodeId, Op, Register};
 
-/// The text of a folded module.
-pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
+/// The text of a folded module, which was this one before.
+pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency>) -> String {
     let mut body = Body::default();
     let nets = printer.nets();
     let groups = printer.groups();
@@ -40,8 +42,8 @@ pub fn print(printer: &mut Printer, latency: Option<&Latency>) -> String {
     body.section(properties);
     body.section(printer.unused());
     let body = printer.fill_in_unread(body.lines);
-    let module = printer.module;
-    format!("{}{}{}endmodule\n`default_nettype wire\n", header(module, latency), super::ports::print(printer), body)
+    let header = header(described, latency);
+    format!("{header}{}{body}endmodule\n`default_nettype wire\n", super::ports::print(printer))
 }
 
 /// The lines between the ports and `endmodule`; sections are set apart by a blank line.
@@ -82,8 +84,28 @@ fn header(module: &Module, latency: Option<&Latency>) -> String {
         lines.push(format!("{title:11} {}", words.join(" ")));
     }
     lines.push(format!("{:11} {}:{}", "Described", module.loc.file(), module.loc.line()));
+    lines.extend(quasi_static(module));
     let comment = |line: &String| if line.is_empty() { "//\n".to_string() } else { format!("// {line}\n") };
     format!("{}`default_nettype none\n\n", lines.iter().map(comment).collect::<String>())
+}
+
+/// Why other clocks may sample what is declared to be quasi-static.
+fn quasi_static(module: &Module) -> Vec<String> {
+    // What enters a synchronizer need not be stable.
+    let synchronizers = module.registers.iter().filter(|register| register.is_synchronizer);
+    let entering: BTreeSet<NodeId> = synchronizers.map(|register| register.next).collect();
+    let mut lines = Vec::new();
+    for (id, node) in (0..).map(NodeId).zip(&module.nodes) {
+        let Op::QuasiStatic(of, reason) = &node.op else { continue };
+        let what = node.name.as_ref().or(module.node(*of).name.as_ref());
+        let what = what.map(|name| format!("{name}: ")).unwrap_or_default();
+        let words: Vec<&str> = reason.split_whitespace().collect();
+        let line = format!("{:11} {what}{} ({}:{})", "Stable", words.join(" "), node.loc.file(), node.loc.line());
+        if !entering.contains(&id) && lines.last() != Some(&line) {
+            lines.push(line);
+        }
+    }
+    lines
 }
 
 impl Printer<'_> {

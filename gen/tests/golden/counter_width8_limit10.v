@@ -4,7 +4,7 @@
 //
 // Parameters  Counter { width: 8, limit: 10 }
 // Latency     1 clock
-// Described   gen/tests/blocks/mod.rs:27
+// Described   gen/tests/blocks/mod.rs:6
 `default_nettype none
 
 module counter_width8_limit10 (

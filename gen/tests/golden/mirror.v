@@ -4,7 +4,7 @@
 //
 // Parameters  Mirror
 // Latency     0 clocks
-// Described   gen/tests/blocks/mod.rs:309
+// Described   gen/tests/blocks/mod.rs:288
 `default_nettype none
 
 module mirror (

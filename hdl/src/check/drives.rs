@@ -4,19 +4,24 @@ use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
 use crate::ir::{NodeId, Op, Shape};
 use crate::problem::Problem;
-use crate::stream::say_untaken;
+use crate::stream::{inputs_of_stream, say_untaken};
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
     for register in draft.registers.iter().filter(|register| register.next.is_none()) {
         let help = "say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`";
         problems.push(undriven(draft, register.node, "register", help));
     }
+    let mut untaken = Vec::new();
     for wire in draft.wires.iter().filter(|wire| wire.driver.is_none()) {
         match say_untaken(draft, wire.node) {
-            Some(problem) => problems.push(problem),
+            Some(problem) => {
+                problems.push(problem);
+                untaken.extend(inputs_of_stream(draft, wire.node));
+            }
             None => problems.push(undriven(draft, wire.node, "wire", "say what drives it with `.drive(value)`")),
         }
     }
+    draft.in_problems.extend(untaken);
     connect_wires(draft);
 }
 

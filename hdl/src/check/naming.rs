@@ -6,7 +6,7 @@ use crate::loc::Loc;
 use crate::module::port_name;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// Returns the module's name: with a `_` where something in it has that name, for Verilator takes no such top.
 pub(crate) fn check(
@@ -30,12 +30,14 @@ pub(crate) fn check(
         names.port("output", &port_name("", path), draft.node(*node).loc);
     }
     name_reads(draft);
+    let driven: HashSet<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, port_name("", path))).collect();
     for i in 0..draft.nodes.len() {
         let node = &draft.nodes[i];
         if let Some(name) = node.name.clone().filter(|_| !matches!(node.op, Op::Input(_))) {
+            let driven_as = (NodeId(i as u32), name);
             // A net that has the name of the output it drives is that output.
-            let is_output = outputs.iter().any(|(path, out)| out.0 as usize == i && port_name("", path) == name);
-            if !is_output {
+            if !driven.contains(&driven_as) {
+                let (_, name) = driven_as;
                 let loc = node.loc;
                 draft.nodes[i].name = Some(names.inner("net", name, loc));
             }
@@ -50,19 +52,33 @@ pub(crate) fn check(
     while names.taken.contains_key(&name) {
         name.push('_');
     }
-    for instance in &draft.instances {
-        check_hiding(instance, &done[instance.module.0 as usize], problems);
-    }
+    check_hiding(&draft.instances, done, problems);
     name
 }
 
 /// Inside of a module, its own nets and memories hide an instance of the same name: linters refuse that, but not an
 /// instance in one of the same name. Each lane of an array is an instance called `lane`.
-fn check_hiding(instance: &Instance, child: &Module, problems: &mut Vec<Problem>) {
-    let name = if instance.shape.is_plain() { &instance.name } else { "lane" };
-    let nets = child.nodes.iter().filter_map(|node| Some((node.name.as_deref()?, node.loc)));
-    let memories = child.memories.iter().map(|memory| (memory.name.as_str(), memory.loc));
-    let Some((_, inside)) = nets.chain(memories).find(|(inner, _)| *inner == name) else { return };
+fn check_hiding(instances: &[Instance], done: &[Module], problems: &mut Vec<Problem>) {
+    let mut inside = HashMap::new();
+    for instance in instances {
+        let names = inside.entry(instance.module).or_insert_with(|| inner_names(&done[instance.module.0 as usize]));
+        let name = if instance.shape.is_plain() { &instance.name } else { "lane" };
+        problems.extend(names.get(name).map(|inside| hides(instance, name, *inside)));
+    }
+}
+
+/// The nets and memories of a module, with the first place of each name.
+fn inner_names(module: &Module) -> HashMap<&str, Loc> {
+    let nets = module.nodes.iter().filter_map(|node| Some((node.name.as_deref()?, node.loc)));
+    let memories = module.memories.iter().map(|memory| (memory.name.as_str(), memory.loc));
+    let mut names = HashMap::new();
+    nets.chain(memories).for_each(|(name, loc)| {
+        names.entry(name).or_insert(loc);
+    });
+    names
+}
+
+fn hides(instance: &Instance, name: &str, inside: Loc) -> Problem {
     let (message, help) = match instance.shape.is_plain() {
         true => {
             let message = format!("instance `{name}` has the name of something inside of it");
@@ -74,8 +90,7 @@ fn check_hiding(instance: &Instance, child: &Module, problems: &mut Vec<Problem>
             (message, "call it something else".to_owned())
         }
     };
-    let problem = Problem::new(instance.loc, message).note(format!("the inner `{name}` is declared"), inside);
-    problems.push(problem.help(help));
+    Problem::new(instance.loc, message).note(format!("the inner `{name}` is declared"), inside).help(help)
 }
 
 /// The data register of a synchronous read is `MEMORY_read`, with the port's number if there are several.

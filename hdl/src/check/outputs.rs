@@ -5,13 +5,13 @@ use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
 use crate::uneven::uneven;
 use crate::width::Width;
+use std::collections::HashSet;
 
 /// Reports outputs that are not as they are declared: what `build` returned, and the widths, both by their paths.
 pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared: &[(String, Width)]) {
     // Of an output that is declared without a width nothing is known.
-    let port = |path: &str| path.split('.').next().unwrap_or(path).to_owned();
-    let is_declared = |path: &str| declared.iter().any(|(other, _)| port(other) == port(path));
-    let returned: Vec<_> = outputs.iter().filter(|(path, _)| is_declared(path)).cloned().collect();
+    let ports: HashSet<&str> = declared.iter().map(|(path, _)| port(path)).collect();
+    let returned: Vec<_> = outputs.iter().filter(|(path, _)| ports.contains(port(path))).cloned().collect();
     if let Some(uneven) = uneven(&returned, declared) {
         let has = uneven.has;
         let message = format!("output{uneven} is declared as a list of {}, but `build` returns {has}", uneven.needs);
@@ -19,10 +19,20 @@ pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared:
         let loc = place.map_or(e.draft().loc, |(_, width)| width.loc);
         return e.report(Problem::new(loc, message).help("`build` returns as many as are declared"));
     }
+    let mut faulty = Vec::new();
     for ((path, signal), (_, width)) in returned.iter().zip(declared) {
-        let problem = problem(e, &path.replace('.', "_"), *signal, *width);
-        problem.into_iter().for_each(|problem| e.report(problem));
+        if let Some(problem) = problem(e, &path.replace('.', "_"), *signal, *width) {
+            e.report_instead_of(&[signal.node], problem);
+            faulty.push(signal.node);
+        }
     }
+    // What they are in the block's instances is not known.
+    e.draft().stand_ins.extend(faulty);
+}
+
+/// The port that a path leads into.
+fn port(path: &str) -> &str {
+    path.split('.').next().unwrap_or(path)
 }
 
 fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Option<Problem> {

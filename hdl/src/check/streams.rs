@@ -3,13 +3,14 @@
 use crate::draft::Draft;
 use crate::ir::NodeId;
 use crate::problem::Problem;
-use crate::summary::Summary;
+use crate::summary::{Dependence, Summary};
+use std::collections::HashMap;
 
 pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], summary: &Summary, problems: &mut Vec<Problem>) {
+    let paths = outputs.iter().map(|(path, _)| path.as_str());
+    let found: HashMap<&str, &Dependence> = paths.zip(&summary.outputs).collect();
     for sent in &draft.sent {
-        let valid = outputs.iter().position(|(path, _)| *path == sent.valid);
-        let inputs = valid.and_then(|output| summary.outputs.get(output)).map_or(&[][..], |output| &output.inputs);
-        if inputs.contains(&sent.ready) {
+        if found.get(sent.valid.as_str()).is_some_and(|valid| valid.inputs.contains(&sent.ready)) {
             let name = sent.valid.strip_suffix(".valid").unwrap_or(&sent.valid);
             let message = format!(
                 "stream `{name}` of `{}` waits for its receiver: its `valid` follows from its `ready`",

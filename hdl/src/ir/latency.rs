@@ -1,8 +1,7 @@
 //! How many clocks a module takes from its inputs to its outputs, where that is one number: counted, as a statement of it could be wrong.
 
 use super::{Design, Instance, Module, Node, NodeId, Op, Register};
-use crate::graph::{Edges, cyclic_components};
-use std::collections::BTreeSet;
+use crate::graph::{Edges, components, is_cyclic};
 use std::fmt;
 
 /// The clocks from every input of a module to every output that it has a part in, not through enables: the registers and synchronous
@@ -127,28 +126,21 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
     }
     let count = module.nodes.len();
     let edges = Edges::new(count, |node, push| operands(module, NodeId(node), &mut |id| push(id.0)));
-    let looped: BTreeSet<u32> = cyclic_components(&edges).into_iter().flatten().collect();
-    let users = edges.reversed();
     let mut delays = vec![Delay::Nothing; count];
-    let mut changed: Vec<u32> = Vec::new();
     for input in &module.inputs {
         delays[input.node.0 as usize] = Delay::Clocks { clocks: 0, gate: Gate::Always };
-        changed.push(input.node.0);
     }
-    // A delay changes at most twice.
-    while let Some(node) = changed.pop() {
-        for &user in users.of(node) {
-            let delay = match looped.contains(&user) {
-                // What follows from itself remembers, if only how often it was enabled.
-                true => edges.of(user).iter().fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered())),
-                false => delay(module, children, &delays, NodeId(user)),
-            };
-            if delay != delays[user as usize] {
-                delays[user as usize] = delay;
-                changed.push(user);
+    components(&edges, |component| {
+        let own = match is_cyclic(&edges, component) {
+            // What follows from itself remembers, if only how often it was enabled.
+            true => {
+                let operands = component.iter().flat_map(|node| edges.of(*node));
+                operands.fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered()))
             }
-        }
-    }
+            false => delay(module, children, &delays, NodeId(component[0])),
+        };
+        component.iter().for_each(|node| delays[*node as usize] = own);
+    });
     module.outputs.iter().map(|output| delays[output.node.0 as usize]).collect()
 }
 

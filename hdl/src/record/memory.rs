@@ -3,10 +3,9 @@
 use crate::bundle::Bundle;
 use crate::clock::Clock;
 use crate::data::{Fits, number_of_field};
-use crate::fields::Fields;
 use crate::memory::Mem;
 use crate::operand::{IntoSignal, Literal, Operand, Value};
-use crate::record::split;
+use crate::record::{sound_fields, split};
 use crate::select::concat;
 use crate::width::Width;
 
@@ -208,7 +207,7 @@ impl<B: Bundle> Mem<B> {
             let value = match value {
                 Value::Literal(number) => {
                     let field = || format!("field `{path}` of memory `{}`", self.name());
-                    let bits = number_of_field(&number, field, (width.bits, width.kind));
+                    let bits = number_of_field(&number, field, (width.bits, width.kind), self.stand_in());
                     Value::Literal(Literal::Exact(bits))
                 }
                 signal => signal,
@@ -230,6 +229,6 @@ impl<B: Bundle> Mem<B> {
 
     /// The fields' paths, and how they are declared.
     fn fields(&self) -> Vec<(String, Width)> {
-        self.layout.leaves()
+        sound_fields(&self.layout)
     }
 }

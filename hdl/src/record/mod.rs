@@ -7,12 +7,11 @@ mod wire;
 
 pub use register::RecordUpdates;
 
-use crate::bits::Bits;
 use crate::bundle::Bundle;
 use crate::data::Data;
 use crate::elaboration;
 use crate::fields::{Fields, Leaf};
-use crate::ir::{NodeId, Op, Shape};
+use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::module::port_name;
@@ -66,8 +65,13 @@ pub(crate) fn unpack_any<V: Data>(like: &V, word: Signal) -> V {
         return like.clone();
     }
     let is_packed = |field: &Signal| word.shape.is_plain() && !field.shape.is_plain();
-    let width =
-        |field: &Signal| if is_packed(field) { bits(field.width * field.shape.lanes()) } else { Width::like(*field) };
+    let width = |field: &Signal| {
+        if is_packed(field) {
+            bits(u64::from(field.width) * u64::from(field.shape.lanes()))
+        } else {
+            Width::like(*field)
+        }
+    };
     let parts = unpack(&like.map(width), word).leaves();
     let mut fields = Vec::new();
     for ((_, part), (_, field)) in parts.into_iter().zip(like.leaves()) {
@@ -117,10 +121,17 @@ pub fn unpack<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
     split(layout, word)
 }
 
+/// The fields of a layout, each with the nearest width that a signal can have.
+pub(crate) fn sound_fields<F: Fields<Width>>(layout: &F) -> Vec<(String, Width)> {
+    let sound = |(path, width): (String, Width)| (path, Width { bits: width.bits.clamp(1, WIDEST), ..width });
+    layout.leaves().into_iter().map(sound).collect()
+}
+
 /// The parts of `word`; zeros if it has another width than all fields together, which is a problem already.
 #[track_caller]
 fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
-    let widths: Vec<u32> = layout.leaves().iter().map(|(_, width)| width.bits.clamp(1, WIDEST)).collect();
+    let loc = Loc::caller();
+    let widths: Vec<u32> = sound_fields(layout).iter().map(|(_, width)| width.bits).collect();
     let fits = widths.iter().map(|width| u64::from(*width)).sum::<u64>() == word.width.into();
     let mut high = word.width;
     let mut fields = Vec::with_capacity(widths.len());
@@ -129,7 +140,7 @@ fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
             fields.push(word.slice(high - width..high));
             high -= width;
         } else {
-            fields.push(Signal::make(Op::Const(Bits::zero(width)), width, word.shape));
+            fields.push(elaboration::with(|e| Signal::zero_in(e, width, word.shape, Kind::Number, loc)));
         }
     }
     for (field, (_, Width { kind, .. })) in fields.iter_mut().zip(layout.leaves()) {

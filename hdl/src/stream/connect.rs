@@ -33,7 +33,7 @@ pub(crate) struct Sent {
 /// Where a stream comes from.
 #[derive(Clone)]
 pub(crate) enum Origin {
-    /// It is an input of that name.
+    /// It is an input of that path.
     Input(String),
     /// It is an output of an instance.
     Instance { instance: String, port: String },
@@ -50,7 +50,7 @@ impl DraftStream {
     /// The stream for messages, and what was done with it where it begins.
     pub fn text(&self) -> (String, &'static str) {
         match &self.origin {
-            Origin::Input(name) => (format!("stream `{name}`"), "is declared"),
+            Origin::Input(path) => (format!("stream `{}`", port_name("", path)), "is declared"),
             Origin::Instance { instance, port } => (format!("stream `{port}` of `{instance}`"), "is made"),
             Origin::Offered => ("a stream that is offered".to_owned(), "is offered"),
         }
@@ -72,8 +72,8 @@ pub(crate) fn backwards<T: Leaf>(bundle: &impl Fields<T>) -> Vec<bool> {
 pub(crate) fn untaken(e: &mut Elaboration, origin: Origin, shape: Shape, clock: Option<Clock>, loc: Loc) -> Signal {
     let draft = e.draft();
     let node = draft.add(Op::Wire(UNDRIVEN), 1, shape, loc);
-    if let Origin::Input(name) = &origin {
-        draft.node_mut(node).name = Some(format!("{name}_ready"));
+    if let Origin::Input(path) = &origin {
+        draft.node_mut(node).name = Some(format!("{}_ready", port_name("", path)));
     }
     let wire = draft.wires.len();
     draft.wires.push(DraftWire { node, driver: None });
@@ -176,6 +176,13 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
         (Signal::at(e, node), loc)
     });
     take(ready, port, loc);
+}
+
+/// The inputs that come in with the stream of that `ready`, if it is one that comes in.
+pub(crate) fn inputs_of_stream(draft: &Draft, ready: NodeId) -> Vec<NodeId> {
+    let Some(Origin::Input(stream)) = draft.streams.get(&ready).map(|stream| &stream.origin) else { return Vec::new() };
+    let is_in_it = |path: &str| path.strip_prefix(stream.as_str()).is_some_and(|rest| rest.starts_with('.'));
+    draft.inputs.iter().filter(|input| is_in_it(&input.path)).map(|input| input.node).collect()
 }
 
 /// The problem of a stream that nobody takes.

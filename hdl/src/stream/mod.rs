@@ -5,7 +5,7 @@ mod lanes;
 mod offer;
 mod wire;
 
-pub(crate) use connect::{DraftStream, Origin, Sent, backwards, leave, say_untaken, take, untaken};
+pub(crate) use connect::{DraftStream, Origin, Sent, backwards, inputs_of_stream, leave, say_untaken, take, untaken};
 pub(crate) use lanes::stack_ready;
 pub use offer::Taken;
 pub use wire::StreamWire;

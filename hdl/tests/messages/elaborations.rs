@@ -20,19 +20,28 @@ fn a_panic_in_a_description_leaves_nothing_behind() {
     elaborate(&Case(|_, i| i.a)).expect("the arena was cleared");
 }
 
-#[test]
-#[should_panic(expected = "does it instantiate itself?")]
-fn blocks_that_instantiate_themselves() {
-    /// Has an endless inside.
-    #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-    struct Doll(u32);
-    impl Block for Doll {
-        type In = ();
-        type Out = Out;
-        fn inputs(&self) {}
-        fn build(&self, m: Module, _: ()) -> Out {
-            m.instance("u_doll", &Doll(self.0 + 1), ())
-        }
+/// Has an endless inside.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Doll(u32);
+
+impl Block for Doll {
+    type In = ();
+    type Out = Out;
+
+    fn inputs(&self) {}
+
+    fn build(&self, m: Module, _: ()) -> Out {
+        m.instance("u_inner", &Doll(self.0 + 1), ())
     }
-    let _ = elaborate(&Doll(0));
+}
+
+#[test]
+fn blocks_that_instantiate_themselves() {
+    expect(
+        |m, _| m.instance("u_doll", &Doll(0), ()).out,
+        "`Doll(99)` is nested more than 100 deep
+         --> [m.instance(\"u_inner\", &Doll(self.0 + 1), ())]
+         the outermost `Doll` is instantiated at [|m, _| m.instance(\"u_doll\", &Doll(0), ()).out,]
+         help: does it instantiate itself? Then a parameter has to become smaller each time, and to end it",
+    );
 }

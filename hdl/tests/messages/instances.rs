@@ -40,7 +40,11 @@ fn arrays_fed_with_the_wrong_number_of_lanes() {
 }
 
 #[test]
-#[should_panic(expected = "a stack of nothing")]
 fn a_stack_of_nothing() {
-    let _ = elaborate(&Case(|_, _| stack(Vec::<Signal>::new()).last()));
+    expect(
+        |_, _| stack(Vec::<Signal>::new()).last(),
+        "a stack of nothing
+         --> [|_, _| stack(Vec::<Signal>::new()).last(),]
+         help: give a value for each lane",
+    );
 }

@@ -35,7 +35,11 @@ fn numbers_that_fit_nowhere() {
 }
 
 #[test]
-#[should_panic(expected = "a rotation by -1 places: `rotate_left` and `rotate_right` take 0 or more")]
 fn rotations_by_less_than_nothing() {
-    let _ = elaborate(&Case(|_, i| i.a.rotate_right(-1)));
+    expect(
+        |_, i| i.a.rotate_right(-1),
+        "a rotation by -1 places
+         --> [|_, i| i.a.rotate_right(-1),]
+         help: `rotate_left` and `rotate_right` take 0 or more",
+    );
 }

@@ -150,21 +150,29 @@ fn lists_of_another_length_than_the_registers() {
 }
 
 #[test]
-#[should_panic(expected = "`mux` has only numbers to choose a record from, at hdl/tests/messages/records.rs:")]
 fn a_record_chosen_from_numbers_alone() {
-    let _ = elaborate(&Case(|_, i| {
-        let entry: Entry = mux(i.c, 0, 0);
-        entry.page
-    }));
+    expect(
+        |_, i| {
+            let entry: Entry = mux(i.c, 0, 0);
+            entry.page
+        },
+        "`mux` has only numbers to choose a record from
+         --> [let entry: Entry = mux(i.c, 0, 0);]
+         help: write one of them as a record",
+    );
 }
 
 #[test]
-#[should_panic(expected = "a list of records has the number 0 in it, at hdl/tests/messages/records.rs:")]
 fn a_number_in_a_list_of_records() {
-    let _ = elaborate(&Case(|_, i| {
-        let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);
-        entries[0].page
-    }));
+    expect(
+        |_, i| {
+            let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);
+            entries[0].page
+        },
+        "a list of records has the number 0 in it
+         --> [let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);]
+         help: write the record",
+    );
 }
 
 #[test]

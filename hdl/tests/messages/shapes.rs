@@ -35,16 +35,42 @@ fn lanes_that_do_not_meet() {
     );
 }
 
+/// Has a long row inside.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Long;
+
+impl Block for Long {
+    type In = Link;
+    type Out = Out;
+
+    fn inputs(&self) -> Link<Width> {
+        Link { x: bits(8) }
+    }
+
+    fn build(&self, m: Module, i: Link) -> Out {
+        Out { out: m.pipe("row", i.x.of(1 << 20)).or_all() }
+    }
+}
+
 #[test]
 fn what_is_too_large_is_the_place() {
     expect(
         |m, i| {
             let x = m.reg("x", bits(8).of(grid(1 << 13, 1 << 12)));
             x.next(0);
-            x.or_all() ^ i.a
+            x.rows().or_all().or_all() ^ i.a
+        },
+        "register `x` has 8192 x 4096 lanes, more than 16777216
+         --> [let x = m.reg(\"x\", bits(8).of(grid(1 << 13, 1 << 12)));]
+         help: make it smaller, or keep what is so large in a memory",
+    );
+    expect(
+        |m, i| {
+            let all = m.array("u_all", 32, &Long, |_| Link { x: i.a });
+            all.out.or_all() ^ i.a
         },
         "`case_block` has too many lanes: 33554432, more than 16777216
-         --> [let x = m.reg(\"x\", bits(8).of(grid(1 << 13, 1 << 12)));]
+         --> [let all = m.array(\"u_all\", 32, &Long, |_| Link { x: i.a });]
          help: make it smaller: fewer lanes, fewer instances in arrays, or fewer words",
     );
     expect(

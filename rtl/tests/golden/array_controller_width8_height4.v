@@ -5,7 +5,7 @@
 // Parameters  ArrayController { width: 8, height: 4 }
 // Latency     1 clock to the coefficients' bytes, 6 to the control of pixels; the next instruction begins with the last byte
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/controller/slot.rs:100
+// Described   rtl/src/pixelflow/controller.rs:41
 `default_nettype none
 
 module array_controller_width8_height4 (

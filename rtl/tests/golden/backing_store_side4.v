@@ -5,7 +5,7 @@
 // Parameters  BackingStore { side: 4 }
 // Latency     2 clocks from the last plane; a region is sent in 192 clocks
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/backing_store.rs:72
+// Described   rtl/src/pixel_planes/backing_store.rs:19
 `default_nettype none
 
 module backing_store_side4 (

@@ -5,7 +5,7 @@
 // Parameters  CommandDma { words: 16 }
 // Latency     2 clocks from a frame that is taken to its first instruction, then one a clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/command_dma.rs:77
+// Described   rtl/src/pixelflow/command_dma.rs:20
 `default_nettype none
 
 module command_dma_words16 (

@@ -5,7 +5,8 @@
 // Parameters  CommunicationRegisters { width: 8, height: 4, bytes: 32, port: Clock { name: "network", period: Period(5000) } }
 // Latency     within the clock; what is written is there after the edge
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/registers.rs:83
+// Described   rtl/src/pixelflow/registers.rs:22
+// Stable      port and array leave alone what the other one works with (rtl/src/pixelflow/registers.rs:92)
 `default_nettype none
 
 module communication_registers_width8_height4_bytes32_port_network (

@@ -5,7 +5,7 @@
 // Parameters  Compositor { pixels: 4, width: 8 }
 // Latency     1 clock, a byte a clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
-// Described   rtl/src/pixelflow/compositor.rs:83
+// Described   rtl/src/pixelflow/compositor.rs:51
 `default_nettype none
 
 module compositor_pixels4_width8 (

@@ -5,7 +5,7 @@
 // Parameters  CoverageTest { format: "8x8_2x2_edges3", test: Serial, from: 2, sizes: 2 }
 // Latency     a window takes a clock for each edge of each quarter, and 4 for each quarter that passes
 // Source      sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)
-// Described   rtl/src/quadtree/coverage_test.rs:71
+// Described   rtl/src/quadtree/coverage_test.rs:44
 `default_nettype none
 
 module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 (

@@ -5,7 +5,7 @@
 // Parameters  FrameBuffer { array: [8, 8], samples: 8, screen: Screen { width: 16, height: 8 } }
 // Latency     120 clocks for a region
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-LOAD)
-// Described   rtl/src/pixelflow/frame_buffer.rs:212
+// Described   rtl/src/pixelflow/frame_buffer.rs:42
 `default_nettype none
 
 module frame_buffer_array8_8_samples8_width16_height8 (

@@ -5,7 +5,7 @@
 // Parameters  FrameBuffer { screen: Screen { width: 16, height: 8 }, side: 8 }
 // Latency     1 clock from a line's last plane to the memory, 1 clock to read
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/frame_buffer.rs:82
+// Described   rtl/src/pixel_planes/frame_buffer.rs:19
 `default_nettype none
 
 module frame_buffer_width16_height8_side8 (

@@ -5,7 +5,7 @@
 // Parameters  GfbSequencer { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, T_m (VC1-TM)
-// Described   rtl/src/gfb/sequencer.rs:78
+// Described   rtl/src/gfb/sequencer.rs:31
 `default_nettype none
 
 module gfb_sequencer_width16_height8_units4_overhead20 (

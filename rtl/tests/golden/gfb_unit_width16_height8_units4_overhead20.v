@@ -6,7 +6,7 @@
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
 // Latency     a round of 304 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:80
+// Described   rtl/src/gfb/unit.rs:26
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20 (

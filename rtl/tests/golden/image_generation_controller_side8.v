@@ -5,7 +5,7 @@
 // Parameters  ImageGenerationController { side: 8, quadratic: false }
 // Latency     1 clock to the coefficients' bits, 7 to the control of pixels; the next instruction begins with the last bit
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-UT)
-// Described   rtl/src/pixel_planes/controller.rs:105
+// Described   rtl/src/pixel_planes/controller.rs:41
 `default_nettype none
 
 module image_generation_controller_side8 (

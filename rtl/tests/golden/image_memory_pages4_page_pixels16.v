@@ -6,7 +6,7 @@
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send
 // Source      VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)
-// Described   rtl/src/lfb/image_memory.rs:82
+// Described   rtl/src/lfb/image_memory.rs:30
 `default_nettype none
 
 module image_memory_pages4_page_pixels16 (

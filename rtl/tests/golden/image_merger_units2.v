@@ -5,7 +5,7 @@
 // Parameters  ImageMerger { units: 2 }
 // Latency     8 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-PIM)
-// Described   rtl/src/merger/image_merger.rs:41
+// Described   rtl/src/merger/image_merger.rs:16
 `default_nettype none
 
 module image_merger_units2 (

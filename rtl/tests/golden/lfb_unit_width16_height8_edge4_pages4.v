@@ -5,7 +5,7 @@
 // Parameters  LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }
 // Latency     an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word
 // Source      VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)
-// Described   rtl/src/lfb/unit.rs:87
+// Described   rtl/src/lfb/unit.rs:34
 `default_nettype none
 
 module lfb_unit_width16_height8_edge4_pages4 (

@@ -5,7 +5,7 @@
 // Parameters  LinearEvaluator { width: 8, height: 4 }
 // Latency     5 clocks from a coefficient's byte to the expression's at each pixel
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/linear_evaluator.rs:76
+// Described   rtl/src/pixelflow/linear_evaluator.rs:30
 `default_nettype none
 
 module linear_evaluator_width8_height4 (

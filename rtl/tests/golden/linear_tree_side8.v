@@ -5,7 +5,7 @@
 // Parameters  LinearTree { side: 8 }
 // Latency     6 clocks from a coefficient's bit to the expression's at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/linear_tree.rs:66
+// Described   rtl/src/pixel_planes/linear_tree.rs:25
 `default_nettype none
 
 module linear_tree_side8 (

@@ -5,7 +5,7 @@
 // Parameters  MergingUnit
 // Latency     4 clocks with `enable`
 // Source      VC-1, section 3.3, pipelined image merger (VC1-MU)
-// Described   rtl/src/merger/unit.rs:67
+// Described   rtl/src/merger/unit.rs:26
 `default_nettype none
 
 module merging_unit (

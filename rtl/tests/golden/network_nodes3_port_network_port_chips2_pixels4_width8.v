@@ -5,7 +5,7 @@
 // Parameters  Network { nodes: 3, port: NetworkPort { chips: 2, pixels: 4, width: 8 } }
 // Latency     1 clock a node; a byte of all pixels takes 4
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
-// Described   rtl/src/pixelflow/network.rs:72
+// Described   rtl/src/pixelflow/network.rs:19
 `default_nettype none
 
 module network_nodes3_port_network_port_chips2_pixels4_width8 (

@@ -5,7 +5,7 @@
 // Parameters  NetworkPort { chips: 2, pixels: 4, width: 8 }
 // Latency     1 clock; a byte of all pixels takes 4
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-TCB)
-// Described   rtl/src/pixelflow/network_port.rs:81
+// Described   rtl/src/pixelflow/network_port.rs:25
 `default_nettype none
 
 module network_port_chips2_pixels4_width8 (

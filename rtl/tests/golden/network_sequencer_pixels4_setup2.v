@@ -5,7 +5,7 @@
 // Parameters  NetworkSequencer { pixels: 4, setup: 2 }
 // Latency     5 clocks from a job to ready, if it has its bank
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)
-// Described   rtl/src/pixelflow/network_sequencer.rs:109
+// Described   rtl/src/pixelflow/network_sequencer.rs:27
 `default_nettype none
 
 module network_sequencer_pixels4_setup2 (

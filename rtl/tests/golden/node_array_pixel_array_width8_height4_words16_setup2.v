@@ -5,7 +5,7 @@
 // Parameters  Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 }
 // Latency     a byte of each chip passes in 1 clock of the network; instructions have their own clocks
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
-// Described   rtl/src/pixelflow/node.rs:160
+// Described   rtl/src/pixelflow/node.rs:64
 `default_nettype none
 
 module node_array_pixel_array_width8_height4_words16_setup2 (

@@ -5,7 +5,7 @@
 // Parameters  PageIdGenerator { pages: 4 }
 // Latency     1 clock
 // Source      VC-1, section 3.3, page ID generator (VC1-PIG)
-// Described   rtl/src/lfb/page_id_generator.rs:43
+// Described   rtl/src/lfb/page_id_generator.rs:16
 `default_nettype none
 
 module page_id_generator_pages4 (

@@ -6,7 +6,7 @@
 // Parameters  PatchTable { patches: 8, pages: 4 }
 // Latency     3 clocks for a patch that has a page, else 4
 // Source      VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)
-// Described   rtl/src/lfb/patch_table.rs:99
+// Described   rtl/src/lfb/patch_table.rs:35
 `default_nettype none
 
 module patch_table_patches8_pages4 (

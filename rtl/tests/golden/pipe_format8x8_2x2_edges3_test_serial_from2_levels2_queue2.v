@@ -5,7 +5,7 @@
 // Parameters  Pipe { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2, queue: 2 }
 // Latency     the clocks of the slowest level, as the units of all work at the same time
 // Source      sparse-raster quadtree generator, equation 9 (MPG-RP, MPG-EQ9)
-// Described   rtl/src/quadtree/pipe.rs:47
+// Described   rtl/src/quadtree/pipe.rs:20
 `default_nettype none
 
 module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (

@@ -5,7 +5,7 @@
 // Parameters  PixelArray { width: 8, height: 4 }
 // Latency     the clocks of the instructions; a port's byte within the clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/array.rs:125
+// Described   rtl/src/pixelflow/array.rs:32
 `default_nettype none
 
 module pixel_array_width8_height4 (

@@ -5,7 +5,7 @@
 // Parameters  PixelFlow { nodes: 3, node: Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 } }
 // Latency     1 clock of the network a node; instructions have their own clocks
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
-// Described   rtl/src/pixelflow/machine.rs:114
+// Described   rtl/src/pixelflow/machine.rs:37
 `default_nettype none
 
 module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (

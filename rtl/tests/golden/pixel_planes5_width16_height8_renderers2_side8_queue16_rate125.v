@@ -5,7 +5,7 @@
 // Parameters  PixelPlanes5 { screen: Screen { width: 16, height: 8 }, renderers: 2, side: 8, queue: 16, rate: 125, quadratic: false }
 // Latency     the clocks of the renderer that is done last; 1 clock to read a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/machine.rs:128
+// Described   rtl/src/pixel_planes/machine.rs:33
 `default_nettype none
 
 module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (

@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor
 // Latency     1 clock to the memory and the flags
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/pixel.rs:136
+// Described   rtl/src/pixel_planes/pixel.rs:113
 `default_nettype none
 
 module pixel_processor (

@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor { depth: 8 }
 // Latency     1 clock to the memory and the flags
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/pixel.rs:248
+// Described   rtl/src/pixelflow/pixel.rs:214
 `default_nettype none
 
 module pixel_processor_depth8 (

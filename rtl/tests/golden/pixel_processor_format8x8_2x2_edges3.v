@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor { format: "8x8_2x2_edges3" }
 // Latency     1 clock to the fragment, and a fragment a clock
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/pixel.rs:48
+// Described   rtl/src/quadtree/pixel.rs:16
 `default_nettype none
 
 module pixel_processor_format8x8_2x2_edges3 (

@@ -5,7 +5,7 @@
 // Parameters  QuadraticTree { side: 8 }
 // Latency     12 clocks from a coefficient's bit to the expression's at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/quadratic_tree.rs:86
+// Described   rtl/src/pixel_planes/quadratic_tree.rs:42
 `default_nettype none
 
 module quadratic_tree_side8 (

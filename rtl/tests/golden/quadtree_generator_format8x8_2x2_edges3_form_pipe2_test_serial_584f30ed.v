@@ -6,7 +6,7 @@
 // Parameters  QuadtreeGenerator { video_processor: VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } } }
 // Latency     the clocks of the slowest video processor; 2 clocks from `start` to the first pixels
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/generator.rs:105
+// Described   rtl/src/quadtree/generator.rs:34
 `default_nettype none
 
 module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (

@@ -5,7 +5,7 @@
 // Parameters  RegionAllocator { renderers: 4 }
 // Latency     0 clocks; none; a region a clock
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/allocator.rs:46
+// Described   rtl/src/pixel_planes/allocator.rs:22
 `default_nettype none
 
 module region_allocator_renderers4 (

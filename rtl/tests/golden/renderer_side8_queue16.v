@@ -5,7 +5,7 @@
 // Parameters  Renderer { side: 8, queue: 16, quadratic: false }
 // Latency     a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/renderer.rs:125
+// Described   rtl/src/pixel_planes/renderer.rs:30
 `default_nettype none
 
 module renderer_side8_queue16 (

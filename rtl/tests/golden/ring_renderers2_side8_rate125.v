@@ -6,7 +6,7 @@
 // Parameters  Ring { renderers: 2, side: 8, rate: 125 }
 // Latency     none; 125 bits a clock
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/ring.rs:148
+// Described   rtl/src/pixel_planes/ring.rs:31
 `default_nettype none
 
 module ring_renderers2_side8_rate125 (

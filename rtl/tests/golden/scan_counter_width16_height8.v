@@ -5,7 +5,7 @@
 // Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
 // Latency     1 clock
 // Source      VC-1, section 3.3, scan counter (VC1-SCAN)
-// Described   rtl/src/lfb/scan_counter.rs:67
+// Described   rtl/src/lfb/scan_counter.rs:29
 `default_nettype none
 
 module scan_counter_width16_height8 (

@@ -5,7 +5,7 @@
 // Parameters  SetUp { format: "8x8_2x2_edges3" }
 // Latency     a polygon takes a clock for each edge, but at least 4
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-SPR, MPG-WIN)
-// Described   rtl/src/quadtree/set_up.rs:48
+// Described   rtl/src/quadtree/set_up.rs:21
 `default_nettype none
 
 module set_up_format8x8_2x2_edges3 (

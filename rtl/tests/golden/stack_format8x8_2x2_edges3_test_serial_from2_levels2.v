@@ -5,7 +5,7 @@
 // Parameters  Stack { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2 }
 // Latency     the clocks of all windows of a polygon, one after another
 // Source      sparse-raster quadtree generator, equation 6 (MPG-RP, MPG-EQ6)
-// Described   rtl/src/quadtree/stack.rs:48
+// Described   rtl/src/quadtree/stack.rs:23
 `default_nettype none
 
 module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (

@@ -5,7 +5,7 @@
 // Parameters  TextureMemory { texels: 16, textures: 2 }
 // Latency     3 clocks, a place a clock
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-SHADE)
-// Described   rtl/src/pixelflow/texture_memory.rs:135
+// Described   rtl/src/pixelflow/texture_memory.rs:23
 `default_nettype none
 
 module texture_memory_texels16_textures2 (

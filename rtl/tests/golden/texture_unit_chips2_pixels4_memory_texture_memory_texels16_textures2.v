@@ -5,7 +5,7 @@
 // Parameters  TextureUnit { chips: 2, pixels: 4, memory: TextureMemory { texels: 16, textures: 2 } }
 // Latency     180 clocks for a region
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-SHADE)
-// Described   rtl/src/pixelflow/texture_unit.rs:90
+// Described   rtl/src/pixelflow/texture_unit.rs:33
 `default_nettype none
 
 module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (

@@ -5,7 +5,7 @@
 // Parameters  Tree { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2, queue: 2 }
 // Latency     the clocks of the slowest unit, as the quarters of a window are divided at the same time
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)
-// Described   rtl/src/quadtree/tree.rs:50
+// Described   rtl/src/quadtree/tree.rs:23
 `default_nettype none
 
 module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (

@@ -6,7 +6,7 @@
 // Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2 }
 // Latency     a round of merging takes 296 clocks
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)
-// Described   rtl/src/vc1/mod.rs:111
+// Described   rtl/src/vc1/mod.rs:67
 `default_nettype none
 
 module vc1_width16_height8_edge4_pages4_processors2 (

@@ -6,7 +6,7 @@
 // Parameters  VideoBuffer { format: "8x8_2x2_edges3" }
 // Latency     2 clocks to draw, 1 clock to send
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH)
-// Described   rtl/src/quadtree/video_buffer.rs:65
+// Described   rtl/src/quadtree/video_buffer.rs:23
 `default_nettype none
 
 module video_buffer_format8x8_2x2_edges3 (

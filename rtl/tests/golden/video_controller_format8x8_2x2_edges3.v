@@ -5,7 +5,7 @@
 // Parameters  VideoController { format: "8x8_2x2_edges3" }
 // Latency     2 clocks from `start` to the first pixels, then p pixels a clock
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)
-// Described   rtl/src/quadtree/controller.rs:60
+// Described   rtl/src/quadtree/controller.rs:19
 `default_nettype none
 
 module video_controller_format8x8_2x2_edges3 (

@@ -5,7 +5,7 @@
 // Parameters  VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } }
 // Latency     a polygon takes a clock for each edge, but at least 4, and those of the windows that it covers
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)
-// Described   rtl/src/quadtree/processor.rs:78
+// Described   rtl/src/quadtree/processor.rs:37
 `default_nettype none
 
 module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89 (
