@@ -71,13 +71,28 @@ impl Split {
 
     fn build(&self, m: Module, i: SplitIn) -> SplitOut {
         m.cover("a word waits for its receiver", i.into.valid & !i.into.ready);
-        SplitOut { out: split(m, &i.into.with(i.into.word), i.into.to, self.receivers) }
+        let (out, has_receiver) = split(m, &i.into.with(i.into.word), i.into.to, self.receivers);
+        if let Some(has_receiver) = has_receiver {
+            m.assume(has_receiver, &goes_to_one_of(self.receivers));
+        }
+        SplitOut { out }
     }
 }
 
-/// The stream to so many receivers, of which each word goes to that of number `to`.
+/// What holds of a word that has a receiver.
+pub(crate) fn goes_to_one_of(receivers: u32) -> String {
+    format!("a word goes to one of {receivers} receivers")
+}
+
+/// The stream to so many receivers, of which each word goes to that of number `to`; and that a word has a receiver, if a number may be that
+/// of none.
 #[track_caller]
-pub(crate) fn split<P: Data>(m: Module, stream: &Stream<P>, to: Signal, receivers: u32) -> Vec<Stream<P>> {
+pub(crate) fn split<P: Data>(
+    m: Module,
+    stream: &Stream<P>,
+    to: Signal,
+    receivers: u32,
+) -> (Vec<Stream<P>>, Option<Signal>) {
     let chosen = one_hot(to, receivers);
     let mut ready = lit(1, 0);
     // A loop, as a closure would be the caller that messages name.
@@ -88,8 +103,6 @@ pub(crate) fn split<P: Data>(m: Module, stream: &Stream<P>, to: Signal, receiver
         streams.push(out);
     }
     stream.take_when(ready);
-    if to.width() < 64 && u64::from(receivers) != 1 << to.width() {
-        m.assert(stream.valid.implies(chosen.any_one()), &format!("a word goes to one of {receivers} receivers"));
-    }
-    streams
+    let has_none = to.width() < 64 && u64::from(receivers) != 1 << to.width();
+    (streams, has_none.then(|| stream.valid.implies(chosen.any_one())))
 }

@@ -8,7 +8,7 @@ use crate::fork::Fork;
 use crate::lifo::Lifo;
 use crate::ports::StreamIn;
 use crate::slice::{RegisterSlice, Slice};
-use crate::split::split;
+use crate::split::{goes_to_one_of, split};
 use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 
 /// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side. One module serves
@@ -293,7 +293,11 @@ impl StreamBlocks for Module {
     }
 
     fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N] {
-        let streams = split(self, &stream, to(&stream.payload), N as u32);
+        let (streams, has_receiver) = split(self, &stream, to(&stream.payload), N as u32);
+        // The number is what the module around makes of the word, so that one is wrong where it is that of no receiver.
+        if let Some(has_receiver) = has_receiver {
+            self.assert(has_receiver, &goes_to_one_of(N as u32));
+        }
         let Ok(streams) = streams.try_into() else { unreachable!("there are as many as receivers") };
         streams
     }

@@ -1,9 +1,12 @@
 //! The Verilog of every block, at small and at uneven sizes: no linter complains, and Icarus does what the simulator does.
 
+mod formal;
+
+use tilewright_blocks::catalog::ENTRIES;
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
-use tilewright_hdl::ir::{Input, Kind, Module};
-use tilewright_hdl::{Block, Clock, Design, Period, below, elaborate};
+use tilewright_hdl::ir::{self, Input, Kind};
+use tilewright_hdl::{Block, Clock, Design, Module, Period, Width, below, elaborate, stream};
 use tilewright_sim::Simulation;
 
 fn designed<B: Block>(block: B) -> (String, Design) {
@@ -90,7 +93,7 @@ fn no_linter_complains_of_any_block() {
 }
 
 /// A number for an input: a code of its enum, a one-hot code, the number of a receiver, or, if it may be an address, one that the memory has.
-fn allowed(module: &Module, input: &Input, number: u64) -> u64 {
+fn allowed(module: &ir::Module, input: &Input, number: u64) -> u64 {
     let node = module.node(input.node);
     let number = number & (u64::MAX >> (64 - (node.width * node.shape.lanes()).min(56)));
     match (node.kind, module.memories.first()) {
@@ -133,5 +136,49 @@ fn icarus_repeats_every_block() {
         if let Err(problems) = tools::replay_in_icarus(&verilog(&design), &bench) {
             panic!("{name}: {problems}");
         }
+    }
+}
+
+/// Passes digits on and counts them, up to 9.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+struct Taken {
+    is_assumed: bool,
+}
+
+impl Block for Taken {
+    type In = StreamIn;
+    type Out = StreamOut;
+
+    fn inputs(&self) -> StreamIn<Width> {
+        StreamIn { into: stream(4) }
+    }
+
+    fn build(&self, m: Module, i: StreamIn) -> StreamOut {
+        let is_one = i.into.valid.implies(i.into.payload.le(9));
+        if self.is_assumed {
+            m.assume(is_one, "a digit is below 10");
+        } else {
+            m.assert(is_one, "a digit is below 10");
+        }
+
+        let taken = m.reg("taken", 4).reset(0);
+        taken.when(i.into.valid & i.into.ready & taken.ne(9), taken + 1);
+        m.assert(taken.le(9), "it stays at 9");
+        StreamOut { out: i.into }
+    }
+}
+
+#[test]
+fn no_input_that_is_assumed_breaks_an_assertion() {
+    if formal::is_there() {
+        let broken = |is_assumed| formal::broken(&elaborate(&Taken { is_assumed }).unwrap(), 6);
+        assert!(broken(false).is_some() && broken(true).is_none(), "{:?}", broken(true));
+    }
+    for entry in ENTRIES {
+        let design = entry.design(&entry.values([]).unwrap()).unwrap();
+        assert_eq!(formal::broken(&design, 6), None, "{}", entry.name);
+    }
+    for (name, design) in blocks() {
+        assert_eq!(formal::broken(&design, 6), None, "{name}");
     }
 }

@@ -11,6 +11,9 @@ use tilewright_rtl::catalog::ENTRIES;
 #[path = "../../gen/tests/golden/compare.rs"]
 mod compare;
 
+#[path = "../../blocks/tests/formal/mod.rs"]
+mod formal;
+
 #[test]
 fn every_block_is_printed_as_in_its_golden_file() {
     let mut left: BTreeSet<PathBuf> = files_of("tests/golden").into_iter().collect();
@@ -45,6 +48,25 @@ fn every_block_has_a_golden_file() {
         }
     }
     assert!(blocks > 40, "only {blocks} blocks are found");
+}
+
+/// Of those with assertions, the ones of which Yosys soon says that they hold, and those whose assumptions were assertions.
+const STATED: [&str; 6] = [
+    "patch-table",
+    "page-id-generator",
+    "scan-counter",
+    "quadtree-pixel",
+    "region-allocator",
+    "image-generation-controller",
+];
+
+#[test]
+fn no_input_that_is_assumed_breaks_an_assertion() {
+    for name in STATED {
+        let entry = ENTRIES.iter().find(|entry| entry.name == name).expect(name);
+        let design = entry.design(&entry.values([]).unwrap()).unwrap();
+        assert_eq!(formal::broken(&design, 4), None, "{name}");
+    }
 }
 
 /// The files of a folder of the package, and of those in it, by their paths in the package.

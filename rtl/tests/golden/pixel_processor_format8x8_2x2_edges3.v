@@ -75,12 +75,12 @@ module pixel_processor_format8x8_2x2_edges3 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:64
+        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:64
     end
 `else
     always @(posedge clk) begin
         if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:64
-            $display("FAIL: time %0t: %m: the windows are divided down to one sample", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the windows are divided down to one sample", $time);
             $stop;
         end
     end
