@@ -203,11 +203,16 @@ impl Running {
     /// Goes on until the condition holds; gives after how many instants.
     fn try_run_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
         if self.is_plain() {
-            let (done, holds) = self.engine.edges_until(&[0], limit, until)?;
+            let fits = limit.min(self.timeline.room());
+            if fits == 0 && limit > 0 {
+                return Err(self.timeline.ended());
+            }
+            let (done, holds) = self.engine.edges_until(&[0], fits, until)?;
             self.timeline.repeat(done.edges);
             return match holds {
                 true => Ok(Some(done.edges)),
                 false if done.edges == limit => Ok(None),
+                false if done.edges == fits => Err(self.timeline.ended()),
                 false => Err(self.stopped()),
             };
         }

@@ -43,6 +43,9 @@ pub enum Error {
     /// A step needs a clock.
     #[error("the design has no clock to step: use `set` and `get` alone")]
     NoClock,
+    /// The time of the next edge has no room in 64 bits.
+    #[error("the simulation is at its end: the next edge would be later than 2^64 ps, which is 213 days")]
+    Late,
     /// Two engines side by side do not agree.
     #[error(transparent)]
     Differs(#[from] Box<Difference>),

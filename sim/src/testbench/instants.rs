@@ -38,7 +38,7 @@ impl Running {
     /// Goes to the next instant, if that is quickly done.
     #[inline]
     fn quick_step(&mut self) -> bool {
-        let is_done = self.observers.is_empty() && self.engine.quick_edge();
+        let is_done = self.observers.is_empty() && self.timeline.room() > 0 && self.engine.quick_edge();
         if is_done {
             self.timeline.repeat(1);
         }
@@ -62,7 +62,7 @@ impl Running {
 
     /// Goes to the next instant with a look at everything, and through the edges there.
     fn single_step(&mut self) -> Result<(), Error> {
-        let until = self.timeline.next_time().ok_or(Error::NoClock)?;
+        let until = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?;
         self.timeline.rising_at(until, &mut self.rising);
         if !self.observers.is_empty() {
             let failed = self.engine.check(&self.rising);
@@ -89,7 +89,10 @@ impl Running {
         if self.program.clocks.len() != 1 || self.observers.len() != 1 {
             return Ok(0);
         }
-        let until = self.timeline.time() + self.program.clocks[0].period;
+        let (until, n) = match self.timeline.next_time() {
+            Some(until) => (until, n.min(self.timeline.room())),
+            None => return Ok(0),
+        };
         self.timeline.rising_at(until, &mut self.rising);
         let mut observers = std::mem::take(&mut self.observers);
         let done = observers[0].rows(&mut self.view(until), n);
@@ -143,21 +146,28 @@ impl Running {
 
     /// So many edges of the only clock.
     fn repeat(&mut self, n: u64) -> Result<(), Error> {
-        let done = self.engine.edges(&[0], n)?;
-        self.timeline.repeat(done.edges);
-        if done.edges == n { Ok(()) } else { Err(self.stopped()) }
+        let fits = n.min(self.timeline.room());
+        // An engine counts down to the last one, so it takes one at least.
+        if fits > 0 {
+            let done = self.engine.edges(&[0], fits)?;
+            self.timeline.repeat(done.edges);
+            if done.edges < fits {
+                return Err(self.stopped());
+            }
+        }
+        if fits == n { Ok(()) } else { Err(self.timeline.ended()) }
     }
 
     /// Why the only clock does not rise.
     #[cold]
     pub fn stopped(&mut self) -> Error {
         let failed = self.engine.check(&[0]);
-        self.violated(failed, self.timeline.time() + self.program.clocks[0].period)
+        self.violated(failed, self.timeline.next_time().unwrap_or(u64::MAX))
     }
 
     /// Every instant up to and including that time.
     pub fn try_run_to(&mut self, time: u64) -> Result<(), Error> {
-        while let next = self.timeline.next_time().ok_or(Error::NoClock)?
+        while let next = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?
             && next <= time
         {
             match &self.program.clocks[..] {

@@ -38,6 +38,7 @@ pub(crate) struct Running {
 struct Wired {
     value: ValueId,
     width: u32,
+    is_signed: bool,
     triggers: Triggers,
     /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
     end: u64,
@@ -64,7 +65,14 @@ impl Running {
             let is_set = width <= 64 && port.triggers != Triggers::NONE;
             // Of 64 bits, the largest number takes the long way.
             let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
-            Wired { value: port.value, width, triggers: port.triggers, end, slot: Slot::NONE }
+            Wired {
+                value: port.value,
+                width,
+                is_signed: port.is_signed,
+                triggers: port.triggers,
+                end,
+                slot: Slot::NONE,
+            }
         });
         let mut running = Running {
             engine,
@@ -260,21 +268,30 @@ impl Running {
         wired.slot = self.engine.slot(wired.value);
     }
 
-    /// The number that a port is in one run, however wide it is.
+    /// The number that a port is in one run, however wide it is; `instead` gives what does not fit 64 bits.
     #[track_caller]
     #[inline]
-    pub fn number(&mut self, port: Port, run: u32) -> u64 {
+    pub fn number(&mut self, port: Port, run: u32, instead: &str) -> u64 {
         match self.engine.quick_get(self.wired(port).slot) {
             Some(number) => number,
-            None => self.other_number(port, run),
+            None => self.other_number(port, run, instead),
         }
     }
 
     #[track_caller]
     #[inline(never)]
-    fn other_number(&mut self, port: Port, run: u32) -> u64 {
+    fn other_number(&mut self, port: Port, run: u32, instead: &str) -> u64 {
         let number = self.other_bits(port, run).to_u64();
-        number.unwrap_or_else(|| panic!("output `{}` does not fit 64 bits: use `read`", self.declared(port).path))
+        number.unwrap_or_else(|| panic!("`{}` does not fit 64 bits: use `{instead}`", self.declared(port).path))
+    }
+
+    /// The number that a port is in the only run, negative if it is signed and so is its value; none if it is out of the range of `i128`.
+    pub fn signed(&mut self, port: Port) -> Option<i128> {
+        let bits = self.get(port, 0);
+        match self.wired(port).is_signed {
+            true => bits.to_i128(),
+            false => bits.to_u128().and_then(|number| number.try_into().ok()),
+        }
     }
 
     /// The limbs of a port in one run.

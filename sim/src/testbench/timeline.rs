@@ -4,6 +4,7 @@
 //! instant is a time at which one or more clocks rise.
 
 use crate::engine::program::Program;
+use crate::testbench::error::Error;
 
 /// The state of all clocks.
 #[derive(Debug, Clone)]
@@ -16,6 +17,8 @@ pub(crate) struct Timeline {
 struct Ticks {
     period: u64,
     cycles: u64,
+    /// How often it can rise until its time has no room in 64 bits.
+    most: u64,
 }
 
 impl Ticks {
@@ -24,15 +27,15 @@ impl Ticks {
         self.cycles * self.period
     }
 
-    /// When it rises next.
-    fn next(&self) -> u64 {
-        self.last() + self.period
+    /// When it rises next; none if that time has no room in 64 bits.
+    fn next(&self) -> Option<u64> {
+        (self.cycles < self.most).then(|| self.last() + self.period)
     }
 }
 
 impl Timeline {
     pub fn new(program: &Program) -> Timeline {
-        let ticks = |period| Ticks { period, cycles: 0 };
+        let ticks = |period| Ticks { period, cycles: 0, most: u64::MAX / period };
         Timeline { clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
     }
 
@@ -41,15 +44,26 @@ impl Timeline {
         self.clocks.iter().map(Ticks::last).max().unwrap_or(0)
     }
 
-    /// The time of the next instant; `None` without clocks.
+    /// The time of the next instant; `None` without clocks, or if that time has no room in 64 bits.
     pub fn next_time(&self) -> Option<u64> {
-        self.clocks.iter().map(Ticks::next).min()
+        self.clocks.iter().filter_map(Ticks::next).min()
+    }
+
+    /// Why there is no next instant.
+    pub fn ended(&self) -> Error {
+        if self.clocks.is_empty() { Error::NoClock } else { Error::Late }
+    }
+
+    /// How many edges of the only clock have room; none without clocks.
+    #[inline]
+    pub fn room(&self) -> u64 {
+        self.clocks.first().map_or(0, |clock| clock.most - clock.cycles)
     }
 
     /// The clocks that rise at `time`, into `rising`.
     pub fn rising_at(&self, time: u64, rising: &mut Vec<usize>) {
         rising.clear();
-        rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next() == time));
+        rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next() == Some(time)));
     }
 
     /// How many edges a clock has had.

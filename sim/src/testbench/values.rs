@@ -100,11 +100,11 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// A list in it is not as long as that of the ports; or as [`Simulation::set`].
     #[track_caller]
-    pub fn set_record<P: Fields<Port>>(&mut self, ports: P, values: P::With<u64>) {
+    pub fn set_record<P: Fields<Port>, V: IntoValue + Leaf>(&mut self, ports: P, values: P::With<V>) {
         let mut given = Vec::new();
         values.visit(&mut |part| {
             if let Visited::Leaf(value) = part {
-                given.push(*value);
+                given.push(value.clone());
             }
         });
         let mut sought = Vec::with_capacity(given.len());
@@ -316,7 +316,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     #[track_caller]
     pub(crate) fn read_run_u64(&mut self, run: u32) -> O::Of<u64> {
         let circuit = &mut self.circuit;
-        O::convert_leaves(&self.o, &mut |port: &Port| circuit.number(*port, run))
+        O::convert_leaves(&self.o, &mut |port: &Port| circuit.number(*port, run, "read"))
     }
 
     /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.

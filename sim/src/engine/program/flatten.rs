@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
-use tilewright_hdl::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
+use tilewright_hdl::ir::{self, Design, Instance, InstanceId, MemoryId, Module, ModuleId, Node, NodeId, Op};
 
 use super::hierarchy::{Replication, Scope, ScopeId};
 use super::instances::{Children, key_of};
@@ -124,23 +124,27 @@ impl Flatten<'_> {
         for input in &module.inputs {
             let clock = input.clock.map_or(0, |clock| clock.0 as usize);
             let value = self.packed_input(module, input.node, value(input.node), lanes);
-            let lanes = module.shape(input.node).lanes();
+            let node = module.node(input.node);
+            let (lanes, is_signed) = (node.shape.lanes(), node.kind == ir::Kind::Signed && node.shape.is_plain());
             self.flat.program.inputs.push(Port {
                 name: input.name.clone(),
                 path: input.path.clone(),
                 value,
                 lanes,
+                is_signed,
                 triggers: Triggers::inputs(clock),
             });
         }
         for output in &module.outputs {
             let value = self.packed_output(module.node(output.node), value(output.node), lanes);
-            let lanes = module.shape(output.node).lanes();
+            let shape = module.shape(output.node);
+            let (lanes, is_signed) = (shape.lanes(), output.kind == ir::Kind::Signed && shape.is_plain());
             self.flat.program.outputs.push(Port {
                 name: output.name.clone(),
                 path: output.path.clone(),
                 value,
                 lanes,
+                is_signed,
                 triggers: Triggers::NONE,
             });
         }

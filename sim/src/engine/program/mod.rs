@@ -224,6 +224,8 @@ pub struct Port {
     pub value: ValueId,
     /// The number of its own lanes; 1 of a plain port.
     pub lanes: u32,
+    /// It is one number, in two's complement.
+    pub is_signed: bool,
     /// What a change of this input makes stale; none for an output.
     pub triggers: Triggers,
 }

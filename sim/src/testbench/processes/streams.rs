@@ -9,7 +9,8 @@ use super::{Pauses, Testbench};
 use crate::testbench::port::{IntoValue, Port};
 
 impl Testbench<'_> {
-    /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks.
+    /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks. Its values are of one type, any
+    /// that [`Testbench::set`] takes, such as `i64` where some are negative.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
@@ -26,9 +27,13 @@ impl Testbench<'_> {
     ///
     /// A value does not fit, or a list is not as long as that of the ports.
     #[track_caller]
-    pub fn send<P: Fields<Port>>(&self, stream: Stream<P, Port>, word: P::With<u64>) -> impl Future<Output = ()> {
+    pub fn send<P: Fields<Port>, V: IntoValue + Leaf>(
+        &self,
+        stream: Stream<P, Port>,
+        word: P::With<V>,
+    ) -> impl Future<Output = ()> {
         let loc = Loc::caller();
-        async move { self.send_at::<P, u64>(&stream, &word, loc).await }
+        async move { self.send_at::<P, V>(&stream, &word, loc).await }
     }
 
     /// As [`Testbench::send`], of a word whose values are wider than 64 bits.
@@ -75,6 +80,45 @@ impl Testbench<'_> {
         async move { self.receive_at(&stream, loc).await }
     }
 
+    /// As [`Testbench::receive`], with negative numbers: what is declared as signed is read in two's complement.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # use tilewright_sim::Simulation;
+    /// block! {
+    ///     /// Gives the negative of each number.
+    ///     struct Negate;
+    ///     in NegateIn { numbers: stream(bits(8).signed()) }
+    ///     out NegateOut { negated: stream(bits(8).signed()) }
+    /// }
+    ///
+    /// impl Negate {
+    ///     fn build(&self, m: Module, i: NegateIn) -> NegateOut {
+    ///         let (negated, sent) = m.offer(i.numbers.valid, -*i.numbers);
+    ///         i.numbers.take_when(sent);
+    ///         NegateOut { negated }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = Simulation::of(&Negate)?;
+    /// let (numbers, negated, t) = (sim.i.numbers, sim.o.negated, sim.testbench());
+    /// let ((), seen) = t.run((t.send(numbers, 3), t.receive_i64(negated)));
+    /// assert_eq!(seen, -3);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// A value does not fit 64 bits with its sign.
+    #[track_caller]
+    pub fn receive_i64<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<i64>> {
+        let loc = Loc::caller();
+        async move {
+            self.take_at(&stream, loc).await;
+            stream.payload.map(|port| self.signed(*port))
+        }
+    }
+
     /// As [`Testbench::receive`], of a word whose values are wider than 64 bits.
     ///
     /// ```
@@ -111,17 +155,17 @@ impl Testbench<'_> {
     ///
     /// As [`Testbench::send`].
     #[track_caller]
-    pub fn send_all<P: Fields<Port>>(
+    pub fn send_all<P: Fields<Port>, V: IntoValue + Leaf>(
         &self,
         stream: Stream<P, Port>,
-        words: impl IntoIterator<Item = P::With<u64>>,
+        words: impl IntoIterator<Item = P::With<V>>,
         mut pauses: Pauses,
     ) -> impl Future<Output = ()> {
         let loc = Loc::caller();
         async move {
             for word in words {
                 self.wait_at(pauses.next_length().into(), loc).await;
-                self.send_at::<P, u64>(&stream, &word, loc).await;
+                self.send_at::<P, V>(&stream, &word, loc).await;
             }
         }
     }
@@ -177,26 +221,30 @@ impl Testbench<'_> {
     ///
     /// A word is another one; the message says which. Or as [`Testbench::receive`].
     #[track_caller]
-    pub fn expect_all<P: Fields<Port>>(
+    pub fn expect_all<P: Fields<Port>, V: IntoValue + Leaf>(
         &self,
         stream: Stream<P, Port>,
-        expected: impl IntoIterator<Item = P::With<u64>>,
+        expected: impl IntoIterator<Item = P::With<V>>,
         mut pauses: Pauses,
     ) -> impl Future<Output = ()>
     where
-        P::With<u64>: Debug + PartialEq,
+        P::With<V>: Debug,
+        P::With<i128>: Debug,
     {
         let loc = Loc::caller();
         async move {
             for (number, expected) in expected.into_iter().enumerate() {
                 self.wait_at(pauses.next_length().into(), loc).await;
-                let word = self.receive_at(&stream, loc).await;
-                assert!(
-                    word == expected,
-                    "word {number} of `{}`, at {} ps, is {word:?}, and not {expected:?}\n  --> {loc}",
-                    self.name(&stream),
-                    self.time(),
-                );
+                self.take_at(&stream, loc).await;
+                let ports = leaves(&stream.payload);
+                let values: Vec<V> = leaves(&expected);
+                let fits = |(port, value): (&Port, V)| value.into_value(self.get(*port).width()) == Ok(self.get(*port));
+                if ports.len() == values.len() && ports.iter().zip(values).all(fits) {
+                    continue;
+                }
+                let word = stream.payload.map(|port| self.signed::<i128>(*port));
+                let (name, time) = (self.name(&stream), self.time());
+                panic!("word {number} of `{name}`, at {time} ps, is {word:?}, and not {expected:?}\n  --> {loc}");
             }
         }
     }
@@ -261,7 +309,7 @@ impl Testbench<'_> {
     where
         P::With<u64>: Debug + PartialEq,
     {
-        self.holds_as(stream, |port| self.number(*port), Loc::caller())
+        self.holds_as(stream, |port| self.number(*port, "holds_bits"), Loc::caller())
     }
 
     /// As [`Testbench::holds`], for words whose values are wider than 64 bits.
@@ -323,7 +371,7 @@ impl Testbench<'_> {
     /// ```
     #[track_caller]
     pub fn shown<P: Fields<Port>>(&self, stream: &Stream<P, Port>) -> Option<P::With<u64>> {
-        (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(|port| self.number(*port)))
+        (self.get_u64(stream.valid) == 1).then(|| stream.payload.map(|port| self.number(*port, "get")))
     }
 
     async fn send_at<P, V>(&self, stream: &Stream<P, Port>, word: &P::With<V>, loc: Loc)
@@ -349,7 +397,7 @@ impl Testbench<'_> {
 
     async fn receive_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) -> P::With<u64> {
         self.take_at(stream, loc).await;
-        stream.payload.map(|port| self.number(*port))
+        stream.payload.map(|port| self.number(*port, "receive_bits"))
     }
 
     /// Waits for a word, and takes it; before the edge its payload is to be read.
@@ -360,8 +408,21 @@ impl Testbench<'_> {
     }
 
     #[track_caller]
-    fn number(&self, port: Port) -> u64 {
-        self.shared.borrow_mut().circuit.number(port, 0)
+    fn number(&self, port: Port, instead: &str) -> u64 {
+        self.shared.borrow_mut().circuit.number(port, 0, instead)
+    }
+
+    /// The number that a port is, negative if it is signed and so is its value.
+    #[track_caller]
+    fn signed<N: TryFrom<i128>>(&self, port: Port) -> N {
+        let circuit = &mut self.shared.borrow_mut().circuit;
+        match circuit.signed(port).and_then(|number| number.try_into().ok()) {
+            Some(number) => number,
+            None => {
+                let (path, bits) = (&circuit.declared(port).path, 8 * size_of::<N>());
+                panic!("`{path}` does not fit {bits} bits with its sign: use `receive_bits`")
+            }
+        }
     }
 
     /// The stream's name for messages.

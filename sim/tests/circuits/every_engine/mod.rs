@@ -9,6 +9,7 @@ mod lists;
 mod processes;
 mod properties;
 mod shorthand;
+mod signed_words;
 mod testbench;
 mod until;
 mod updates;
