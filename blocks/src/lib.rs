@@ -9,25 +9,19 @@
 //! bundle! {
 //!     /// What is drawn.
 //!     pub struct Pixel<T> { pub x: T, pub y: T, pub last: T }
-//!     /// Pixels of two sources.
-//!     pub struct MixerIn<T> { pub left: Stream<Pixel<T>, T>, pub right: Stream<Pixel<T>, T> }
-//!     /// Pixels of both.
-//!     pub struct MixerOut<T> { pub pixels: Stream<Pixel<T>, T> }
 //! }
 //!
-//! /// Mixes two sources, each behind a queue.
-//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-//! struct Mixer;
-//!
-//! impl Block for Mixer {
-//!     type In = MixerIn;
-//!     type Out = MixerOut;
-//!
-//!     fn inputs(&self) -> MixerIn<Width> {
-//!         let pixel = || stream(Pixel { x: bits(10), y: bits(9), last: bit() });
-//!         MixerIn { left: pixel(), right: pixel() }
+//! block! {
+//!     /// Mixes two sources, each behind a queue.
+//!     struct Mixer;
+//!     in MixerIn {
+//!         left: stream(Pixel { x: bits(10), y: bits(9), last: bit() }),
+//!         right: stream(Pixel { x: bits(10), y: bits(9), last: bit() }),
 //!     }
+//!     out MixerOut { pixels: stream(Pixel = _) }
+//! }
 //!
+//! impl Mixer {
 //!     fn build(&self, m: Module, i: MixerIn) -> MixerOut {
 //!         let left = m.fifo("u_left", 16, i.left);
 //!         let right = m.fifo("u_right", 16, i.right);

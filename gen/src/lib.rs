@@ -6,27 +6,19 @@
 //!
 //! ```
 //! use tilewright_gen::verilog;
-//! use tilewright_hdl::{Block, Module, Width, bit, bundle, def, elaborate};
+//! use tilewright_hdl::{Module, bit, block, def, elaborate};
 //!
-//! bundle! {
-//!     struct ToggleIn<T> { flip: T }
-//!     struct ToggleOut<T> { on: T }
+//! block! {
+//!     /// A lamp that each press turns on or off.
+//!     struct Toggle;
+//!     in ToggleIn { flip: bit() }
+//!     out ToggleOut { on: bit() }
 //! }
 //!
-//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-//! struct Toggle;
-//!
-//! impl Block for Toggle {
-//!     type In = ToggleIn;
-//!     type Out = ToggleOut;
-//!
-//!     fn inputs(&self) -> ToggleIn<Width> {
-//!         ToggleIn { flip: bit() }
-//!     }
-//!
+//! impl Toggle {
 //!     fn build(&self, m: Module, i: ToggleIn) -> ToggleOut {
 //!         def!(on = m.reg(1).reset(0));
-//!         on.enable(i.flip).next(!on);
+//!         on.when(i.flip, !on);
 //!         ToggleOut { on: *on }
 //!     }
 //! }

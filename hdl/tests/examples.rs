@@ -134,3 +134,21 @@ fn the_verilog_of_the_line_does_the_same() {
 fn the_windows_are_divided() {
     windows::main().unwrap();
 }
+
+#[test]
+fn what_a_page_shows_of_a_block_is_in_that_block() {
+    let page = include_str!("../docs/lines.md");
+    let mut pieces = page.split("```rust\n");
+    let mut before = pieces.next().unwrap();
+    let (mut count, root) = (0, concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    for piece in pieces {
+        let file =
+            before.trim_end().strip_suffix("`:").and_then(|named| named.rsplit_once('`')).expect("a file is named").1;
+        let source = std::fs::read_to_string(format!("{root}/{file}")).expect(file);
+        let (code, after) = piece.split_once("\n```").expect("the code ends");
+        let flat = |text: &str| text.lines().map(|line| line.trim().to_owned() + "\n").collect::<String>();
+        assert!(flat(&source).contains(&flat(code)), "{file} has no\n{code}");
+        (before, count) = (after, count + 1);
+    }
+    assert!(count > 8, "only {count} pieces are found");
+}

@@ -1,26 +1,20 @@
 //! Runs a circuit cycle by cycle: engines, testbenches, waves.
 //!
 //! ```
-//! use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
+//! use tilewright_hdl::{Module, bit, bits, block, def};
 //! use tilewright_sim::Simulation;
 //!
-//! bundle! {
-//!     /// What is counted.
-//!     pub struct CounterIn<T> { pub enable: T }
-//!     /// How many there were.
-//!     pub struct CounterOut<T> { pub count: T }
+//! block! {
+//!     /// Counts the clocks in which it is enabled.
+//!     struct Counter { width: u32 }
+//!     in CounterIn { enable: bit() }
+//!     out(self) CounterOut { count: bits(self.width) }
 //! }
 //!
-//! #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-//! struct Counter { width: u32 }
-//!
-//! impl Block for Counter {
-//!     type In = CounterIn;
-//!     type Out = CounterOut;
-//!     fn inputs(&self) -> CounterIn<Width> { CounterIn { enable: bit() } }
+//! impl Counter {
 //!     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
 //!         def!(count = m.reg(self.width).reset(0));
-//!         count.enable(i.enable).next(count + 1);
+//!         count.when(i.enable, count + 1);
 //!         CounterOut { count: *count }
 //!     }
 //! }
@@ -72,19 +66,14 @@
 //! byte; an assertion that fails says in which run, and stops all.
 //!
 //! ```
-//! # use tilewright_hdl::{Block, Module, Width, bits, bundle, def};
-//! # bundle! {
-//! #     /// What is added.
-//! #     pub struct SumIn<T> { pub x: T }
-//! #     /// The sum.
-//! #     pub struct SumOut<T> { pub sum: T }
+//! # use tilewright_hdl::{Module, bits, block, def};
+//! # block! {
+//! #     /// Adds up what it is given.
+//! #     struct Sum;
+//! #     in SumIn { x: bits(8) }
+//! #     out SumOut { sum: bits(8) }
 //! # }
-//! # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-//! # struct Sum;
-//! # impl Block for Sum {
-//! #     type In = SumIn;
-//! #     type Out = SumOut;
-//! #     fn inputs(&self) -> SumIn<Width> { SumIn { x: bits(8) } }
+//! # impl Sum {
 //! #     fn build(&self, m: Module, i: SumIn) -> SumOut {
 //! #         def!(sum = m.reg(8).reset(0));
 //! #         sum.next(sum + i.x);

@@ -1,5 +1,5 @@
-//! A coverage test of windows in three forms behind one interface: a stage a level, a stack, and side by side. `hdl/docs/lines.md` has them as
-//! they ought to read.
+//! A coverage test of windows in three forms behind one interface: a stage a level, a stack, and side by side. `hdl/docs/lines.md` shows lines
+//! of them.
 
 use crate::property::Stalls;
 use crate::stalls::stalls;
