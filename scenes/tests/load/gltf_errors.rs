@@ -198,7 +198,15 @@ fn repetitions_have_a_limit() {
     let nodes =
         format!("\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{}]", nodes.join(","), vec!["{\"mesh\":0}"; 600].join(","));
     let text = builder.embedded(&format!("{nodes},{MESH}"));
-    let sentence = "a.gltf: draws more than 8388608 faces and lines: simplify the meshes, or have fewer nodes";
+    let sentence = "a.gltf: draws more than 4194304 faces and lines, or has as many vertices: simplify the meshes, or have fewer nodes";
+    assert_eq!(bytes_error(&folder, "a.gltf", text.as_bytes()), sentence);
+    // Few faces, and all vertices again and again.
+    let mut builder = Builder::default();
+    let view = builder.view(&vec![0; 12 << 14], "");
+    builder.accessor(Some(view), F32, "VEC3", 1 << 14, "");
+    let view = builder.view(&[0, 1, 2], "");
+    builder.accessor(Some(view), U8, "SCALAR", 3, "");
+    let text = builder.embedded(&format!("{nodes},{MESH}"));
     assert_eq!(bytes_error(&folder, "a.gltf", text.as_bytes()), sentence);
 }
 

@@ -13,8 +13,8 @@ use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked;
 use gltf_json::{Accessor, Index};
 
-/// The most faces and lines of a file, with all repetitions by nodes.
-const MOST_FACES: usize = 8 << 20;
+/// The most faces and lines of a file, and the most vertices, with all repetitions by nodes.
+const MOST: usize = 4 << 20;
 
 /// Everything that has been added.
 #[derive(Default)]
@@ -67,10 +67,12 @@ impl Primitives {
             if left_over > 0 {
                 oddities.add("its indices that make no whole triangle or line are left out");
             }
-            if self.geometry.faces.len() + self.geometry.lines.len() + corners.len() > MOST_FACES {
-                return Err(
-                    file.wrong("draws more than 8388608 faces and lines", "simplify the meshes, or have fewer nodes")
-                );
+            let drawn = self.geometry.faces.len() + self.geometry.lines.len() + corners.len();
+            if drawn.max(self.geometry.positions.len() + positions.len()) > MOST {
+                return Err(file.wrong(
+                    "draws more than 4194304 faces and lines, or has as many vertices",
+                    "simplify the meshes, or have fewer nodes",
+                ));
             }
             let first = self.vertices(file, buffers, looks, primitive, placed, &positions, &name, oddities)?;
             self.elements(&corners, &first, looks.index(primitive.material));
