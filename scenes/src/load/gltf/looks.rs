@@ -182,9 +182,12 @@ impl Mapping {
     }
 }
 
+/// Whether a material has something.
+type Part = fn(&gltf_json::Material) -> bool;
+
 /// One sentence for what materials have and nobody draws.
 fn undrawn(file: &File, oddities: &mut Oddities) {
-    let parts: [(fn(&gltf_json::Material) -> bool, &str); 5] = [
+    let parts: [(Part, &str); 5] = [
         (is_metal, "metalness"),
         (
             |material| !is_glossy(material) && material.pbr_metallic_roughness.metallic_roughness_texture.is_some(),
@@ -194,7 +197,7 @@ fn undrawn(file: &File, oddities: &mut Oddities) {
         (|material| material.occlusion_texture.is_some(), "textures of occlusion"),
         (|material| material.emissive_texture.is_some() || material.emissive_factor.0 != [0.0; 3], "emission"),
     ];
-    let has = |part: &fn(&gltf_json::Material) -> bool| file.root.materials.iter().any(part);
+    let has = |part: &Part| file.root.materials.iter().any(part);
     let given: Vec<&str> = parts.iter().filter(|(part, _)| has(part)).map(|(_, what)| *what).collect();
     if !given.is_empty() {
         let given = given.join(", ");
