@@ -106,14 +106,14 @@ fn what_is_too_wide_for_a_call_names_one_that_takes_it() {
         }),
         ("get", &|| {
             let mut sim = of(&Wide);
-            sim.set(sim.i.words.payload, &Bits::ones(100));
+            sim.set(sim.i.words.payload, Bits::ones(100));
             sim.set(sim.i.words.valid, 1);
             let (passed, t) = (sim.o.passed, sim.testbench());
             t.shown(&passed);
         }),
         ("read", &|| {
             let mut sim = of(&Wide);
-            sim.set(sim.i.words.payload, &Bits::ones(100));
+            sim.set(sim.i.words.payload, Bits::ones(100));
             sim.read_u64();
         }),
     ];
