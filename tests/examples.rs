@@ -182,7 +182,8 @@ fn has_example(documentation: &[&str]) -> bool {
 #[test]
 fn every_crate_can_be_packaged() {
     let cargo = std::env::var("CARGO").unwrap_or("cargo".to_owned());
-    let run = Command::new(cargo).args(["metadata", "--no-deps", "--offline", "--format-version", "1"]).output().unwrap();
+    let run =
+        Command::new(cargo).args(["metadata", "--no-deps", "--offline", "--format-version", "1"]).output().unwrap();
     let workspace: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     let packages = workspace["packages"].as_array().unwrap();
     let is_published = |package: &serde_json::Value| package["publish"].as_array().is_none_or(|to| !to.is_empty());
