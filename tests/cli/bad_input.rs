@@ -6,7 +6,7 @@ const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// Command lines, each with what the message has to say.
 const CASES: &[(&str, &[&str])] = &[
-    ("render missing.obj", &["missing.obj: cannot be read", "name an .obj"]),
+    ("render missing.obj", &["missing.obj: cannot be read", "name a .toml, .obj"]),
     ("render missing.toml", &["missing.toml: cannot be read"]),
     ("render malformed.obj", &["malformed.obj:2: "]),
     ("render no_vertex.obj", &["no_vertex.obj:4: "]),
