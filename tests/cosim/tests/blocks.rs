@@ -46,9 +46,9 @@ struct Subject {
 /// Who looks at a size of a block. Yosys looks at every bit of every signal, which takes minutes in large sizes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Size {
-    ForAll,
-    ForSimulatorsAndLinters,
-    ForYosys,
+    Everybody,
+    SimulatorsAndLinters,
+    YosysAlone,
 }
 
 impl Subject {
@@ -65,14 +65,14 @@ impl Subject {
 /// The sizes of a block: its defaults, and others if it has sizes.
 fn sizes(entry: &Entry) -> Vec<(Vec<(&'static str, u64)>, Size)> {
     let (small, doubled): (Vec<_>, Vec<_>) = (small(entry).collect(), doubled(entry).collect());
-    let simulators = Size::ForSimulatorsAndLinters;
+    let simulators = Size::SimulatorsAndLinters;
     match (small.is_empty(), doubled.is_empty()) {
-        (true, true) => vec![(small, Size::ForAll)],
-        (false, true) => vec![(Vec::new(), simulators), (small, Size::ForAll)],
-        (true, false) => vec![(small, Size::ForAll), (doubled, simulators)],
+        (true, true) => vec![(small, Size::Everybody)],
+        (false, true) => vec![(Vec::new(), simulators), (small, Size::Everybody)],
+        (true, false) => vec![(small, Size::Everybody), (doubled, simulators)],
         (false, false) => {
             let both = [small.clone(), doubled].concat();
-            vec![(Vec::new(), simulators), (both, simulators), (small, Size::ForYosys)]
+            vec![(Vec::new(), simulators), (both, simulators), (small, Size::YosysAlone)]
         }
     }
 }
@@ -92,7 +92,7 @@ fn blocks() -> &'static [Subject] {
 
 /// The blocks that simulators and linters look at.
 fn for_simulators() -> Vec<&'static Subject> {
-    blocks().iter().filter(|it| it.size != Size::ForYosys).collect()
+    blocks().iter().filter(|it| it.size != Size::YosysAlone).collect()
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn verilator_repeats_every_scenario() {
 
 #[test]
 fn yosys_agrees_with_every_dump() {
-    let mut blocks: Vec<_> = blocks().iter().filter(|it| it.size != Size::ForSimulatorsAndLinters).collect();
+    let mut blocks: Vec<_> = blocks().iter().filter(|it| it.size != Size::SimulatorsAndLinters).collect();
     assert_eq!(blocks.len(), entries().count());
     // The longest work first, so that neither worker is left with it.
     blocks.sort_by_key(|it| std::cmp::Reverse(it.run.dump_size()));
