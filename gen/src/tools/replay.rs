@@ -116,12 +116,15 @@ pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks:
         return Ok(skipped);
     }
     let folder = Folder::with(files);
-    let dump = dump.canonicalize().unwrap_or_else(|error| panic!("{} cannot be read: {error}", dump.display()));
+    // Yosys converts `NAME.vcd` in a file of that name in one folder of the computer: two at once need two names.
+    let unique = folder.path().file_name().expect("a folder has a name").to_string_lossy().into_owned();
+    let copy = format!("{unique}.{}", if is_vcd { "vcd" } else { "fst" });
+    let copied = std::fs::copy(dump, folder.path().join(&copy));
+    let _ = copied.unwrap_or_else(|error| panic!("{} cannot be read: {error}", dump.display()));
     let clocks: String = clocks.iter().map(|clock| format!("-clock {clock} ")).collect();
     let (sources, top) = (sources(files).join(" "), top(files));
-    let dump = dump.display();
     let script =
-        format!("read_verilog {sources}; prep -top {top}; sim -zinit -r {dump} -scope {scope} {clocks}-sim-cmp {top}");
+        format!("read_verilog {sources}; prep -top {top}; sim -zinit -r {copy} -scope {scope} {clocks}-sim-cmp {top}");
     let (succeeded, output) = folder.run(Command::new("yosys").args(["-q", "-p", &script]));
     if succeeded && !output.contains("ERROR") { Ok(Checked::Passed) } else { Err(problem("yosys", output)) }
 }

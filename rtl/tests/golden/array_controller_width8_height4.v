@@ -715,6 +715,20 @@ module array_controller_width8_height4 (
     assign given_texture = sent5_given_texture;
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal)); // rtl/src/pixelflow/controller.rs:232
@@ -730,35 +744,35 @@ module array_controller_width8_height4 (
     always @(posedge clk) begin
         if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:232
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given when the network has done with it", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:232
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
-            $stop;
+            stop;
         end
         if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:163
             $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:174
             $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 8 bytes", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bytes are skipped", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 384 bytes", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:239
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a code that there is", $time);
-            $stop;
+            stop;
         end
     end
 `endif

@@ -87,6 +87,20 @@ module gfb_unit_width16_height8_units4_overhead20 (
     assign view_first_round = first_round;
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!(host_swap | host_start) | !view_busy);   // rtl/src/gfb/unit.rs:81
@@ -95,7 +109,7 @@ module gfb_unit_width16_height8_units4_overhead20 (
     always @(posedge clk) begin
         if (!rst && !(!(host_swap | host_start) | !view_busy)) begin // rtl/src/gfb/unit.rs:81
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped and a round is started between rounds", $time);
-            $stop;
+            stop;
         end
     end
 `endif

@@ -593,6 +593,20 @@ module image_generation_controller_side8 (
     assign save_plane = sent6_plane;
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:164
@@ -609,39 +623,39 @@ module image_generation_controller_side8 (
     always @(posedge clk) begin
         if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:164
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only the controller of a quadratic tree takes a curve", $time);
-            $stop;
+            stop;
         end
         if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:140
             $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
-            $stop;
+            stop;
         end
         if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:146
             $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: what comes is an operation", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:194
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
-            $stop;
+            stop;
         end
     end
 `endif

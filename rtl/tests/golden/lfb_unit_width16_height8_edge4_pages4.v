@@ -164,6 +164,20 @@ module lfb_unit_width16_height8_edge4_pages4 (
     end
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
         if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:120
@@ -173,11 +187,11 @@ module lfb_unit_width16_height8_edge4_pages4 (
     always @(posedge pe_clk) begin
         if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:120
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
-            $stop;
+            stop;
         end
         if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:121
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
-            $stop;
+            stop;
         end
     end
 `endif

@@ -106,6 +106,20 @@ module network_sequencer_pixels4_setup2 (
     end
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:142
@@ -116,15 +130,15 @@ module network_sequencer_pixels4_setup2 (
     always @(posedge clk) begin
         if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:142
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has at most 32 bytes", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:142
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a job of no bytes forwards", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:145
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
-            $stop;
+            stop;
         end
     end
 `endif

@@ -437,6 +437,20 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     end
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge network_clk) begin
         if (!network_rst) assert ((u_sequencer0_bank & u_sequencer1_bank) == 2'd0); // rtl/src/pixelflow/node.rs:177
@@ -445,7 +459,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     always @(posedge network_clk) begin
         if (!network_rst && !((u_sequencer0_bank & u_sequencer1_bank) == 2'd0)) begin // rtl/src/pixelflow/node.rs:177
             $display("FAIL: time %0t: %m: a bank is of one direction at a time", $time);
-            $stop;
+            stop;
         end
     end
 `endif

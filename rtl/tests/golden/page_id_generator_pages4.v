@@ -28,6 +28,20 @@ module page_id_generator_pages4 (
     end
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
     reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:47
     reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:48
     reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:47
@@ -56,14 +70,16 @@ module page_id_generator_pages4 (
     always @(posedge clk) begin
         if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:45
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a page is taken only while one is free", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:47
             $display("FAIL: time %0t: %m: a restart frees all pages", $time);
-            $stop;
+            stop;
         end
         if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:48
+            `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: all pages are taken", $time);
+            `endif
             is_covered <= 1'b1;
         end
     end

@@ -149,7 +149,9 @@ module patch_table_patches8_pages4 (
     initial is_covered = 1'b0;
     always @(posedge pe_clk) begin
         if (!pe_rst && ((stage1 == STAGE1_EXAMINE) & (!entry_resident & u_page_id_generator_exhausted)) && !is_covered) begin // rtl/src/lfb/patch_table.rs:130
+            `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a look-up finds no free page", $time);
+            `endif
             is_covered <= 1'b1;
         end
     end

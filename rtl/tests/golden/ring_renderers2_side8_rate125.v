@@ -198,6 +198,20 @@ module ring_renderers2_side8_rate125 (
     assign instructions_1_coefficients_c = bins_1_coefficients_c;
 
 `ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:154
@@ -208,15 +222,15 @@ module ring_renderers2_side8_rate125 (
     always @(posedge clk) begin
         if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:154
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:154
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
-            $stop;
+            stop;
         end
         if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:169
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer takes each plane", $time);
-            $stop;
+            stop;
         end
     end
 `endif
