@@ -1,7 +1,6 @@
 //! The Verilog of every block, at small and at uneven sizes: no linter complains, and Icarus does what the simulator does.
 
-mod formal;
-
+use crate::formal;
 use tilewright_blocks::catalog::ENTRIES;
 use tilewright_blocks::*;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};

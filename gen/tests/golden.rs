@@ -2,14 +2,11 @@
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
 
-mod blocks;
-#[path = "golden/compare.rs"]
-mod compare;
-mod shapes;
+pub mod compare;
 
-use blocks::{Clocks, Counter, Latest, LineBuffer, Mirror, Pump, Row, Updates};
+use crate::blocks::{Clocks, Counter, Latest, LineBuffer, Mirror, Pump, Row, Updates};
+use crate::shapes::{Grid, Shapes, Words};
 use compare::compare;
-use shapes::{Grid, Shapes, Words};
 use tilewright_gen::{testbench, tools, verilog};
 use tilewright_hdl::recording::{Initial, Step};
 use tilewright_hdl::{Bits, Block, Recording, elaborate};

@@ -1,8 +1,6 @@
 //! Designs of every kind pass every linter: several clocks, loaded memories, gathers, hostile names, dead values.
 
-mod blocks;
-
-use blocks::{LineBuffer, One, Pair, Small};
+use crate::blocks::{LineBuffer, One, Pair, Small};
 use tilewright_gen::tools::Target;
 use tilewright_gen::{VerilogFile, tools, verilog};
 use tilewright_hdl::*;

@@ -2,20 +2,15 @@
 //!
 //! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
 
-#[path = "lanes/awkward.rs"]
 mod awkward;
 #[path = "../../hdl/tests/shapes/build.rs"]
 mod build;
-#[path = "golden/compare.rs"]
-mod compare;
-#[path = "lanes/evaluate.rs"]
 mod evaluate;
 #[path = "../../hdl/tests/shapes/machines.rs"]
 mod machines;
-#[path = "lanes/mod.rs"]
 mod modules;
 
-use compare::compare;
+use crate::golden::compare::compare;
 use tilewright_gen::{VerilogFile, testbench, tools, verilog};
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::Module;

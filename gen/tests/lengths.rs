@@ -1,8 +1,6 @@
 //! Very long chains, choices and concatenations: every tool reads what is printed of them, and it says the same.
 
-mod long;
-
-use long::{KINDS, Long};
+use crate::long::{KINDS, Long};
 use tilewright_gen::{tools, verilog};
 use tilewright_hdl::elaborate;
 

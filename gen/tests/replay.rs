@@ -1,8 +1,6 @@
 //! Testbenches pass on what the hardware does, and fail on what it does not.
 
-mod blocks;
-
-use blocks::{Clocks, Counter, LineBuffer, Row};
+use crate::blocks::{Clocks, Counter, LineBuffer, Row};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};

@@ -1,8 +1,6 @@
 //! What the printer leaves of operators whose result is known or is one of their operands.
 
-mod blocks;
-
-use blocks::{One, Pair, Small};
+use crate::blocks::{One, Pair, Small};
 use tilewright_gen::verilog;
 use tilewright_hdl::*;
 

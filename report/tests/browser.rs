@@ -1,7 +1,6 @@
 //! Pages in a browser. Without Chromium these say `skipped`, and with `CI` set they fail.
 
-mod sample;
-
+use crate::sample;
 use std::process::Command;
 use tilewright_report::browser::complaints;
 

@@ -1,8 +1,7 @@
 //! The files of a report: those of a small page as they were last accepted (`UPDATE_GOLDEN=1` accepts new ones), the same bytes each
 //! time, and no text that is taken for markup.
 
-mod sample;
-
+use crate::sample;
 use serde_json::Value;
 use std::path::Path;
 use tilewright_report::{

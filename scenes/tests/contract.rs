@@ -1,7 +1,6 @@
 //! The integer contract against an exact oracle, on random triangles (facts E0; DES-EDGE, DES-ONCE, DES-Z, DES-MIN, DES-W).
 
-mod oracle;
-
+use crate::oracle;
 use proptest::prelude::*;
 use std::ops::ControlFlow;
 use tilewright_scenes::packet::{EMPTY, FARTHEST_VERTEX, NEAREST_VERTEX};

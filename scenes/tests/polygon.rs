@@ -1,7 +1,6 @@
 //! Polygon set-up against the exact oracle of triangles (facts E0, A3; MPG-RP).
 
-mod oracle;
-
+use crate::oracle;
 use proptest::prelude::*;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, MOST_EDGES, NEAREST_VERTEX};
 use tilewright_scenes::{

@@ -1,6 +1,6 @@
 //! Every bad input ends in exit code 2 and a sentence that names the place and the remedy; nothing is written.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 const OBJ: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 

@@ -1,6 +1,6 @@
 //! `bench`.
 
-use crate::harness::{Folder, Run};
+use crate::cli::harness::{Folder, Run};
 use serde_json::Value;
 use tilewright_benches::{Subject, reset};
 use tilewright_sim::{EngineKind, Simulation};

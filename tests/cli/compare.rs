@@ -1,6 +1,6 @@
 //! `compare`.
 
-use crate::harness::{Folder, PYRAMID};
+use crate::cli::harness::{Folder, PYRAMID};
 use serde_json::{Value, json};
 use tilewright_scenes::{Frame, compare_colours};
 

@@ -1,6 +1,6 @@
 //! Golden images of deferred shading, and of eight samples.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use serde_json::json;
 use tilewright_scenes::Frame;
 

@@ -1,6 +1,6 @@
 //! The same command gives the same bytes, wherever it runs. Of the pages of `reproduce` that is seen where all of them are made.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 const LINES: [&str; 7] = [
     "render pyramid.obj --size 32x24 --processors 2 -o frame.png --vcd run.vcd --json",

@@ -1,7 +1,7 @@
 //! Every command line that the help texts and the README show runs as it stands.
 
-use crate::harness::Folder;
-use crate::reproduce::made::made;
+use crate::cli::harness::Folder;
+use crate::cli::reproduce::made::made;
 use std::collections::BTreeSet;
 
 /// The subcommands, from the program's own list.

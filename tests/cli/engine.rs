@@ -1,6 +1,6 @@
 //! `--engine` of `render` and `wave`.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 /// A scene of few clocks.
 const FILES: &[(&str, &str)] = &[("triangle.obj", "v -1 0 -1\nv 1 0 -1\nv 0 1.5 0\nf 1 2 3\n")];

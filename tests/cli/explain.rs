@@ -1,6 +1,6 @@
 //! `explain`.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 #[test]
 fn a_pass_is_shown_with_the_users_names_and_source_lines() {

@@ -1,7 +1,7 @@
 //! Signals during a run: the waveform opens, and sentence and exit code say what happened.
 #![cfg(unix)]
 
-use crate::harness::{Folder, Run, Waveform};
+use crate::cli::harness::{Folder, Run, Waveform};
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 use std::process::{Child, Command, Stdio};
@@ -114,7 +114,7 @@ fn a_run_below_nohup_goes_on_when_the_terminal_goes_away() {
     handle_signals();
     let folder = Folder::new();
     let mut shell = Command::new("sh");
-    let line = format!("trap '' HUP; exec {} {LONG}", crate::harness::PROGRAM);
+    let line = format!("trap '' HUP; exec {} {LONG}", crate::cli::harness::PROGRAM);
     shell.args(["-c", &line]).current_dir(folder.path(".")).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = shell.spawn().unwrap();
     await_waveform(&folder, &mut child, "long.vcd");

@@ -1,7 +1,7 @@
 //! Full disks, limits of the system and names that are no text: a sentence, an exit code, and nothing torn.
 #![cfg(unix)]
 
-use crate::harness::{Folder, Run, Waveform};
+use crate::cli::harness::{Folder, Run, Waveform};
 use std::ffi::OsStr;
 use std::fs;
 use std::os::unix::ffi::OsStrExt;

@@ -1,6 +1,6 @@
 //! Scenes of lines: every machine draws them, and `list` and `golden` count them.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 /// A square in wireframe, and a polyline before it; a face and a line.
 const FILES: &[(&str, &str)] = &[

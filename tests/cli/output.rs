@@ -1,6 +1,6 @@
 //! Outputs that cannot be written, readers that go away, and what goes where.
 
-use crate::harness::{Folder, PYRAMID, Run, Waveform};
+use crate::cli::harness::{Folder, PYRAMID, Run, Waveform};
 use std::process::Stdio;
 
 const RENDER: &str = "render pyramid.obj --size 32x24 --processors 1";

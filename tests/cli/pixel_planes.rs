@@ -1,6 +1,6 @@
 //! `render --machine pixel-planes-5`, and what `list` says of it.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use serde_json::json;
 
 const SMALL: &str = "render pyramid.obj --machine pixel-planes-5 --size 32x24 --renderers 2 --region 16";

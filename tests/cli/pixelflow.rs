@@ -1,6 +1,6 @@
 //! `render --machine pixelflow`, and what goes wrong with it.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use serde_json::json;
 use tilewright_scenes::Frame;
 

@@ -1,7 +1,7 @@
 //! What an output may be written over, and what not.
 #![cfg(unix)]
 
-use crate::harness::{Folder, Waveform};
+use crate::cli::harness::{Folder, Waveform};
 use std::fs;
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::process::Command;

@@ -1,6 +1,6 @@
 //! `render --machine quadtree`, and what `list` says of it.
 
-use crate::harness::{Folder, PYRAMID, Waveform};
+use crate::cli::harness::{Folder, PYRAMID, Waveform};
 use serde_json::{Value, json};
 
 const SMALL: &str = "render pyramid.obj --machine quadtree --size 32x24 --matrix 2x2 --form stack";

@@ -1,6 +1,6 @@
 //! `render` and `golden`.
 
-use crate::harness::{Folder, PYRAMID, Waveform};
+use crate::cli::harness::{Folder, PYRAMID, Waveform};
 use serde_json::json;
 use tilewright_scenes::Frame;
 

@@ -1,6 +1,6 @@
 //! Scenes of spheres: pixel-planes-5 draws them, and everything else says that it does not.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use serde_json::json;
 
 /// Two balls that cut each other and a face; and balls alone.

@@ -1,7 +1,7 @@
 //! Pictures and waveforms on standard output, and commands that are to be quiet.
 #![cfg(unix)]
 
-use crate::harness::{Folder, Run};
+use crate::cli::harness::{Folder, Run};
 use std::fs;
 
 const GOLDEN: &str = "golden teapot --size 32x24 -o";

@@ -1,7 +1,7 @@
 //! What reaches a terminal: no control characters out of files, no endless lines, and progress that fits.
 #![cfg(unix)]
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 #[test]
 fn content_of_files_does_not_steer_the_terminal() {

@@ -1,6 +1,6 @@
 //! `verilog`.
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 
 fn has_icarus(folder: &Folder) -> bool {
     let found = folder.shell("iverilog -V").code == Some(0);

@@ -1,6 +1,6 @@
 //! `wave`.
 
-use crate::harness::{Folder, Waveform};
+use crate::cli::harness::{Folder, Waveform};
 
 #[test]
 fn a_scenario_becomes_a_waveform_that_opens_with_its_signals() {

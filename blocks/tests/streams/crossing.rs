@@ -1,7 +1,7 @@
 //! The queue between two clocks.
 
-use crate::property::{BOTH, End, through};
-use crate::stalls::stalls;
+use crate::streams::property::{BOTH, End, through};
+use crate::streams::stalls::stalls;
 use proptest::prelude::*;
 use tilewright_blocks::{DualClockFifo, StreamIn, StreamOut};
 use tilewright_hdl::{Clock, Period};

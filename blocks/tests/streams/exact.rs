@@ -1,6 +1,6 @@
 //! The blocks of streams clock by clock.
 
-use crate::clocks::play;
+use crate::streams::clocks::play;
 use tilewright_blocks::*;
 use tilewright_hdl::Block;
 use tilewright_sim::Simulation;

@@ -1,7 +1,7 @@
 //! Functions of numbers between streams.
 
-use crate::property::FORWARD;
-use crate::stalls::{passed, stalls};
+use crate::streams::property::FORWARD;
+use crate::streams::stalls::{passed, stalls};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 use tilewright_blocks::*;

@@ -1,6 +1,6 @@
 //! The property finds what it is to find.
 
-use crate::property::{BACKWARD, Cuts, End, FORWARD, NONE, Stalls, through};
+use crate::streams::property::{BACKWARD, Cuts, End, FORWARD, NONE, Stalls, through};
 use tilewright_blocks::{RegisterSlice, Slice, StreamIn, StreamOut};
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;

@@ -1,8 +1,8 @@
 //! A coverage test of windows in three forms behind one interface: a stage a level, a stack, and side by side. `hdl/docs/lines.md` shows lines
 //! of them.
 
-use crate::property::Stalls;
-use crate::stalls::stalls;
+use crate::streams::property::Stalls;
+use crate::streams::stalls::stalls;
 use proptest::prelude::*;
 use tilewright_blocks::*;
 use tilewright_gen::{testbench, tools, verilog};

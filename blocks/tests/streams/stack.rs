@@ -1,8 +1,8 @@
 //! The stack, against one in software.
 
-use crate::clocks::play;
-use crate::property::Stalls;
-use crate::stalls::stalls;
+use crate::streams::clocks::play;
+use crate::streams::property::Stalls;
+use crate::streams::stalls::stalls;
 use proptest::prelude::*;
 use tilewright_blocks::Lifo;
 use tilewright_sim::{Pauses, Simulation, monitor};

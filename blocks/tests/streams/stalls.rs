@@ -1,6 +1,6 @@
 //! Every block of streams under random stalls.
 
-use crate::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
+use crate::streams::property::{BACKWARD, BOTH, Cuts, End, FORWARD, NONE, Stalls, through};
 use proptest::prelude::*;
 use tilewright_blocks::*;
 use tilewright_hdl::{Block, Bundle, Module, Stream, Width, below, bits, lit, stream};

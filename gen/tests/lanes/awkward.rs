@@ -1,7 +1,7 @@
 //! Modules with lanes that some tool has or had something to say of.
 
-use crate::build::Build;
-use crate::modules::zero;
+use super::build::Build;
+use super::modules::zero;
 use tilewright_hdl::ir::*;
 
 /// So many lanes to pick from.

@@ -1,6 +1,6 @@
 //! `mux`, `select` and `case`.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

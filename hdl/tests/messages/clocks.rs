@@ -1,6 +1,6 @@
 //! Clocks, and paths between them.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Elaborations inside of others, and those that a panic ends.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

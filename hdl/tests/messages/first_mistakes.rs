@@ -1,6 +1,6 @@
 //! One mistake is one problem: nothing false follows from what stands in for it.
 
-use crate::common::{FAST, Inverter, Lamp, Link};
+use crate::messages::common::{FAST, Inverter, Lamp, Link};
 use tilewright_hdl::*;
 
 bundle! {

@@ -1,6 +1,6 @@
 //! Handles used where they mean nothing: in another module, in another elaboration, outside of one.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

@@ -1,6 +1,6 @@
 //! What feeds instances and arrays.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Numbers that no place, width or value can be.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

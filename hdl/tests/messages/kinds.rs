@@ -1,6 +1,6 @@
 //! What is signed, what is a code of an enum, and where they do not mix.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 codes! {

@@ -1,6 +1,6 @@
 //! Numbers of any size: each is taken, or is a problem with its line.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 const NUMBERS: [i128; 12] = [

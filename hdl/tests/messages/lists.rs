@@ -1,6 +1,6 @@
 //! Lists in bundles, and lanes of arrays, of another length than where they go.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 bundle! {

@@ -1,6 +1,6 @@
 //! Combinational loops.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Names that clash or that no port, net, instance or module may have.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

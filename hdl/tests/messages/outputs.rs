@@ -1,6 +1,6 @@
 //! Outputs that are not as their block declares them.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 bundle! {

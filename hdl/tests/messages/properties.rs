@@ -1,6 +1,6 @@
 //! Assertions, assumptions, covers, past values; initial values and attributes.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

@@ -1,6 +1,6 @@
 //! Parameters that are out of their ranges.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 block! {

@@ -1,6 +1,6 @@
 //! Records that do not fit where they are given.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 bundle! {

@@ -1,6 +1,6 @@
 //! What messages say to do, where other tests show what they say is wrong.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 codes! { enum Operation { Add, Subtract, And } }

@@ -1,6 +1,6 @@
 //! How problems are reported: all at once, each at the user's own line.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 /// Also where the language calls itself in a closure, which is its own caller.

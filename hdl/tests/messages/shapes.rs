@@ -1,6 +1,6 @@
 //! Rows and grids where they do not fit.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 fn lanes(m: Module, name: &str, shape: Shape) -> Signal {

@@ -1,6 +1,6 @@
 //! Values of different stages of a pipeline that meet.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 bundle! {

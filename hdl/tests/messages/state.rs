@@ -1,6 +1,6 @@
 //! Registers, wires and memories.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

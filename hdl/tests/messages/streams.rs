@@ -1,6 +1,6 @@
 //! Streams: what is not taken, what is taken twice, and what is none.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 bundle! {

@@ -1,6 +1,6 @@
 //! Inputs that nothing uses.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 /// Leaves an input unused.

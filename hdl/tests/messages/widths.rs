@@ -1,6 +1,6 @@
 //! Widths that differ, that change wrongly, or that nothing may have.
 
-use crate::common::*;
+use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]

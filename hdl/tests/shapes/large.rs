@@ -1,7 +1,7 @@
 //! What is regular takes few nodes.
 
-use crate::build::Build;
-use crate::machines::{processors, systolic};
+use super::build::Build;
+use crate::shapes::machines::{processors, systolic};
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::{Op, Shape};
 

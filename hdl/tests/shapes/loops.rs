@@ -1,6 +1,6 @@
 //! A chain from lane to lane is no loop unless a lane comes back to itself.
 
-use crate::build::Build;
+use super::build::Build;
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::*;
 

@@ -2,7 +2,7 @@
 
 #![allow(dead_code)] // Each test takes what it needs.
 
-use crate::build::Build;
+use super::build::Build;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, index_width};
 

@@ -1,6 +1,6 @@
 //! Edits of expressions.
 
-use crate::common::*;
+use crate::validate::common::*;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::*;
 

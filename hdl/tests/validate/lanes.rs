@@ -1,6 +1,6 @@
 //! Circuits that break a rule of lanes: each rule has its sentence.
 
-use crate::build::Build;
+use crate::shapes::build::Build;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design};
 

@@ -1,6 +1,6 @@
 //! Edits of what holds state, of ports and of instances.
 
-use crate::common::*;
+use crate::validate::common::*;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design, Period};
 

@@ -1,6 +1,6 @@
 //! What no edit breaks, and edits of names, of paths through the design and of its size.
 
-use crate::common::*;
+use crate::validate::common::*;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design, Period};
 

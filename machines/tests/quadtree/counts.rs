@@ -1,6 +1,6 @@
 //! What the hardware counts is what the plain model counts, and its clocks are those of the paper's cost model.
 
-use crate::polygons::{BOTH, random, render, size};
+use crate::quadtree::polygons::{BOTH, random, render, size};
 use tilewright_machines::quadtree::{
     Config, Costs, Queues, Rectangles, Report, Search, Stages, Test, UnitReport, Windows,
 };

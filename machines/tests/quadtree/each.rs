@@ -2,9 +2,9 @@
 //! windows, to the clock.
 //!
 //! The tests that are always run take some polygons. 10,000, in six minutes of processor time, with what was counted:
-//! `cargo test --release -p tilewright-machines --test quadtree -- --ignored --nocapture each`.
+//! `cargo test --release -p tilewright-machines --test all -- --ignored --nocapture quadtree::each`.
 
-use crate::polygons::{BOTH, Random, size};
+use crate::quadtree::polygons::{BOTH, Random, size};
 use std::time::Instant;
 use tilewright_machines::Watch;
 use tilewright_machines::quadtree::model::{Counts, Model, Packets, Run, Simulated};

@@ -1,6 +1,6 @@
 //! Every frame is the golden one.
 
-use crate::polygons::{BACKGROUND, random, render, scene, size};
+use crate::quadtree::polygons::{BACKGROUND, random, render, scene, size};
 use tilewright_machines::quadtree::{Config, Queues, Test};
 use tilewright_scenes::{Polygon, compare, golden};
 
@@ -83,7 +83,7 @@ fn of_equal_depths_the_first_stays_where_that_is_asked_for() {
     }
 }
 
-/// The paper's screen with its largest matrix, and the VC-1's: `cargo test --release -p tilewright-machines --test quadtree -- --ignored`.
+/// The paper's screen with its largest matrix, and the VC-1's: `cargo test --release -p tilewright-machines --test all -- --ignored quadtree::images`.
 #[test]
 #[ignore = "takes minutes in the profile of tests"]
 fn large_screens_are_drawn() {

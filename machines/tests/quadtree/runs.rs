@@ -1,6 +1,6 @@
 //! A machine's manners: several frames, progress, cancellation, waveforms, and what it refuses.
 
-use crate::polygons::{BACKGROUND, machine, random, render, size};
+use crate::quadtree::polygons::{BACKGROUND, machine, random, render, size};
 use std::io::BufReader;
 use std::sync::atomic::{AtomicBool, Ordering};
 use tilewright_machines::quadtree::{Config, Machine, Queues};

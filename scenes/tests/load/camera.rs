@@ -1,6 +1,6 @@
 //! The camera that frames a mesh by itself, and pictures in which nothing is drawn.
 
-use crate::{TRIANGLE, folder, load};
+use crate::load::{TRIANGLE, folder, load};
 use glam::{DVec3, dvec3};
 use std::fs;
 use tilewright_scenes::{BoundingBox, Camera, Counts, Projection, Scene, ScreenVertex, Size, golden, set_up};

@@ -1,6 +1,6 @@
 //! Faces of more than three corners: cut into triangles that cover each point of the face once and nothing else.
 
-use crate::{folder, load};
+use crate::load::{folder, load};
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
 use std::f64::consts::TAU;

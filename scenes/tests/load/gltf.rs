@@ -1,6 +1,6 @@
 //! glTF files: the pictures of good ones, and what is drawn in another way.
 
-use crate::{folder, load, same_pictures, warned};
+use crate::load::{folder, load, same_pictures, warned};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::dvec2;

@@ -1,7 +1,7 @@
 //! Every bad glTF file, with its whole sentence.
 
-use crate::gltf::{Builder, F32, POSITIONS, SCENE, U8, bytes_of};
-use crate::{bytes_error, folder, load};
+use crate::load::gltf::{Builder, F32, POSITIONS, SCENE, U8, bytes_of};
+use crate::load::{bytes_error, folder, load};
 use std::fs;
 
 const MESH: &str = "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}]";
@@ -235,6 +235,6 @@ fn a_picture_that_is_nowhere_is_an_error_of_deferred_shading_alone() {
         let error = scene.mesh.materials().unwrap().textures[0].clone().unwrap_err().to_string();
         assert_eq!(error.replace(&format!("{}/", folder.display()), ""), format!("a.gltf: {sentence}"));
         let missing = "its primitives without the texture coordinates of their material have no texture";
-        assert_eq!(crate::warned(&scene, &folder), [format!("a.gltf: {missing}")]);
+        assert_eq!(crate::load::warned(&scene, &folder), [format!("a.gltf: {missing}")]);
     }
 }

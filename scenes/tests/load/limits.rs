@@ -1,6 +1,6 @@
 //! What is too large is refused in a sentence that states the limit, and before it fills the memory.
 
-use crate::{TRIANGLE, folder, load, obj_error};
+use crate::load::{TRIANGLE, folder, load, obj_error};
 use std::fs::File;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! Polylines of OBJ files, and wireframes.
 
-use crate::{TRIANGLE, folder, load, obj_error, toml_error};
+use crate::load::{TRIANGLE, folder, load, obj_error, toml_error};
 use tilewright_scenes::{Counts, Scene};
 
 const SQUARE: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";

@@ -1,6 +1,6 @@
 //! OBJ files and their materials: good ones, and every bad one with its whole sentence.
 
-use crate::{TRIANGLE, folder, load, obj_error};
+use crate::load::{TRIANGLE, folder, load, obj_error};
 use glam::{DVec3, dvec3};
 use std::fs;
 

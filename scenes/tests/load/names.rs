@@ -1,6 +1,6 @@
 //! Names in OBJ and MTL files: bytes up to the end of the line, and files that are matched by what exists.
 
-use crate::{TRIANGLE, folder, load, obj_error};
+use crate::load::{TRIANGLE, folder, load, obj_error};
 use std::fs;
 use tilewright_scenes::Scene;
 

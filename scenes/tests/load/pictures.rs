@@ -1,6 +1,6 @@
 //! Textures as they come: JPEG beside PNG, of any size and depth, and what is lost of each.
 
-use crate::{folder, load, warned};
+use crate::load::{folder, load, warned};
 use image::{DynamicImage, ImageBuffer, Luma, LumaA, Rgba};
 use std::fs;
 use std::path::Path;

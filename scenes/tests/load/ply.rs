@@ -1,6 +1,6 @@
 //! PLY files: the pictures of good ones, and every bad one with its whole sentence.
 
-use crate::{bytes_error, folder, load, pictures, same_pictures, warned};
+use crate::load::{bytes_error, folder, load, pictures, same_pictures, warned};
 use glam::{DVec3, dvec2};
 use std::fs;
 use tilewright_scenes::{Frame, Size};

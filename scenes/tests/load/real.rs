@@ -3,8 +3,8 @@
 //! The files are in `tests/data/real`, a folder for each. A picture is a grid of letters, rows from the top; each stands for the colour in the middle of its
 //! part of the frame. Light comes from everywhere, so colours are those of the files.
 
-use crate::folder;
-use crate::real_cases::{CASES, Case};
+use crate::load::folder;
+use crate::load::real_cases::{CASES, Case};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tilewright_scenes::deferred::{Samples, project_deferred};

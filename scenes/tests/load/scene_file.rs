@@ -1,6 +1,6 @@
 //! Scene files in TOML: a good one, and every bad one with its whole sentence.
 
-use crate::{TRIANGLE, folder, load, toml_error};
+use crate::load::{TRIANGLE, folder, load, toml_error};
 use glam::dvec3;
 use tilewright_scenes::sphere::Sphere;
 use tilewright_scenes::{Mesh, Scene, project_polygons};

@@ -1,6 +1,6 @@
 //! What is quoted of a file is short and harmless, and a file in another encoding is named as such.
 
-use crate::{TRIANGLE, folder, load, obj_error, toml_error};
+use crate::load::{TRIANGLE, folder, load, obj_error, toml_error};
 use std::fs;
 
 /// Takes the title of a terminal's window, in terminals that let it.

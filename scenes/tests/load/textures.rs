@@ -1,6 +1,6 @@
 //! Textures and highlights of OBJ and scene files: good ones, and every bad one with its whole sentence.
 
-use crate::{TRIANGLE, folder, load, toml_error};
+use crate::load::{TRIANGLE, folder, load, toml_error};
 use glam::dvec2;
 use std::fs;
 use std::path::Path;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::store::Store;
+use crate::circuits::store::Store;
 use tilewright_hdl::{
     Bits, Block, Design, Module, ReadUnderWrite, Width, bits, bundle, cat, codes, constants, elaborate, mux, stack,
     when,

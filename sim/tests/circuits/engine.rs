@@ -1,4 +1,4 @@
-//! The engine that the tests of [`every_engine`](crate::every_engine) run on: the compiled one, or the one that the environment names.
+//! The engine that the tests of [`every_engine`](crate::circuits::every_engine) run on: the compiled one, or the one that the environment names.
 
 use std::env;
 use std::process::Command;

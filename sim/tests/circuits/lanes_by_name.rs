@@ -6,7 +6,7 @@ use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design};
 use tilewright_sim::{Error, Simulation, Vcd};
 
-use crate::build::Build;
+use crate::circuits::build::Build;
 
 /// A row of counters with starts of their own, a grid of their sums, a memory a lane, and a condition on each.
 fn machine() -> Design {

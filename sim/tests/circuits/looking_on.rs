@@ -5,7 +5,7 @@ use std::path::Path;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, lit, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation, Vcd};
 
-use crate::store::Store;
+use crate::circuits::store::Store;
 
 bundle! {
     pub struct In<T> { pub add: T, pub gate: T, pub wide: T, pub go: T }

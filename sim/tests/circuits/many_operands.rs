@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, Signal, bits, block, case, concat, elaborate, lit, mux, select};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 /// More operands than any step has, and than those that are looked for in few values.
 const OPERANDS: u32 = 1500;

@@ -5,7 +5,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 block! {
     /// Rows of registers and of memories, which change by an operation that all lanes share.

@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, bits, block, elaborate, grid, row, stack};
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 block! {
     /// Rows from inputs, from words and computed ones, which neighbours look at; and all lanes of one in a value.

@@ -4,7 +4,7 @@ use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::build::Build;
+use crate::circuits::build::Build;
 
 /// All passes, none, and all but one, with code for held inputs and functions that are cut early.
 fn every_passes() -> Vec<Passes> {

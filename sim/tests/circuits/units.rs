@@ -6,7 +6,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 bundle! {
     struct LaneIn<T> { go: T, x: T, own: T }

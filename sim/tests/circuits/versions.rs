@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, ReadUnderWrite, Signal, bit, bits, block, case, constants, elaborate, lit, mux, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 block! {
     /// Processors under one instruction, whose fields choose what all of them do.

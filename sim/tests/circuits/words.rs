@@ -3,7 +3,7 @@
 use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, bit, bits, block, constants, elaborate, grid, row};
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 
-use crate::random::Random;
+use crate::circuits::random::Random;
 
 const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));

@@ -3,7 +3,7 @@
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Width, bits, bundle, cat, lit, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with, is};
+use crate::passes::{after, after_with, is};
 
 bundle! {
     pub struct WordsIn<T> { pub address: T, pub x: T }

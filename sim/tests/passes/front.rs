@@ -3,7 +3,7 @@
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, constants, stack};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with, is};
+use crate::passes::{after, after_with, is};
 
 bundle! {
     pub struct CellIn<T> { pub x: T, pub op: T }

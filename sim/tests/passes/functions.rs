@@ -3,7 +3,7 @@
 use tilewright_hdl::{Bits, Block, Module, Width, bit, bits, bundle, case, cat, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with, is};
+use crate::passes::{after, after_with, is};
 
 bundle! {
     pub struct CounterIn<T> { pub enable: T, pub from: T }

@@ -3,7 +3,7 @@
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, block, bundle, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with, is};
+use crate::passes::{after, after_with, is};
 
 bundle! {
     pub struct MixIn<T> { pub all: T }

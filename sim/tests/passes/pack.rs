@@ -3,7 +3,7 @@
 use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, grid, interleave, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with, is};
+use crate::passes::{after, after_with, is};
 
 block! {
     /// A square of bits that are moved down, and summed up in a plane of memory.

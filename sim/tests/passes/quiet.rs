@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, ReadUnderWrite, bits, block, case, row};
 use tilewright_sim::Pass;
 
-use crate::{after, is};
+use crate::passes::{after, is};
 
 block! {
     /// A row of sums that a command changes, and words that are written.

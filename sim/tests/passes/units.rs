@@ -3,7 +3,7 @@
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, def, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after, after_with};
+use crate::passes::{after, after_with};
 
 bundle! {
     pub struct NodeIn<T> { pub go: T, pub x: T }

@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, bit, bits, block, mux, row};
 use tilewright_sim::{Pass, Passes};
 
-use crate::{after_with, is};
+use crate::passes::{after_with, is};
 
 block! {
     /// A row of numbers that are mixed; what little two fields of an instruction choose is not worth loops of their own.

@@ -1,7 +1,7 @@
 //! The page of all machines, and those of the papers in folders beside it.
 
 use super::made::made;
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use tilewright_report::browser;
 
 #[test]

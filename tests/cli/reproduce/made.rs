@@ -1,6 +1,6 @@
 //! Pages as the commands of the help texts and of the README make them, each once for all tests that look at it.
 
-use crate::harness::{Folder, Run};
+use crate::cli::harness::{Folder, Run};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock};

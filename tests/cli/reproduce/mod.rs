@@ -6,7 +6,7 @@ mod pixel_planes;
 mod pixelflow;
 mod quadtree;
 
-use crate::harness::Folder;
+use crate::cli::harness::Folder;
 use made::Made;
 use serde_json::Value;
 use tilewright_report::browser;

@@ -94,13 +94,18 @@ impl Testbench<'_> {
     ///
     /// impl Negate {
     ///     fn build(&self, m: Module, i: NegateIn) -> NegateOut {
-    ///         let (negated, sent) = m.offer(i.numbers.valid, -*i.numbers);
-    ///         i.numbers.take_when(sent);
+    ///         def!(full = m.reg(bit()).reset(0));
+    ///         def!(negative = m.reg(bits(8).signed()));
+    ///         let (negated, sent) = m.offer(full, *negative);
+    ///         let numbers = i.numbers.take_when(!full | sent);
+    ///         negative.when(numbers.taken, -*numbers);
+    ///         full.when(numbers.taken, 1).when(sent, 0);
     ///         NegateOut { negated }
     ///     }
     /// }
     ///
     /// let mut sim = Simulation::of(&Negate)?;
+    /// sim.reset();
     /// let (numbers, negated, t) = (sim.i.numbers, sim.o.negated, sim.testbench());
     /// let ((), seen) = t.run((t.send(numbers, 3), t.receive_i64(negated)));
     /// assert_eq!(seen, -3);

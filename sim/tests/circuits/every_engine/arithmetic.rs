@@ -1,6 +1,6 @@
 //! Every operator at every width against big integers.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use num_bigint::BigUint;
 use proptest::prelude::*;
 use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle, case, mux, select};

@@ -1,6 +1,6 @@
 //! Instance arrays as lanes: against the same circuit as single instances, nested, and unrolled where they must be.
 
-use crate::engine::{engine, of};
+use crate::circuits::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, Module as IrModule, Node, NodeId, Op, Reduction, Shape};
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, bundle, constants, elaborate, mux};

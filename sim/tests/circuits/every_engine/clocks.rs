@@ -1,7 +1,7 @@
 //! Several clocks: the order of edges, what crosses, and memories between two clocks against a plain model.
 
-use crate::engine::of;
-use crate::store::{FAST, SLOW, Store, StoreIn, StoreOut};
+use crate::circuits::engine::of;
+use crate::circuits::store::{FAST, SLOW, Store, StoreIn, StoreOut};
 use proptest::prelude::*;
 use tilewright_hdl::{Block, Module, ReadUnderWrite, Signal, bits, bundle, lit};
 

@@ -1,6 +1,6 @@
 //! Signed values and codes of enums, stored, sent and chosen by.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Vcd};

@@ -1,6 +1,6 @@
 //! Rows and grids as the language says them, against plain loops.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::*;
 

@@ -1,6 +1,6 @@
 //! Lists of ports, set and read in one call.
 
-use crate::engine::{engine, of};
+use crate::circuits::engine::{engine, of};
 use tilewright_hdl::{Bits, Block, Module, Width, bits, bundle};
 use tilewright_sim::Batch;
 

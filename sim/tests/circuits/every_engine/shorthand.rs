@@ -1,6 +1,6 @@
 //! Operations that are made of others, against Rust's own.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::{Block, Module, Width, below, bits, bundle, lit};
 

@@ -2,7 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use tilewright_hdl::*;
 use tilewright_sim::{Error, Pauses, Simulation};
 

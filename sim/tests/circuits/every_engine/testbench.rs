@@ -1,6 +1,6 @@
 //! The testbench interface: setting, reading, stepping, looking inside, and every error.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, def, mux, when};
 use tilewright_sim::{EngineKind, Error, Simulation};
 

@@ -1,6 +1,6 @@
 //! Runs that end where a condition holds.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use tilewright_hdl::{Block, Clock, Module, Period, Width, bit, bits, bundle};
 use tilewright_sim::{Error, Simulation, Vcd};
 

@@ -1,6 +1,6 @@
 //! What a register takes by priority, against a plain model.
 
-use crate::engine::of;
+use crate::circuits::engine::of;
 use proptest::prelude::*;
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle};
 

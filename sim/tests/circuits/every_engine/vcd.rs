@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::engine::{engine, of};
+use crate::circuits::engine::{engine, of};
 use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, codes, stack, when};
 use tilewright_sim::{Error, Vcd};
 

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::engine::{engine, of};
+use crate::circuits::engine::{engine, of};
 use proptest::prelude::*;
 use tilewright_hdl::{
     Bits, Block, Clock, Module, Period, ReadUnderWrite, Width, bit, bits, bundle, codes, hold, mux, stack, when,

@@ -5,6 +5,3 @@ mod expressions;
 mod lanes;
 mod objects;
 mod whole;
-
-#[path = "../shapes/build.rs"]
-mod build;

@@ -1,6 +1,6 @@
 //! Modules with lanes, of which every linter finds nothing to say.
 
-use crate::build::Build;
+use super::build::Build;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::*;
 

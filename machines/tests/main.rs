@@ -1,0 +1,6 @@
+//! The machines: their frames, their counters and their parts, against models without hardware.
+
+mod pixel_planes;
+mod pixelflow;
+mod quadtree;
+mod vc1;

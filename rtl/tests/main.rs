@@ -1,0 +1,4 @@
+//! The blocks of the machines: their catalogue and their Verilog.
+
+mod catalog;
+mod verilog;

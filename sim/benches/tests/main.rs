@@ -1,0 +1,4 @@
+//! The benches: what they compute, and their Verilog.
+
+mod checksums;
+mod verilog;

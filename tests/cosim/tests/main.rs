@@ -1,0 +1,8 @@
+//! The simulator and other simulators on the printed Verilog.
+
+mod blocks;
+mod campaign;
+mod matrix;
+mod pitfalls;
+mod recordings;
+mod waveforms;

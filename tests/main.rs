@@ -1,0 +1,5 @@
+//! The program, its documents and its examples, as their readers meet them.
+
+mod cli;
+mod examples;
+mod readme;
