@@ -128,7 +128,7 @@ fn a_run_below_nohup_goes_on_when_the_terminal_goes_away() {
 /// The tests pass below `nohup`, and in the background of a shell.
 #[test]
 fn what_is_ignored_here_is_not_ignored_by_what_is_started() {
-    let test = "interruption::an_interrupted_scenario_leaves_a_waveform_that_opens";
+    let test = "cli::interruption::an_interrupted_scenario_leaves_a_waveform_that_opens";
     let tests = std::env::current_exe().unwrap();
     let line = format!("trap '' HUP INT TERM; exec '{}' --exact {test}", tests.display());
     let run = Run::of(Command::new("sh").args(["-c", &line]).output().unwrap());
