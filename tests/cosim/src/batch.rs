@@ -80,7 +80,7 @@ pub const PATIENCE: u64 = 300;
 ///
 /// The tool does not run them; one design is enough for that.
 pub fn run(tool: Tool, designs: &[Printed], seconds: u64) -> Result<Vec<Option<String>>, Refused> {
-    let folder = TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made");
+    let folder = temporary_folder();
     // Designs may share modules, of one text.
     let mut files: BTreeMap<&str, &str> = BTreeMap::new();
     let mut text = String::new();
@@ -158,6 +158,11 @@ fn verdicts(output: &str, designs: &[Printed]) -> Vec<Option<String>> {
         }
     };
     designs.iter().enumerate().map(verdict).collect()
+}
+
+/// A folder of this program, gone when it is dropped.
+pub(crate) fn temporary_folder() -> TempDir {
+    TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made")
 }
 
 fn icarus(folder: &TempDir, seconds: u64) -> Result<String, Refused> {

@@ -1,8 +1,7 @@
 //! One design through all tools: what our simulator records of it must be what the others make of the printed Verilog.
 
-use crate::batch::Printed;
+use crate::batch::{Printed, temporary_folder};
 use crate::dump::{for_yosys, unreliable_reads};
-use tempfile::TempDir;
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};
 use tilewright_hdl::Design;
@@ -78,10 +77,6 @@ impl Run {
         std::fs::write(&dump, for_yosys(&self.dump, &unreliable_reads(design))).expect("a dump can be written");
         tools::yosys_replay_vcd(&self.printed.files, &dump, &top.name, &clocks).map(|_| ())
     }
-}
-
-fn temporary_folder() -> TempDir {
-    TempDir::with_prefix("tilewright-cosim-").expect("a temporary folder can be made")
 }
 
 #[cfg(test)]
