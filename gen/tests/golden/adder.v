@@ -2,7 +2,7 @@
 //
 // Parameters  adder
 // Latency     0 clocks
-// Described   gen/tests/lanes/mod.rs:240
+// Described   gen/tests/lanes/modules.rs:240
 `default_nettype none
 
 module adder (
@@ -11,6 +11,6 @@ module adder (
     output wire [7:0] sum
 );
 
-    assign sum = x + y;                                          // gen/tests/lanes/mod.rs:242
+    assign sum = x + y;                                          // gen/tests/lanes/modules.rs:242
 endmodule
 `default_nettype wire

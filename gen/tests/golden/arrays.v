@@ -1,7 +1,7 @@
 // arrays
 //
 // Parameters  arrays
-// Described   gen/tests/lanes/mod.rs:214
+// Described   gen/tests/lanes/modules.rs:214
 `default_nettype none
 
 module arrays (
@@ -19,7 +19,7 @@ module arrays (
     genvar j;
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : u_cell                 // gen/tests/lanes/mod.rs:232
+        for (i = 0; i < 3; i = i + 1) begin : u_cell                 // gen/tests/lanes/modules.rs:232
             for (j = 0; j < 4; j = j + 1) begin : col
                 wire [7:0] sum;
                 wire [7:0] lane_x;

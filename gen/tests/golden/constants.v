@@ -2,7 +2,7 @@
 //
 // Parameters  constants
 // Latency     0 clocks
-// Described   gen/tests/lanes/mod.rs:173
+// Described   gen/tests/lanes/modules.rs:173
 `default_nettype none
 
 module constants (

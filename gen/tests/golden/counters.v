@@ -1,7 +1,7 @@
 // counters
 //
 // Parameters  counters
-// Described   gen/tests/lanes/mod.rs:13
+// Described   gen/tests/lanes/modules.rs:13
 `default_nettype none
 
 module counters (
@@ -41,11 +41,11 @@ module counters (
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge clk) begin
-                if (!rst) assert (!done | (count >= limits[i * 8 +: 8]));    // gen/tests/lanes/mod.rs:34
+                if (!rst) assert (!done | (count >= limits[i * 8 +: 8]));    // gen/tests/lanes/modules.rs:34
             end
             `else
             always @(posedge clk) begin
-                if (!rst && !(!done | (count >= limits[i * 8 +: 8]))) begin  // gen/tests/lanes/mod.rs:34
+                if (!rst && !(!done | (count >= limits[i * 8 +: 8]))) begin  // gen/tests/lanes/modules.rs:34
                     $display("FAIL: time %0t: %m: done at the limit", $time);
                     stop;
                 end
@@ -61,7 +61,7 @@ module counters (
             assign any_lanes[i] = row[i].done;
         end
     endgenerate
-    assign any = |any_lanes;                                     // gen/tests/lanes/mod.rs:26
+    assign any = |any_lanes;                                     // gen/tests/lanes/modules.rs:26
     generate
         for (i = 0; i < 9; i = i + 1) begin : most_tree
             wire [7:0] value;
@@ -74,7 +74,7 @@ module counters (
             end
         end
     endgenerate
-    assign most = most_tree[8].value;                            // gen/tests/lanes/mod.rs:28
+    assign most = most_tree[8].value;                            // gen/tests/lanes/modules.rs:28
     generate
         for (i = 0; i < 5; i = i + 1) begin : counts_of
             assign counts[i * 8 +: 8] = row[i].count;

@@ -1,7 +1,7 @@
 // memories
 //
 // Parameters  memories
-// Described   gen/tests/lanes/mod.rs:87
+// Described   gen/tests/lanes/modules.rs:87
 `default_nettype none
 
 module memories (
@@ -20,10 +20,10 @@ module memories (
     output wire [31:0] later
 );
 
-    reg [31:0] wide [0:15];                                      // gen/tests/lanes/mod.rs:92
-    reg [31:0] wide_read0;                                       // gen/tests/lanes/mod.rs:95
-    reg [31:0] wide_read1;                                       // gen/tests/lanes/mod.rs:96
-    reg [5:0] plain [0:9];                                       // gen/tests/lanes/mod.rs:98
+    reg [31:0] wide [0:15];                                      // gen/tests/lanes/modules.rs:92
+    reg [31:0] wide_read0;                                       // gen/tests/lanes/modules.rs:95
+    reg [31:0] wide_read1;                                       // gen/tests/lanes/modules.rs:96
+    reg [5:0] plain [0:9];                                       // gen/tests/lanes/modules.rs:98
 
     initial begin : wide_contents
         integer word_i;
@@ -32,14 +32,14 @@ module memories (
         wide[1] = 32'h03020100;
     end
 
-    assign now = wide[address];                                  // gen/tests/lanes/mod.rs:97
-    assign texel = (address < 4'd10) ? plain[address] : 6'd0;    // gen/tests/lanes/mod.rs:101
+    assign now = wide[address];                                  // gen/tests/lanes/modules.rs:97
+    assign texel = (address < 4'd10) ? plain[address] : 6'd0;    // gen/tests/lanes/modules.rs:101
 
     genvar i;
 
     generate
         for (i = 0; i < 4; i = i + 1) begin : row
-            reg [7:0] each [0:5];                                        // gen/tests/lanes/mod.rs:102
+            reg [7:0] each [0:5];                                        // gen/tests/lanes/modules.rs:102
             reg [7:0] each_read_word;
             reg each_read_inside;
             wire [7:0] each_read = each_read_inside ? each_read_word : 8'd0;

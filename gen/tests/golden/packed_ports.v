@@ -1,7 +1,7 @@
 // packed_ports
 //
 // Parameters  packed_ports
-// Described   gen/tests/lanes/mod.rs:129
+// Described   gen/tests/lanes/modules.rs:129
 `default_nettype none
 
 module packed_ports (
@@ -18,7 +18,7 @@ module packed_ports (
 
     wire [7:0] u_single_smallest;                                // gen/tests/../../hdl/tests/shapes/build.rs:264
 
-    wire [23:0] u_single_x;                                      // gen/tests/lanes/mod.rs:133
+    wire [23:0] u_single_x;                                      // gen/tests/lanes/modules.rs:133
 
     genvar i;
     genvar j;
@@ -37,7 +37,7 @@ module packed_ports (
     endgenerate
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_row                  // gen/tests/lanes/mod.rs:132
+        for (i = 0; i < 4; i = i + 1) begin : u_row                  // gen/tests/lanes/modules.rs:132
             wire [7:0] sum;
             wire [23:0] reverse;
             wire [7:0] lane_smallest;
@@ -71,7 +71,7 @@ module packed_ports (
         end
     endgenerate
 
-    sums3 u_single (                                             // gen/tests/lanes/mod.rs:134
+    sums3 u_single (                                             // gen/tests/lanes/modules.rs:134
         .x        (u_single_x),
         .sum      (single),
         .reverse  (turned),

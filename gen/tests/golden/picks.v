@@ -1,7 +1,7 @@
 // picks
 //
 // Parameters  picks
-// Described   gen/tests/lanes/mod.rs:63
+// Described   gen/tests/lanes/modules.rs:63
 `default_nettype none
 
 module picks (
@@ -20,8 +20,8 @@ module picks (
     output wire [7:0]  prime
 );
 
-    wire [7:0] prime_picked;                                     // gen/tests/lanes/mod.rs:79
-    wire [1:0] prime_part = which[1:0];                          // gen/tests/lanes/mod.rs:75
+    wire [7:0] prime_picked;                                     // gen/tests/lanes/modules.rs:79
+    wire [1:0] prime_part = which[1:0];                          // gen/tests/lanes/modules.rs:75
 
     genvar i;
     genvar j;
@@ -70,23 +70,23 @@ module picks (
         end
     endgenerate
 
-    assign of_port = (which < 3'd5) ? words[which * 8 +: 8] : 8'd0; // gen/tests/lanes/mod.rs:69
+    assign of_port = (which < 3'd5) ? words[which * 8 +: 8] : 8'd0; // gen/tests/lanes/modules.rs:69
     wire [7:0] of_row_lanes [0:4];
     generate
         for (i = 0; i < 5; i = i + 1) begin : of_row_of
             assign of_row_lanes[i] = held_row[i].held;
         end
     endgenerate
-    assign of_row = (which < 3'd5) ? of_row_lanes[which] : 8'd0; // gen/tests/lanes/mod.rs:69
-    assign of_bits = (place < 8'd6) ? bits[place[2:0]] : 1'b0;   // gen/tests/lanes/mod.rs:69
+    assign of_row = (which < 3'd5) ? of_row_lanes[which] : 8'd0; // gen/tests/lanes/modules.rs:69
+    assign of_bits = (place < 8'd6) ? bits[place[2:0]] : 1'b0;   // gen/tests/lanes/modules.rs:69
     wire [7:0] prime_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : prime_picked_of
             assign prime_picked_lanes[i] = prime_listed_row[i].prime_listed;
         end
     endgenerate
-    assign prime_picked = prime_picked_lanes[prime_part];        // gen/tests/lanes/mod.rs:79
-    assign prime = prime_picked + held_row[0].held;              // gen/tests/lanes/mod.rs:80
+    assign prime_picked = prime_picked_lanes[prime_part];        // gen/tests/lanes/modules.rs:79
+    assign prime = prime_picked + held_row[0].held;              // gen/tests/lanes/modules.rs:80
     generate
         for (i = 0; i < 4; i = i + 1) begin : of_columns_of
             assign of_columns[i * 4 +: 4] = of_columns_picked_row[i].of_columns_picked;

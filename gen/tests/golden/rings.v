@@ -1,7 +1,7 @@
 // rings
 //
 // Parameters  rings
-// Described   gen/tests/lanes/mod.rs:149
+// Described   gen/tests/lanes/modules.rs:149
 `default_nettype none
 
 module rings (

@@ -2,7 +2,7 @@
 //
 // Parameters  sums3
 // Latency     0 clocks
-// Described   gen/tests/lanes/mod.rs:113
+// Described   gen/tests/lanes/modules.rs:113
 `default_nettype none
 
 module sums3 (
@@ -24,7 +24,7 @@ module sums3 (
             end
         end
     endgenerate
-    assign sum = sum_tree[4].value;                              // gen/tests/lanes/mod.rs:115
+    assign sum = sum_tree[4].value;                              // gen/tests/lanes/modules.rs:115
     generate
         for (i = 0; i < 5; i = i + 1) begin : smallest_tree
             wire [7:0] value;
@@ -37,7 +37,7 @@ module sums3 (
             end
         end
     endgenerate
-    assign smallest = smallest_tree[4].value;                    // gen/tests/lanes/mod.rs:117
+    assign smallest = smallest_tree[4].value;                    // gen/tests/lanes/modules.rs:117
     generate
         for (i = 0; i < 3; i = i + 1) begin : reverse_of
             assign reverse[i * 8 +: 8] = x[(2 - i) * 8 +: 8];

@@ -1,7 +1,7 @@
 // tree
 //
 // Parameters  tree
-// Described   gen/tests/lanes/mod.rs:40
+// Described   gen/tests/lanes/modules.rs:40
 `default_nettype none
 
 module tree (

@@ -16,7 +16,9 @@ const SEED: u64 = 1;
 /// The seed of the designs that are others at each commit.
 fn changing_seed() -> u64 {
     let seed = std::env::var("CAMPAIGN_SEED").ok();
-    seed.map_or(SEED, |seed| seed.parse().unwrap_or_else(|_| panic!("CAMPAIGN_SEED is {seed:?}: it is a number, such as 7")))
+    seed.map_or(SEED, |seed| {
+        seed.parse().unwrap_or_else(|_| panic!("CAMPAIGN_SEED is {seed:?}: it is a number, such as 7"))
+    })
 }
 
 fn expect_agreement(campaign: &Campaign) {

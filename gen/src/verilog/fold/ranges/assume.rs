@@ -1,7 +1,7 @@
 //! What a condition says of the nodes that it is computed from.
 
-use super::Ranges;
 use super::interval::Range;
+use super::{Ranges, WIDEST};
 use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
 
 impl Ranges<'_> {

@@ -1,8 +1,8 @@
 //! The range of a node from those of its operands.
 
-use super::Ranges;
 use super::interval::{Range, highest, of_binary};
-use tilewright_hdl::ir::{Binary, NodeId, Op, Shift, Unary};
+use super::{Ranges, WIDEST};
+use tilewright_hdl::ir::{NodeId, Op, Shift, Unary};
 
 impl Ranges<'_> {
     /// The range of a node under what is taken for granted; none if that contradicts itself.
