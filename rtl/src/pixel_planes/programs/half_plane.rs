@@ -20,7 +20,7 @@ type Pixel = [i64; 2];
 /// The least half-plane that has the same pixels of a region of `side` x `side` inside as an edge has: everything or nothing of it, if the edge
 /// does not cross it. At a side of 128 its values have at most 15 bits with their sign. `side` is at least 2; the edge's values fit 48 bits.
 ///
-/// It takes a few passes over the region's columns.
+/// It takes one pass over the region's columns, and a few over the corners of their hull.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Expression, half_plane::least};
@@ -80,7 +80,8 @@ fn flip(Expression { a, b, c }: Expression, [x, y]: [bool; 2], last: i64) -> Exp
     Expression { a, b, c }
 }
 
-/// Of each column the first pixel inside and the last one outside, where there are such: a half-plane that divides them divides all.
+/// Of each column the first pixel inside and the last one outside, where there are such: a half-plane that divides them divides all. Of these the
+/// corners of their convex hulls that face each other: one of them is the nearest, whatever the slope.
 struct Border {
     inside: Vec<Pixel>,
     outside: Vec<Pixel>,
@@ -88,13 +89,18 @@ struct Border {
 
 impl Border {
     fn of(&Expression { a, b, c }: &Expression, last: i64) -> Border {
-        // The least y with a x + b y + c >= 0.
-        let first = |x: i64| -(a * x + c).div_euclid(b);
-        let rows = (0..=last).map(|x| [x, first(x).clamp(0, last + 1)]);
-        Border {
-            inside: rows.clone().filter(|[_, y]| *y <= last).collect(),
-            outside: rows.filter(|[_, y]| *y > 0).map(|[x, y]| [x, y - 1]).collect(),
+        let mut border = Border { inside: Vec::new(), outside: Vec::new() };
+        for x in 0..=last {
+            // The least y with a x + b y + c >= 0.
+            let first = (-(a * x + c).div_euclid(b)).clamp(0, last + 1);
+            if first <= last {
+                add_to_hull(&mut border.inside, [x, first], 1);
+            }
+            if first > 0 {
+                add_to_hull(&mut border.outside, [x, first - 1], -1);
+            }
         }
+        border
     }
 
     /// The least pixel inside, and the greatest outside, in the order of a slope.
@@ -148,6 +154,17 @@ fn first_to_divide(border: &Border, from: [i64; 2], by: [i64; 2], most: i64) -> 
         times += -apart / dot(by, step) + 1;
     }
     Err(at(most))
+}
+
+/// Adds the point to the right of a hull that bends to the side, which is 1 or -1, at each of its corners.
+fn add_to_hull(hull: &mut Vec<Pixel>, [x, y]: Pixel, side: i64) {
+    while let [.., [x0, y0], [x1, y1]] = hull[..] {
+        if cross([x1 - x0, y1 - y0], [x - x0, y - y0]) * side > 0 {
+            break;
+        }
+        hull.pop();
+    }
+    hull.push([x, y]);
 }
 
 fn dot([a, b]: [i64; 2], [x, y]: [i64; 2]) -> i64 {
