@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need where that is possible, then passes all tests.
 #   ./test.sh            all of them; other arguments go to `cargo test`
-#   ./test.sh --quick    without external tools, campaigns, report pages and examples of the documentation: for the inner loop
+#   ./test.sh --quick    those of a minute and a half: without external tools, whole frames, the command line and examples of the documentation
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -45,6 +45,12 @@ path_without_tools() {
     echo "$links"
 }
 
+# Tests that take long, most of them of whole frames: by a part of their names.
+long=(campaign:: matrix:: waveforms:: mutation:: cli:: readme:: reproduce:: no_panic::
+    machine::tests model::tests whole:: stereo:: trials:: table:: quadtree::images quadtree::each quadtree::raster::
+    frames:: fuzz:: pixelflow::rasterization pixelflow::shading pixelflow::array:: pixelflow::node:: renderer::tests
+    circuits::engine::every_test circuits::quiet::loops_in_which circuits::versions:: lanes::tests::chains)
+
 # All is built once here: without what makes the next build quicker, and without line numbers in backtraces.
 export CARGO_INCREMENTAL="${CARGO_INCREMENTAL:-0}" CARGO_PROFILE_DEV_DEBUG="${CARGO_PROFILE_DEV_DEBUG:-0}"
 if [ "${1:-}" = --quick ]; then
@@ -52,7 +58,7 @@ if [ "${1:-}" = --quick ]; then
     PATH=$(path_without_tools)
     # Without `CI`, tests that miss a tool say so and pass.
     unset CI
-    exec cargo test --workspace --exclude tilewright-cosim --lib --bins --tests "$@" -- --skip reproduce:: --skip documentation::
+    exec cargo test --workspace --lib --bins --tests "$@" -- "${long[@]/#/--skip=}"
 fi
 install_tools
 cargo test --workspace "$@"
