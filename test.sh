@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need where that is possible, then passes all tests.
 #   ./test.sh            all of them; other arguments go to `cargo test`
-#   ./test.sh --quick    those of a minute and a half: without external tools, whole frames, the command line and examples of the documentation
+#   ./test.sh --quick    for the inner loop: without external tools, campaigns, whole frames, the command line and examples of the documentation
 set -euo pipefail
 cd "$(dirname "$0")"
 

@@ -42,14 +42,7 @@ impl Ranges<'_> {
         }
     }
 
-    pub fn assume_relation(
-        &mut self,
-        relation: Relation,
-        signed: bool,
-        [a, b]: [NodeId; 2],
-        so: bool,
-        depth: u32,
-    ) -> bool {
+    fn assume_relation(&mut self, relation: Relation, signed: bool, [a, b]: [NodeId; 2], so: bool, depth: u32) -> bool {
         let (Some(left), Some(right)) = (self.range(a, depth), self.range(b, depth)) else { return false };
         let is_wide = self.module.width(a) > WIDEST;
         if is_wide || signed && !matches!(relation, Relation::Eq | Relation::Ne) {
