@@ -32,6 +32,8 @@ pub enum Tool {
     Icarus,
     /// Verilator.
     Verilator,
+    /// Verilator without the passes that make the C++ of whole machines twice as long.
+    VerilatorOfLarge,
 }
 
 impl Tool {
@@ -39,14 +41,14 @@ impl Tool {
     pub fn name(self) -> &'static str {
         match self {
             Tool::Icarus => "Icarus Verilog",
-            Tool::Verilator => "Verilator",
+            Tool::Verilator | Tool::VerilatorOfLarge => "Verilator",
         }
     }
 
     fn programs(self) -> &'static [&'static str] {
         match self {
             Tool::Icarus => &["iverilog", "vvp"],
-            Tool::Verilator => &["verilator", "perl", "make", "g++"],
+            Tool::Verilator | Tool::VerilatorOfLarge => &["verilator", "perl", "make", "g++"],
         }
     }
 
@@ -105,7 +107,8 @@ pub fn run(tool: Tool, designs: &[Printed], seconds: u64) -> Result<Vec<Option<S
     std::fs::write(folder.path().join("all_benches.v"), text).expect("a file can be written");
     let output = match tool {
         Tool::Icarus => icarus(&folder, seconds)?,
-        Tool::Verilator => verilator(&folder)?,
+        Tool::Verilator => verilator(&folder, &[])?,
+        Tool::VerilatorOfLarge => verilator(&folder, &["-fno-expand", "-fno-table"])?,
     };
     Ok(verdicts(&output, designs))
 }
@@ -183,9 +186,9 @@ pub(crate) fn limited(program: impl AsRef<OsStr>, seconds: u64) -> Command {
     command
 }
 
-fn verilator(folder: &TempDir) -> Result<String, Refused> {
+fn verilator(folder: &TempDir, without: &[&str]) -> Result<String, Refused> {
     // Gates put into the code of the benches would double the C++.
-    let flags = ["-Wno-fatal", "-Wno-lint", "-fno-gate", PRINT_COVERS];
+    let flags = [&["-Wno-fatal", "-Wno-lint", "-fno-gate", PRINT_COVERS], without].concat();
     match tools::verilated(folder.path(), &["all_benches.v"], "all_benches", &flags) {
         Ok(Some(program)) => Ok(execute(folder, &mut Command::new(program)).1),
         Ok(None) => Err(Refused::Itself("it is not installed".to_owned())),

@@ -4,7 +4,6 @@
 use std::io::IsTerminal;
 use std::process::ExitCode;
 use std::time::Duration;
-use tilewright_cosim::batch::Tool;
 use tilewright_cosim::drawn::Kind;
 use tilewright_cosim::{Campaign, Summary, fuzz};
 
@@ -83,10 +82,6 @@ fn run(campaign: &Campaign) -> Summary {
         eprintln!();
     }
     summary.failures.iter().for_each(|failure| println!("{failure}\n"));
-    let against = match campaign.tool {
-        Tool::Icarus => "Icarus Verilog",
-        Tool::Verilator => "Verilator",
-    };
-    println!("{against}: {summary}");
+    println!("{}: {summary}", campaign.tool.name());
     summary
 }

@@ -8,12 +8,15 @@ use tilewright_gen::{VerilogFile, tools};
 use tilewright_hdl::Design;
 use tilewright_hdl::catalog::Entry;
 
-/// Small sizes that are no powers of two, so that there are addresses that a memory does not have.
+/// Small sizes. Those of memories are no powers of two, so that there are addresses that a memory does not have.
 const OTHER: &[(&str, u64)] =
-    &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3), ("renderers", 5), ("chips", 3), ("pixels", 5)];
+    &[("width", 9), ("height", 5), ("units", 2), ("overhead", 3), ("renderers", 3), ("chips", 3), ("pixels", 5)];
 
-/// Sizes that have to be powers of two: twice the default.
-const DOUBLED: &[&str] = &["side", "line", "lines"];
+/// A size that has to be a power of two: half the default.
+const HALVED: &str = "side";
+
+/// Sizes that have to be powers of two, and cannot be smaller: twice the default.
+const DOUBLED: &[&str] = &["line", "lines"];
 
 /// Those of the machines, and those that any design uses.
 fn entries() -> impl Iterator<Item = &'static Entry> {
@@ -26,7 +29,8 @@ fn has(entry: &Entry, parameter: &str) -> bool {
 
 /// Those of the small sizes that a block has.
 fn small(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
-    OTHER.iter().copied().filter(|(name, _)| has(entry, name))
+    let halved = entry.parameters.iter().filter(|it| it.name == HALVED).map(|it| (it.name, it.default / 2));
+    OTHER.iter().copied().filter(|(name, _)| has(entry, name)).chain(halved)
 }
 
 fn doubled(entry: &Entry) -> impl Iterator<Item = (&'static str, u64)> {
@@ -81,7 +85,7 @@ fn sizes(entry: &Entry) -> Vec<(Vec<(&'static str, u64)>, Size)> {
 fn blocks() -> &'static [Subject] {
     static BLOCKS: OnceLock<Vec<Subject>> = OnceLock::new();
     BLOCKS.get_or_init(|| {
-        for name in OTHER.iter().map(|(name, _)| name).chain(DOUBLED) {
+        for name in OTHER.iter().map(|(name, _)| name).chain([&HALVED]).chain(DOUBLED) {
             assert!(entries().any(|entry| has(entry, name)), "no block has a {name}");
         }
         let sized = |entry: &'static Entry| sizes(entry).into_iter().map(move |(set, size)| (entry, set, size));
@@ -135,7 +139,7 @@ fn icarus_repeats_every_scenario() {
 
 #[test]
 fn verilator_repeats_every_scenario() {
-    replayed_by(Tool::Verilator);
+    replayed_by(Tool::VerilatorOfLarge);
 }
 
 #[test]
