@@ -1,4 +1,6 @@
 //! Random designs, as many as every test run can afford; the command of this package runs more.
+//!
+//! `CAMPAIGN_SEED` is the seed of the designs that Icarus runs, 1 if it is not set. CI takes it from the commit, so that each has designs of its own.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_cosim::batch::Tool;
@@ -10,6 +12,14 @@ use tilewright_hdl::Design;
 use tilewright_hdl::ir::{Op, Property, Register};
 
 const SEED: u64 = 1;
+
+/// The seed of the designs that are others at each commit.
+fn changing_seed() -> u64 {
+    let seed = std::env::var("CAMPAIGN_SEED").ok();
+    seed.map_or(SEED, |seed| {
+        seed.parse().unwrap_or_else(|_| panic!("CAMPAIGN_SEED is {seed:?}: it is a number, such as 7"))
+    })
+}
 
 fn expect_agreement(campaign: &Campaign) {
     if !campaign.tool.is_here() {
@@ -23,12 +33,12 @@ fn expect_agreement(campaign: &Campaign) {
     // Some steps of each, and an output or more at each step.
     assert!(summary.cycles >= 4 * summary.designs && summary.outputs >= summary.cycles, "{summary}");
     // A design that the other simulator breaks on is rare, or the generator is no good.
-    assert!(summary.unusable * 500 <= summary.designs, "{summary}");
+    assert!(summary.unusable <= 2 + summary.designs / 500, "{summary}");
 }
 
 #[test]
-fn icarus_agrees_on_5000_designs() {
-    expect_agreement(&Campaign::icarus(SEED, 5000));
+fn icarus_agrees_on_1000_designs() {
+    expect_agreement(&Campaign::icarus(changing_seed(), 1000));
 }
 
 /// In any order of the nodes, and reads of what is being written: what is not printed.
