@@ -35,7 +35,7 @@ impl SceneArguments {
 pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
     without_spheres(scene)?;
     let projection = scene.project()?;
-    warn(scene, projection.warning());
+    warn_without_textures(scene, projection.warning());
     Ok(projection)
 }
 
@@ -54,7 +54,7 @@ pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
 /// As [`triangles`], but for spheres; and a sphere is too near, too large or too slender.
 pub fn polygons_and_spheres(scene: &Scene) -> Result<Polygons, Failure> {
     let polygons = project_polygons(scene, scene.size)?;
-    warn(scene, polygons.warning());
+    warn_without_textures(scene, polygons.warning());
     Ok(polygons)
 }
 
@@ -65,7 +65,7 @@ pub fn polygons_and_spheres(scene: &Scene) -> Result<Polygons, Failure> {
 pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failure> {
     without_spheres(scene)?;
     let passes = project_samples(scene, scene.size, samples)?;
-    warn(scene, passes[0].warning());
+    warn_without_textures(scene, passes[0].warning());
     Ok(passes)
 }
 
@@ -89,14 +89,23 @@ fn without_spheres(scene: &Scene) -> Result<(), Failure> {
     Err(Failure::new(Exit::BadInput, sentence))
 }
 
-fn warn(scene: &Scene, warning: Option<String>) {
+/// As [`warn`], where only corners are lit.
+fn warn_without_textures(scene: &Scene, warning: Option<String>) {
+    let left_out = scene.mesh.materials().filter(|materials| materials.are_textured()).map(|_| {
+        let name = &scene.name;
+        format!("the textures of {name} are left out: pixelflow's base system draws them, and so does `tilewright golden` with --deferred")
+    });
+    warn(scene, left_out.into_iter().chain(warning));
+}
+
+fn warn(scene: &Scene, warnings: impl IntoIterator<Item = String>) {
     // A command that sets a scene up for several machines says it once.
     static SAID: Mutex<Vec<String>> = Mutex::new(Vec::new());
     let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
-    for warning in scene.warnings.iter().chain(&warning) {
-        if !said.contains(warning) {
-            terminal::warn(warning);
-            said.push(warning.clone());
+    for warning in scene.warnings.iter().cloned().chain(warnings) {
+        if !said.contains(&warning) {
+            terminal::warn(&warning);
+            said.push(warning);
         }
     }
 }

@@ -72,6 +72,11 @@ pub struct Materials {
 }
 
 impl Materials {
+    /// Whether a triangle has a texture.
+    pub fn are_textured(&self) -> bool {
+        self.mappings.iter().any(|mapping| self.materials[mapping.material as usize].texture.is_some())
+    }
+
     /// One material for so many triangles, which have no texture coordinates.
     pub(crate) fn plain(material: Material, triangles: usize) -> Materials {
         let mappings = vec![Mapping::default(); triangles];

@@ -26,6 +26,27 @@ fn a_golden_image_may_be_shaded_pixel_by_pixel() {
 }
 
 #[test]
+fn textures_that_are_not_drawn_are_told_of() {
+    let folder = Folder::new();
+    let said = |arguments: &str| folder.run(arguments).stderr.contains("the textures of textured are left out: ");
+    for left_out in [
+        "golden textured --size 64x48 -o x.png",
+        "golden textured --size 64x48 --samples 8 -o x.png",
+        "render textured --machine quadtree --size 24x16",
+        "render textured --machine pixelflow --system non-texturing --size 24x16 --array 8x8",
+    ] {
+        assert!(said(left_out), "{left_out}");
+    }
+    for drawn in [
+        "golden textured --size 64x48 --deferred -o x.png",
+        "render textured --machine pixelflow --size 24x16 --array 8x8",
+        "golden teapot --size 64x48 -o x.png",
+    ] {
+        assert!(!said(drawn), "{drawn}");
+    }
+}
+
+#[test]
 fn a_pixel_may_have_eight_samples() {
     let folder = Folder::with_pyramid();
     let said =
