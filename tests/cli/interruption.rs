@@ -46,7 +46,8 @@ fn await_waveform(folder: &Folder, child: &mut Child, waveform: &str) {
 }
 
 fn send(child: &Child, signal: &str) {
-    let killed = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().unwrap();
+    // The shell's own: a bare Debian has no program of that name.
+    let killed = Command::new("sh").args(["-c", &format!("kill -s {signal} {}", child.id())]).status().unwrap();
     assert!(killed.success());
 }
 

@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 use crate::cli::harness::Folder;
+use tilewright_gen::tools::skipped;
 
 #[test]
 fn content_of_files_does_not_steer_the_terminal() {
@@ -46,8 +47,7 @@ fn on_a_terminal(folder: &Folder, columns: u32, line: &str) -> Option<String> {
     let probe = folder.shell("script -qec true typescript");
     if probe.code != Some(0) {
         let why = format!("`script` of util-linux makes no terminal: {}", probe.stderr.trim_end());
-        assert!(std::env::var_os("CI").is_none(), "{why} (CI is set: nothing is skipped)");
-        println!("skipped: {why}");
+        let _ = skipped(&why);
         return None;
     }
     let run = folder.shell(&format!("TERM=xterm script -qec 'stty cols {columns}; tilewright {line}' typescript"));

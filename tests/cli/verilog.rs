@@ -1,12 +1,12 @@
 //! `verilog`.
 
 use crate::cli::harness::Folder;
+use tilewright_gen::tools::skipped;
 
 fn has_icarus(folder: &Folder) -> bool {
     let found = folder.shell("iverilog -V").code == Some(0);
-    assert!(found || std::env::var_os("CI").is_none(), "Icarus is not installed, and CI is set");
     if !found {
-        println!("skipped: Icarus is not installed");
+        let _ = skipped("Icarus is not installed");
     }
     found
 }

@@ -16,7 +16,7 @@ pub use binary::verilated;
 pub use linters::{lint, lint_all, lint_quickly};
 pub use model::{Compiler, Model, Source};
 pub use replay::{replay_in_icarus, replay_in_verilator, yosys_replay_vcd};
-pub use run::skipped_without;
+pub use run::{skipped, skipped_without};
 pub use synthesis::{Target, cells};
 
 use std::fmt;

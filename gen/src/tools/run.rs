@@ -3,6 +3,7 @@
 use super::{Checked, Problem, Problems};
 use crate::VerilogFile;
 use std::collections::BTreeSet;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
@@ -79,8 +80,24 @@ pub fn skipped_without(programs: &[&str]) -> Option<Checked> {
 
 /// Says that a program is missing; fails where that is not accepted.
 pub fn missing(name: &str) -> Checked {
-    assert!(std::env::var_os("CI").is_none(), "{name} is not installed, and CI is set: install it, or unset CI");
-    eprintln!("skipped: {name} is not installed");
+    skipped(&format!("{name} is not installed"))
+}
+
+/// Says that a check, or the rest of one, is left out, why, and which test it is of. Fails where `CI` is set.
+///
+/// ```
+/// use tilewright_gen::tools::{Checked, skipped};
+///
+/// if std::env::var_os("CI").is_none() {
+///     assert_eq!(skipped("there is no board"), Checked::Skipped); // skipped: there is no board (main)
+/// }
+/// ```
+pub fn skipped(why: &str) -> Checked {
+    assert!(std::env::var_os("CI").is_none(), "{why}, and CI is set: install it, or unset CI");
+    let thread = std::thread::current();
+    let test = thread.name().map(|test| format!(" ({test})")).unwrap_or_default();
+    // Not by `eprintln!`, which a test that passes keeps for itself.
+    let _ = writeln!(std::io::stderr(), "skipped: {why}{test}");
     Checked::Skipped
 }
 

@@ -78,8 +78,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 impl Running {
     /// The value of a name in one run.
     pub fn peek(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
-        let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
-        let value = signal.value;
+        let (value, lane) = match self.peeked.get(&run).and_then(|names| names.get(path)) {
+            Some(known) => *known,
+            None => {
+                let Found { signal, lane } = lookup::signal(&self.program.hierarchy, path, run)?;
+                let found = (signal.value, lane);
+                self.peeked.entry(run).or_default().insert(path.to_owned(), found);
+                found
+            }
+        };
         Ok(self.lane(value, lane))
     }
 

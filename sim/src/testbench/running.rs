@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
 use tilewright_hdl::{Bits, Design, limbs_for, top_mask};
 
 use crate::engine::program::{self, Program, Triggers, ValueId};
@@ -29,6 +30,8 @@ pub(crate) struct Running {
     /// By cover, how often its counter counted in each lane while the reset was high, and what it had when the reset began, if that is high.
     pub in_reset: Vec<Vec<u64>>,
     pub before_reset: Vec<Vec<u64>>,
+    /// By run, the value and the lane of each name that was looked at: a testbench looks at the same ones in every cycle.
+    pub peeked: FxHashMap<u32, FxHashMap<String, (ValueId, u32)>>,
     /// By number.
     ports: Vec<Wired>,
 }
@@ -85,6 +88,7 @@ impl Running {
             rising: Vec::new(),
             in_reset: Vec::new(),
             before_reset: Vec::new(),
+            peeked: FxHashMap::default(),
             ports: ports.collect(),
             program,
         };
