@@ -199,9 +199,7 @@ fn a_program_that_is_called_through_another_is_named_when_it_is_missing() {
     std::os::unix::fs::symlink(yosys, folder.path().join("yosys")).expect("a link can be made");
     let run = |in_ci: bool| {
         let mut command = std::process::Command::new(std::env::current_exe().expect("the test is a program"));
-        command
-            .args(["replay::a_dump_is_replayed_against_the_verilog", "--exact", "--nocapture"])
-            .env("PATH", folder.path());
+        command.args(["replay::a_dump_is_replayed_against_the_verilog", "--exact"]).env("PATH", folder.path());
         if in_ci {
             command.env("CI", "1")
         } else {

@@ -59,7 +59,7 @@ fn an_empty_page_is_seen() {
 /// Runs one of these tests where no program is found: whether it passed, and what it said.
 fn without_programs(ci: Option<&str>) -> (bool, String) {
     let mut test = Command::new(std::env::current_exe().unwrap());
-    test.args(["browser::an_empty_page_is_seen", "--exact", "--nocapture"]).env("PATH", "").env_remove("CI");
+    test.args(["browser::an_empty_page_is_seen", "--exact"]).env("PATH", "").env_remove("CI");
     let output = test.envs(ci.map(|value| ("CI", value))).output().unwrap();
     let said = [output.stdout, output.stderr].concat();
     (output.status.success(), String::from_utf8_lossy(&said).into_owned())

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 use tempfile::TempDir;
 
 /// A folder with the files of a design, deleted when dropped.
@@ -83,7 +83,7 @@ pub fn missing(name: &str) -> Checked {
     skipped(&format!("{name} is not installed"))
 }
 
-/// Says that a check, or the rest of one, is left out, why, and which test it is of. Fails where `CI` is set.
+/// Says once that a check, or the rest of one, is left out, why, and which test it is of. Fails where `CI` is set.
 ///
 /// ```
 /// use tilewright_gen::tools::{Checked, skipped};
@@ -96,8 +96,12 @@ pub fn skipped(why: &str) -> Checked {
     assert!(std::env::var_os("CI").is_none(), "{why}, and CI is set: install it, or unset CI");
     let thread = std::thread::current();
     let test = thread.name().map(|test| format!(" ({test})")).unwrap_or_default();
-    // Not by `eprintln!`, which a test that passes keeps for itself.
-    let _ = writeln!(std::io::stderr(), "skipped: {why}{test}");
+    let line = format!("skipped: {why}{test}");
+    static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    if SAID.lock().unwrap_or_else(PoisonError::into_inner).insert(line.clone()) {
+        // Not by `eprintln!`, which a test that passes keeps for itself.
+        let _ = writeln!(std::io::stderr(), "{line}");
+    }
     Checked::Skipped
 }
 
