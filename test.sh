@@ -58,7 +58,14 @@ if [ "${1:-}" = --quick ]; then
     PATH=$(path_without_tools)
     # Without `CI`, tests that miss a tool say so and pass.
     unset CI
-    exec cargo test --workspace --lib --bins --tests "$@" -- "${long[@]/#/--skip=}"
+    before=()
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do before+=("$1") && shift; done
+    [ $# = 0 ] || shift
+    names=$(cargo test --workspace --lib --bins --tests -- --list)
+    for name in "${long[@]}"; do
+        grep -q "$name.*: test$" <<<"$names" || { echo "test.sh leaves out $name, which no test is called" >&2; exit 1; }
+    done
+    exec cargo test --workspace --lib --bins --tests "${before[@]}" -- "${long[@]/#/--skip=}" "$@"
 fi
 install_tools
 cargo test --workspace "$@"
