@@ -4,10 +4,10 @@ use super::build::Build;
 use super::modules::zero;
 use tilewright_hdl::ir::*;
 
-/// So many lanes to pick from.
-pub fn far_pick(lanes: u32) -> Module {
+/// So many lanes to pick from, by a number of so many bits.
+pub fn far_pick(lanes: u32, bits: u32) -> Module {
     let b = &mut Build::new("far_pick");
-    let (seed, which) = (b.input("seed", 40, Shape::Plain), b.input("which", 12, Shape::Plain));
+    let (seed, which) = (b.input("seed", 40, Shape::Plain), b.input("which", bits, Shape::Plain));
     let lanes = b.broadcast(seed, 0, lanes);
     let chain = b.delayed("chain", lanes);
     let next = b.previous(chain, 0, seed);
