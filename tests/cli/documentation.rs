@@ -21,7 +21,7 @@ fn assert_runs(folder: &Folder, arguments: &str) {
     }
     let run = folder.shell(&format!("tilewright {arguments}"));
     if run.code == Some(4) {
-        let _ = skipped(run.stderr.trim_end());
+        let _ = skipped(&format!("{arguments}: {}", run.stderr.trim_end()));
         return;
     }
     assert_eq!(run.code, Some(0), "{arguments}: {run:?}");

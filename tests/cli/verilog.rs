@@ -1,14 +1,10 @@
 //! `verilog`.
 
 use crate::cli::harness::Folder;
-use tilewright_gen::tools::skipped;
+use tilewright_gen::tools::skipped_without;
 
-fn has_icarus(folder: &Folder) -> bool {
-    let found = folder.shell("iverilog -V").code == Some(0);
-    if !found {
-        let _ = skipped("Icarus is not installed");
-    }
-    found
+fn has_icarus() -> bool {
+    skipped_without(&["iverilog", "vvp"]).is_none()
 }
 
 #[test]
@@ -20,7 +16,7 @@ fn the_printed_line_proves_every_block_in_icarus() {
         let lines = folder.stdout(&format!("verilog {name} -o {name} --testbench"));
         let line = lines.lines().next().unwrap();
         assert!(line.contains("iverilog"), "{lines}");
-        if has_icarus(&folder) {
+        if has_icarus() {
             let run = folder.shell(line);
             // What is covered is said before.
             let result = run.stdout.lines().last().unwrap_or_default();
@@ -38,7 +34,7 @@ fn the_printed_lines_follow_one_another_and_fail_with_the_bench() {
     let report = folder.json("verilog merging-unit -o out/ --testbench --json");
     assert_eq!(report["commands"], serde_json::json!(lines.lines().collect::<Vec<_>>()));
     let icarus = lines.lines().next().unwrap();
-    if has_icarus(&folder) {
+    if has_icarus() {
         let twice = folder.shell(&format!("{icarus}\n{icarus}"));
         assert_eq!((twice.code, twice.stdout.matches("PASS: ").count()), (Some(0), 2), "{twice:?}");
         let name = "out/merging_unit_tb.v";
