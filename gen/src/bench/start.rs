@@ -1,7 +1,7 @@
 //! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
 //! simulation has not.
 
-use crate::verilog::{ModuleState, Names, Scope, ScopeState, State, pattern, states};
+use crate::verilog::{ModuleState, Names, ScopeState, State, pattern, states};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
@@ -211,7 +211,7 @@ fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
         State::Memory { name, depth, width, .. } => {
             let zero = pattern(&Bits::zero(*width));
             let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
-            let address = names.fresh_in(&mut Scope::default(), "word", "address");
+            let [address] = names.local_in(None, "word", ["address"]);
             vec![
                 format!("initial begin : {block}"),
                 format!("    integer {address};"),

@@ -33,6 +33,10 @@ impl Printer<'_> {
             _ if self.keeps(target, id) => Vec::new(),
             Op::Case { .. } if self.is_choice(id) => vec![self.case(id, target)],
             Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => self.if_chain(id, target),
+            Op::Concat(_) if self.plan.form(id) == Form::Block => {
+                let value = self.expression(id, Style::Count);
+                vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
+            }
             _ => self.leaf(id, target),
         }
     }

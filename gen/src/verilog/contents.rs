@@ -2,7 +2,6 @@
 
 use super::literal::{Style, literal};
 use super::printer::Printer;
-use super::scope::Scope;
 use crate::VerilogFile;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Contents, Memory, MemoryId, Module};
@@ -112,7 +111,7 @@ impl Printer<'_> {
 
     /// Gives every word from an address on the same value.
     fn fill(&mut self, memory: &Memory, from: usize, word: &Bits) -> Vec<String> {
-        let index = self.taken.fresh_in(&mut Scope::default(), "word", "i");
+        let [index] = self.local("word", ["i"]);
         let (name, word) = (&memory.name, literal(word, Style::Pattern));
         vec![
             format!("    integer {index};"),

@@ -10,7 +10,7 @@ use super::literal::{Style, literal};
 use super::part::Index;
 use super::plan::Form;
 use super::printer::Printer;
-use super::scope::{LANE, Scope};
+use super::scope::LANE;
 use super::statement::lines;
 use std::collections::BTreeSet;
 use tilewright_hdl::ir::{Affine, InstanceId, MemoryId, Node, NodeId, Op, Shape};
@@ -315,9 +315,10 @@ impl Printer<'_> {
         }
     }
 
-    /// The names for a scope in the one at hand, of which it hides none: linters do not want that.
-    pub fn scope_within(&self) -> Scope {
-        self.here.map_or_else(Scope::default, |group| self.lanes.groups[group].scope.clone())
+    /// Names for a block in the scope at hand, none of which hides another: linters do not want that.
+    pub fn local<const N: usize>(&mut self, prefix: &str, wanted: [&str; N]) -> [String; N] {
+        let scope = self.here.map(|group| &mut self.lanes.groups[group].scope);
+        self.taken.local_in(scope, prefix, wanted)
     }
 
     fn lane_instance(&mut self, group: usize, id: InstanceId) -> Vec<String> {

@@ -42,7 +42,7 @@ pub use layout::{connect, range};
 pub use literal::pattern;
 use printer::Printer;
 pub use properties::stop;
-pub use scope::{Names, Scope};
+pub use scope::Names;
 pub use state::{ModuleState, ScopeState, State};
 use tilewright_hdl::ir::Design;
 

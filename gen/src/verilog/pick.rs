@@ -118,9 +118,7 @@ impl Printer<'_> {
         let (name, depth) = (self.name(id).to_string(), self.at.len());
         let (i, width) = (self.loop_variable(depth), self.module.width(of));
         let zero = literal(&Bits::zero(width), Style::Count);
-        let mut scope = self.scope_within();
-        let mut local = |wanted| self.taken.fresh_in(&mut scope, "level", wanted);
-        let (value, pair, last) = (local("value"), local("pair"), local("last"));
+        let [value, pair, last] = self.local("level", ["value", "pair", "last"]);
         let mut count = self.module.shape(of).extent(axis);
         let (mut out, mut before) = (Vec::new(), None::<String>);
         for bit in 0..index_width(count.into()) {

@@ -32,9 +32,7 @@ impl Printer<'_> {
         let tree = self.loop_label(&format!("{name}_tree"));
         let head = format!("{} begin : {tree}", self.for_lanes(depth, 2 * lanes - 1));
         let (left, right) = (format!("2 * ({i} - {lanes})"), format!("2 * ({i} - {lanes}) + 1"));
-        let mut scope = self.scope_within();
-        let mut local = |wanted| self.taken.fresh_in(&mut scope, "tree", wanted);
-        let (value, at_leaf, pair) = (local("value"), local("leaf"), local("pair"));
+        let [value, at_leaf, pair] = self.local("tree", ["value", "leaf", "pair"]);
         let (left, right) = (format!("{tree}[{left}].{value}"), format!("{tree}[{right}].{value}"));
         let range = range(node.width);
         let mut body = vec![
@@ -46,7 +44,7 @@ impl Printer<'_> {
         match operator(by) {
             Some(operator) => body.push(format!("    assign {value} = {left} {operator} {right};")),
             None => {
-                let (a, b) = (local("a"), local("b"));
+                let [a, b] = self.local("tree", ["a", "b"]);
                 let relation = if by == Reduction::Min { "<" } else { ">" };
                 body.push(format!("    wire {range}{a} = {left};"));
                 body.push(format!("    wire {range}{b} = {right};"));

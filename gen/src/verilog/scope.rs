@@ -24,8 +24,12 @@ pub struct Names {
 }
 
 /// The names of one scope within a module, such as a lane of an array.
-#[derive(Default, Clone)]
-pub struct Scope(BTreeSet<String>);
+#[derive(Default)]
+pub struct Scope {
+    own: BTreeSet<String>,
+    /// The names of the scopes within, of which a new name of this one must be none: it would be hidden there.
+    inner: BTreeSet<String>,
+}
 
 impl Names {
     /// Every name that the module declares, and its own. `printed` has the names of the modules before it in the design, which are all that it has
@@ -95,11 +99,27 @@ impl Names {
     pub fn instance_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
         let numbered = (2..).map(|number| format!("{prefix}_{wanted}_{number}"));
         let names = [wanted.to_string(), format!("{prefix}_{wanted}")].into_iter().chain(numbered);
-        let is_free = |name: &String| !scope.0.contains(&name.to_lowercase()) && !self.contains(name);
+        let is_seen = |name: &str| scope.own.contains(name) || scope.inner.contains(name);
+        let is_free = |name: &String| !is_seen(&name.to_lowercase()) && !self.contains(name);
         let name = { names }.find(is_free).expect("some number is free");
-        scope.0.insert(name.to_lowercase());
+        scope.own.insert(name.to_lowercase());
         self.inner.insert(name.to_lowercase());
         name
+    }
+
+    /// As [`Self::fresh_in`], for the names of a block in the scope, or in the module: other blocks may have the same.
+    pub fn local_in<const N: usize>(
+        &mut self,
+        scope: Option<&mut Scope>,
+        prefix: &str,
+        wanted: [&str; N],
+    ) -> [String; N] {
+        let mut none = Scope::default();
+        let around = scope.unwrap_or(&mut none);
+        let mut block = Scope { own: around.own.clone(), inner: BTreeSet::new() };
+        let names = wanted.map(|wanted| self.fresh_in(&mut block, prefix, wanted));
+        around.inner.extend(names.iter().map(|name| name.to_lowercase()));
+        names
     }
 
     /// A fresh name for a loop whose lanes are read by it. No such loop in a module within has it: where Verilator has inlined what is in the lanes of that
@@ -146,6 +166,17 @@ mod tests {
         assert_eq!(names.fresh_in(&mut lane, "lane", "y"), "y");
         assert_eq!(names.fresh_in(&mut other, "lane", "y"), "y", "scopes beside each other do not see each other");
         assert_eq!(names.fresh("y"), "y_2", "the module's name would be hidden in both");
+    }
+
+    #[test]
+    fn a_scope_hides_no_name_of_a_block_in_it() {
+        let (mut names, mut lane) = (Names::default(), Scope::default());
+        assert_eq!(names.fresh_in(&mut lane, "lane", "i"), "i");
+        assert_eq!(names.local_in(Some(&mut lane), "word", ["i", "j"]), ["word_i", "j"]);
+        assert_eq!(names.local_in(Some(&mut lane), "word", ["i", "j"]), ["word_i", "j"], "blocks beside each other");
+        assert_eq!(names.fresh_in(&mut lane, "lane", "word_i"), "lane_word_i", "the block has that name");
+        assert_eq!(names.local_in(None, "word", ["k", "k"]), ["k", "word_k"]);
+        assert_eq!(names.fresh("k"), "k_2");
     }
 
     #[test]

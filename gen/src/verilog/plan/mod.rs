@@ -21,6 +21,10 @@ const DEEPEST: u32 = 4;
 /// `always @*` has. A register is one, however many it has.
 pub const MOST_ARMS: usize = 64;
 
+/// An assignment takes fewer parts of vectors than this, a block more: Icarus takes time that grows with the square of those that
+/// assignments take from one vector.
+const MOST_SLICES: usize = 128;
+
 /// The most keys of a `case`: Verilator takes time that grows with the square of their number.
 pub const MOST_KEYS: usize = 256;
 
@@ -210,6 +214,7 @@ impl Planner<'_> {
             let wants_block = match (self.form(id), &module.node(id).op) {
                 (Form::Inline | Form::Net, Op::Select { .. } | Op::Case { .. }) => true,
                 (Form::Net, Op::Mux { .. }) => self.is_chain(id),
+                (Form::Inline | Form::Net, Op::Concat(parts)) => self.is_of_many_bits(parts),
                 _ => false,
             };
             if wants_block {
@@ -221,6 +226,12 @@ impl Planner<'_> {
                 self.keep_constants(reads);
             }
         }
+    }
+
+    /// Whether so many parts are taken from vectors that a block is to do it.
+    fn is_of_many_bits(&self, parts: &[NodeId]) -> bool {
+        let is_slice = |id: &&NodeId| matches!(self.module.node(**id).op, Op::Slice { .. });
+        parts.iter().filter(is_slice).count() >= MOST_SLICES
     }
 
     /// Whether three multiplexers or more follow each other in the `else` of one.
