@@ -165,11 +165,18 @@ impl Report {
         stages
     }
 
+    /// The front end, and its second pass over what is in memory, which all systems but one have none of.
+    fn before(&self) -> [Stage; 2] {
+        let end = self.front + self.second;
+        [
+            Stage { name: "front end", busy: self.front, from: 0, to: self.front },
+            Stage { name: "second pass", busy: self.second, from: self.front, to: end },
+        ]
+    }
+
     /// The stage that works longest, front end and those behind it.
     pub fn limit(&self) -> Stage {
-        let front = Stage { name: "front end", busy: self.front, from: 0, to: self.front };
-        let second = Stage { name: "second pass", busy: self.second, from: self.front, to: self.front + self.second };
-        self.stages().into_iter().chain([front, second]).max_by_key(|stage| stage.busy).expect("there is the front end")
+        self.stages().into_iter().chain(self.before()).max_by_key(|stage| stage.busy).expect("there is the front end")
     }
 }
 
@@ -195,14 +202,10 @@ impl fmt::Display for Report {
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;
         let us = |ticks: Ticks| ticks as f64 / 200.0;
-        writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "front end", us(self.front), 0.0, us(self.front))?;
-        if self.second > 0 {
-            let ends = self.front + self.second;
-            writeln!(f, "{:<16}{:>10.2}{:>10.2}{:>10.2}", "second pass", us(self.second), us(self.front), us(ends))?;
-        }
-        for Stage { name, busy, from, to } in self.stages() {
-            let [from, to] = [from, to].map(|ticks| us(self.delay() + ticks));
-            writeln!(f, "{name:<16}{:>10.2}{from:>10.2}{to:>10.2}", us(busy))?;
+        let later = |it: Stage| Stage { from: self.delay() + it.from, to: self.delay() + it.to, ..it };
+        let before = self.before().into_iter().take(if self.second > 0 { 2 } else { 1 });
+        for Stage { name, busy, from, to } in before.chain(self.stages().into_iter().map(later)) {
+            writeln!(f, "{name:<16}{:>10.2}{:>10.2}{:>10.2}", us(busy), us(from), us(to))?;
         }
         writeln!(
             f,

@@ -1,5 +1,7 @@
 //! Frames of small machines, beside the golden image.
 
+use std::sync::atomic::Ordering::Relaxed;
+
 use proptest::prelude::*;
 use tilewright_scenes::golden::{Rule, render_polygons};
 use tilewright_scenes::packet::FARTHEST_VERTEX;
@@ -205,7 +207,17 @@ fn progress_goes_on_through_the_frame() {
     assert!(steps < 0.2, "{seen:?}");
     let cancel = std::sync::atomic::AtomicBool::new(true);
     let stopped = machine.render(&polygons, scene.background, &mut Watch { progress: None, cancel: Some(&cancel) });
-    assert!(matches!(stopped, Err(Error::Cancelled { phase: "drawing", .. })));
+    assert!(matches!(stopped, Err(Error::Cancelled { phase: "drawing", time: 0 })));
+    // Stopped on the way, it says at which picosecond.
+    cancel.store(false, Relaxed);
+    let mut progress = |it: crate::run::Progress| cancel.store(it.fraction > 0.5, Relaxed);
+    let stopped = machine.render(
+        &polygons,
+        scene.background,
+        &mut Watch { progress: Some(&mut progress), cancel: Some(&cancel) },
+    );
+    let Err(Error::Cancelled { phase: "drawing", time }) = stopped else { panic!("it was cancelled") };
+    assert!(time > PERIOD.picoseconds() && time % PERIOD.picoseconds() == 0, "{time}");
 }
 
 #[test]

@@ -37,6 +37,13 @@ fn a_deferred_frame_is_the_golden_image() {
         let (frame, report) = machine.render(&deferred, &mut Watch::default()).unwrap();
         assert_eq!(compare(&frame, &golden).differing, 0, "{nodes} nodes");
         assert_eq!(report.turns.len(), 12);
+        // The second pass is a stage of its own, behind the front end.
+        let text = report.to_string();
+        let second = text.lines().find_map(|line| line.strip_prefix("second pass "));
+        let us = |ticks: u64| format!("{:.2}", ticks as f64 / 200.0);
+        let expected = [report.second, report.front, report.front + report.second].map(us).to_vec();
+        let printed = second.map(|line| line.split_whitespace().map(str::to_owned).collect());
+        assert_eq!(printed, pre_sort.then_some(expected), "{text}");
     }
 }
 
@@ -67,6 +74,10 @@ fn arrays_that_have_drawn_a_frame_draw_others() {
         assert_eq!(compare(&frame, &golden).differing, 0);
         assert_eq!(first.render(&deferred, &mut Watch::default()).unwrap(), alone);
     }
+    // Arrays of another size are new ones.
+    let larger = first.another(Config { array: [32, 16], ..config(size, 5, 2) }).unwrap();
+    let (frame, _) = larger.render(&deferred, &mut Watch::default()).unwrap();
+    assert_eq!(frame, alone.0);
 }
 
 #[test]
