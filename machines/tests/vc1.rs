@@ -109,6 +109,18 @@ fn the_machine_of_the_paper_draws_the_teapot() {
     assert!(report.balance() > 0.95, "{report}");
 }
 
+/// Its slab is far larger than an image memory, so that without adaptive parallel rasterization some processing element overflows.
+#[test]
+fn the_table_needs_more_pages_than_the_machine_of_the_paper_has() {
+    let projection = on_screen("table", 640, 480);
+    let config = Config::new(projection.size);
+    let assignment = Assignment::new(&projection, config.processors, config.cluster, &config.costs);
+    let demand = demand(&assignment, &projection.triangles, &config.patches().expect("4x4 fits"));
+    let most = demand.iter().map(|it| it.pages).max().expect("16 processing elements");
+    assert_eq!(config.pages().expect("in range"), 4096);
+    assert!((6800..7300).contains(&most), "{most}");
+}
+
 #[test]
 fn an_overflow_says_how_many_pages_would_do() {
     let projection = on_screen("teapot", 80, 60);

@@ -4,8 +4,11 @@
 //! Cameras are the ones of facts D; light and background are ours.
 
 pub mod molecule;
+mod shape;
 pub mod star;
+pub mod table;
 pub mod teapot;
+pub mod teapot16;
 pub mod terrain;
 pub mod textured;
 
@@ -17,12 +20,15 @@ use crate::size::Size;
 use glam::{DVec3, dvec3};
 
 /// The built-in scenes' names.
-pub const NAMES: [&str; 7] = ["teapot", "ter1k", "ter250", "wireframe", "star", "textured", "molecule"];
+pub const NAMES: [&str; 9] =
+    ["teapot", "teapot16", "table", "ter1k", "ter250", "wireframe", "star", "textured", "molecule"];
 
 /// A built-in scene, or `None` if there is none of that name.
 pub fn scene(name: &str) -> Option<Scene> {
     let (mesh, camera) = match name {
         "teapot" => (teapot::mesh(8), teapot_camera()),
+        "teapot16" => (teapot16::mesh(), teapot16_camera()),
+        "table" => (table::mesh(), table_camera()),
         "ter1k" => (terrain::mesh(4), terrain_camera()),
         "ter250" => (terrain::mesh(1), terrain_camera()),
         "wireframe" => (teapot::faces(4).wireframe(), teapot_camera()),
@@ -79,6 +85,14 @@ pub(crate) fn default_lighting(camera: &Camera) -> Lighting {
 
 fn teapot_camera() -> Camera {
     Camera { eye: dvec3(0.0, -9.5, 5.2), target: dvec3(0.2, 0.0, 1.45), up: DVec3::Z, fov: 30.0 }
+}
+
+fn teapot16_camera() -> Camera {
+    Camera { eye: dvec3(0.0, -31.0, 33.0), target: dvec3(0.0, -1.3, 0.8), up: DVec3::Z, fov: 34.0 }
+}
+
+fn table_camera() -> Camera {
+    Camera { eye: dvec3(0.0, -17.0, 11.0), target: dvec3(0.0, -0.6, 0.2), up: DVec3::Z, fov: 48.0 }
 }
 
 fn star_camera() -> Camera {

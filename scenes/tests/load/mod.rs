@@ -104,13 +104,13 @@ fn an_unknown_name_is_answered_with_the_nearest() {
     let error = |name: &str| Scene::load(name).unwrap_err().to_string();
     assert_eq!(
         error("teepot"),
-        "there is no scene `teepot`: did you mean `teapot`? The built-in scenes are teapot, ter1k, ter250, wireframe, star, textured, molecule; or name a .toml, .obj, .gltf, .glb, .ply or .stl file"
+        "there is no scene `teepot`: did you mean `teapot`? The built-in scenes are teapot, teapot16, table, ter1k, ter250, wireframe, star, textured, molecule; or name a .toml, .obj, .gltf, .glb, .ply or .stl file"
     );
     assert!(error("Ter1K").contains("did you mean `ter1k`?"));
     assert!(error("").starts_with("there is no scene ``: the built-in scenes are "));
     assert_eq!(
         error("dragon"),
-        "there is no scene `dragon`: the built-in scenes are teapot, ter1k, ter250, wireframe, star, textured, molecule; or name a .toml, .obj, .gltf, .glb, .ply or .stl file"
+        "there is no scene `dragon`: the built-in scenes are teapot, teapot16, table, ter1k, ter250, wireframe, star, textured, molecule; or name a .toml, .obj, .gltf, .glb, .ply or .stl file"
     );
 }
 

@@ -244,12 +244,12 @@ fn bad_scene_files_are_refused_with_their_place() {
         (
             "kind",
             "\nmesh = 'teepot'".into(),
-            "scene.toml:2:8: the mesh `teepot` is neither a mesh file nor a built-in scene: did you mean `teapot`? Name an .obj, .gltf, .glb, .ply or .stl file, or one of teapot, ter1k, ter250, wireframe, star, textured, molecule",
+            "scene.toml:2:8: the mesh `teepot` is neither a mesh file nor a built-in scene: did you mean `teapot`? Name an .obj, .gltf, .glb, .ply or .stl file, or one of teapot, teapot16, table, ter1k, ter250, wireframe, star, textured, molecule",
         ),
         (
             "other",
             "mesh = 'dragon'".into(),
-            "scene.toml:1:8: the mesh `dragon` is neither a mesh file nor a built-in scene: name an .obj, .gltf, .glb, .ply or .stl file, or one of teapot, ter1k, ter250, wireframe, star, textured, molecule",
+            "scene.toml:1:8: the mesh `dragon` is neither a mesh file nor a built-in scene: name an .obj, .gltf, .glb, .ply or .stl file, or one of teapot, teapot16, table, ter1k, ter250, wireframe, star, textured, molecule",
         ),
     ];
     for (name, text, sentence) in cases {
