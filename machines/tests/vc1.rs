@@ -8,14 +8,14 @@ use proptest::prelude::*;
 use tilewright_machines::vc1::{Assignment, Config, CostTable, Demand, Machine, ProcessorReport, Report, demand};
 use tilewright_machines::{Error, Progress, Watch};
 use tilewright_scenes::{
-    Comparison, Counts, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
+    Comparison, Counts, Frame, MeshVertex, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
 };
 use tilewright_sim::Vcd;
 
 const BACKGROUND: [u8; 3] = [24, 28, 44];
 
 /// Programs that compute little, so that the local frame buffers are busy all the time.
-const HASTY: CostTable = CostTable { geometry: 4, set_up: 2, row: 1, pixel: 1, clear: 1 };
+const HASTY: CostTable = CostTable { vertex: 1, polygon: 2, area: 1, clip: 1, set_up: 2, row: 1, pixel: 1, clear: 1 };
 
 /// A built-in scene on a screen of that size.
 fn on_screen(scene: &str, width: u32, height: u32) -> Projection {
@@ -247,8 +247,15 @@ proptest! {
         soup in soup(), processors in 1..=5_u32, cluster in 1..4_u32, patch in prop::sample::select(vec![4_u32, 8, 16]),
     ) {
         let size = Size::new(37, 29).expect("in range");
-        let mut projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), counts: Counts::default() };
-        for vertices in soup {
+        let mut projection = Projection {
+            size,
+            triangles: Vec::new(),
+            vertices: Vec::new(),
+            corners: Vec::new(),
+            counts: Counts::default(),
+        };
+        for (vertices, first) in soup.into_iter().zip((0..).step_by(3)) {
+            projection.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
             if let Some(mut packet) = set_up(&vertices, size) {
                 packet.polygon = projection.counts.polygons;
                 projection.triangles.push(packet);

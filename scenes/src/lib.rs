@@ -41,7 +41,7 @@ pub use frame::Frame;
 pub use light::{Light, Lighting};
 pub use line::{line_corners, set_up_line};
 pub use material::{MOST_MATERIALS, Mapping, Material, Materials};
-pub use mesh::{BoundingBox, Mesh, MeshLine, MeshTriangle, smooth_normals};
+pub use mesh::{BoundingBox, Mesh, MeshLine, MeshTriangle, MeshVertex, smooth_normals};
 pub use output::{Place, WholeFile, behind_links, write_whole};
 pub use packet::{Edge, Packet, PixelBox, Plane, Polygon, ScreenVertex, Triangle};
 pub use polygon::{set_up_polygon, set_up_polygon_of_any_size};

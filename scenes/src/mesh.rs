@@ -4,12 +4,15 @@
 //! bit, and 53 bits leave the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
 
 mod colours;
+mod vertex;
 
 use crate::checksum::Fnv;
 use crate::error::SceneError;
 use crate::material::Materials;
 use glam::DVec3;
 use std::sync::Arc;
+
+pub use vertex::MeshVertex;
 
 /// A triangle of a mesh, as indices into its positions and normals.
 #[derive(Clone, Copy, Debug, PartialEq)]

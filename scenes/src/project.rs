@@ -13,7 +13,7 @@ use crate::deferred::Samples;
 use crate::error::SceneError;
 use crate::light::{Lighting, facing};
 use crate::line::{line_corners, set_up_line};
-use crate::mesh::{MeshLine, MeshTriangle, unit_or_z};
+use crate::mesh::{MeshLine, MeshTriangle, MeshVertex, unit_or_z};
 use crate::packet::*;
 use crate::polygon::set_up_parts;
 use crate::scene::Scene;
@@ -57,6 +57,8 @@ pub struct Projection {
     /// The three vertices that each packet was set up from, in the same order as `triangles`; of a line up to half a pixel outside of the
     /// guard band.
     pub vertices: Vec<[ScreenVertex; 3]>,
+    /// The vertices of each polygon of the mesh, drawn or not, by its number ([`Mesh::vertices_of_polygons`](crate::Mesh::vertices_of_polygons)).
+    pub corners: Vec<[MeshVertex; 3]>,
     /// What became of the polygons.
     pub counts: Counts,
 }
@@ -120,7 +122,7 @@ pub fn project_sample(scene: &Scene, size: Size, shift: [i32; 2]) -> Result<Proj
         }
         is_drawn
     });
-    Ok(Projection { size, triangles, vertices, counts })
+    Ok(Projection { size, triangles, vertices, corners: scene.mesh.vertices_of_polygons(), counts })
 }
 
 /// Projects a scene for all samples of its pixels: once, or for eight samples twice at doubled width and height.

@@ -2,11 +2,30 @@
 //!
 //! Source: VC1-CLU. Clusters of w consecutive polygons, which tend to be neighbours on the screen, go one after another to the
 //! processing element with the least load so far; of equals, to the one of the lowest number (the paper takes any). The load of a
-//! polygon is what the cost table expects it to take.
+//! polygon is what the cost table expects it to take. Polygons are loaded into local memories before the first frame, and from frame
+//! to frame only the view is sent, so they stay where the first view brought them: [`Assign`] has that and two other ways.
 
+use super::config::Config;
 use super::cost::CostTable;
+use serde::Serialize;
+use std::collections::HashSet;
 use std::ops::Range;
-use tilewright_scenes::Projection;
+use tilewright_rtl::parameter::ParameterError;
+use tilewright_scenes::packet::SUBPIXELS;
+use tilewright_scenes::{Projection, ScreenVertex};
+
+/// When, and by what, polygons are dealt to the processing elements of a machine.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Assign {
+    /// By the clocks that they are expected to take in the first view, once for all frames.
+    #[default]
+    Once,
+    /// By the clocks that they are expected to take in the view of each frame, which moves polygons between local memories.
+    Each,
+    /// By their number alone, once for all frames.
+    Count,
+}
 
 /// A polygon and its packets: none if it is off the screen, behind the eye or without area; several if clipping split it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,6 +34,10 @@ pub struct Polygon {
     pub number: u32,
     /// Its packets, by index in [`Projection::triangles`].
     pub packets: Range<usize>,
+    /// Its vertices that no polygon before it in its cluster has.
+    pub vertices: u32,
+    /// Packets that cross the border of the screen.
+    pub clipped: u32,
 }
 
 /// The polygons of every processing element.
@@ -26,79 +49,145 @@ pub struct Assignment {
     pub loads: Vec<u64>,
 }
 
-impl Assignment {
-    /// Deals clusters of `cluster` polygons to `processors` processing elements.
-    pub fn new(projection: &Projection, processors: u32, cluster: u32, costs: &CostTable) -> Assignment {
-        let all = polygons(projection);
-        let mut assignment =
-            Assignment { polygons: vec![Vec::new(); processors as usize], loads: vec![0; processors as usize] };
-        for cluster in all.chunks(cluster as usize) {
-            let least =
-                (0..assignment.loads.len()).min_by_key(|&i| assignment.loads[i]).expect("at least one processor");
-            assignment.loads[least] += cluster.iter().map(|polygon| load(projection, polygon, costs)).sum::<u64>();
-            assignment.polygons[least].extend_from_slice(cluster);
+impl Config {
+    /// The polygons of a frame for the processing elements; `first` is the assignment of the first frame, unless this is it.
+    ///
+    /// ```
+    /// use tilewright_machines::vc1::Config;
+    /// use tilewright_scenes::Scene;
+    ///
+    /// let mut scene = Scene::builtin("teapot").expect("a built-in scene");
+    /// let config = Config::new(scene.size);
+    /// let first = config.assignment(&scene.project()?, None)?;
+    /// scene.camera = scene.camera.orbited(7.5);
+    /// let second = config.assignment(&scene.project()?, Some(&first))?;
+    /// // By default each polygon stays where it is, though it may take longer or shorter now.
+    /// let numbers = |k: usize| [&first, &second].map(|it| it.polygons[k].iter().map(|it| it.number).collect::<Vec<_>>());
+    /// assert!((0..16).all(|k| numbers(k)[0] == numbers(k)[1]));
+    /// assert_ne!(first.loads, second.loads);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Assignment::in_view`].
+    pub fn assignment(
+        &self,
+        projection: &Projection,
+        first: Option<&Assignment>,
+    ) -> Result<Assignment, ParameterError> {
+        let Config { processors, cluster, costs, .. } = self;
+        match (self.assign, first) {
+            (Assign::Once | Assign::Count, Some(first)) => first.in_view(projection, costs),
+            (Assign::Once, None) | (Assign::Each, _) => Ok(Assignment::new(projection, *processors, *cluster, costs)),
+            (Assign::Count, None) => Ok(Assignment::by_count(projection, *processors, *cluster, costs)),
         }
-        assignment
     }
 }
 
-/// Every polygon of the scene with its packets.
-fn polygons(projection: &Projection) -> Vec<Polygon> {
+impl Assignment {
+    /// Deals clusters of `cluster` polygons to `processors` processing elements by the clocks that they are expected to take.
+    pub fn new(projection: &Projection, processors: u32, cluster: u32, costs: &CostTable) -> Assignment {
+        let clusters = clusters(projection, cluster);
+        let loads = clusters.iter().map(|cluster| cluster.iter().map(|it| load(projection, it, costs)).sum()).collect();
+        Assignment::dealt(clusters, loads, processors, projection, costs)
+    }
+
+    /// Deals clusters of `cluster` polygons to `processors` processing elements by the number of polygons.
+    pub fn by_count(projection: &Projection, processors: u32, cluster: u32, costs: &CostTable) -> Assignment {
+        let clusters = clusters(projection, cluster);
+        let counts = clusters.iter().map(|cluster| cluster.len() as u64).collect();
+        Assignment::dealt(clusters, counts, processors, projection, costs)
+    }
+
+    /// The same polygons on the same processing elements, as another view of the scene shows them.
+    ///
+    /// # Errors
+    /// The scene of the projection has another number of polygons.
+    pub fn in_view(&self, projection: &Projection, costs: &CostTable) -> Result<Assignment, ParameterError> {
+        let dealt: usize = self.polygons.iter().map(Vec::len).sum();
+        let there = projection.counts.polygons;
+        if dealt != there as usize {
+            let problem = format!("an assignment of {dealt} polygons for a scene of {there}: assign the scene anew");
+            return Err(ParameterError(problem));
+        }
+        let packets = packets(projection);
+        let seen = |polygon: &Polygon| {
+            let packets = packets[polygon.number as usize].clone();
+            Polygon { clipped: clipped(projection, packets.clone()), packets, ..*polygon }
+        };
+        let polygons = self.polygons.iter().map(|polygons| polygons.iter().map(seen).collect()).collect();
+        Ok(Assignment::of(polygons, projection, costs))
+    }
+
+    /// Deals clusters, each to the processing element with the least sum of `weights` so far.
+    fn dealt(
+        clusters: Vec<Vec<Polygon>>,
+        weights: Vec<u64>,
+        processors: u32,
+        projection: &Projection,
+        costs: &CostTable,
+    ) -> Assignment {
+        let mut polygons = vec![Vec::new(); processors as usize];
+        let mut sums = vec![0; processors as usize];
+        for (cluster, weight) in clusters.into_iter().zip(weights) {
+            let least = (0..sums.len()).min_by_key(|&i| sums[i]).expect("at least one processor");
+            sums[least] += weight;
+            polygons[least].extend(cluster);
+        }
+        Assignment::of(polygons, projection, costs)
+    }
+
+    /// With the loads that follow.
+    fn of(polygons: Vec<Vec<Polygon>>, projection: &Projection, costs: &CostTable) -> Assignment {
+        let loads =
+            polygons.iter().map(|polygons| polygons.iter().map(|it| load(projection, it, costs)).sum()).collect();
+        Assignment { polygons, loads }
+    }
+}
+
+/// Every polygon of the scene, in clusters of that size.
+fn clusters(projection: &Projection, size: u32) -> Vec<Vec<Polygon>> {
+    let all: Vec<u32> = (0..projection.counts.polygons).collect();
+    let packets = packets(projection);
+    let cluster = |numbers: &[u32]| {
+        let mut known = HashSet::new();
+        let polygon = |&number: &u32| {
+            let packets = packets[number as usize].clone();
+            let vertices = projection.corners[number as usize].iter().filter(|&&corner| known.insert(corner)).count();
+            let clipped = clipped(projection, packets.clone());
+            Polygon { number, packets, vertices: vertices as u32, clipped }
+        };
+        numbers.iter().map(polygon).collect()
+    };
+    all.chunks(size as usize).map(cluster).collect()
+}
+
+/// By polygon: its packets.
+fn packets(projection: &Projection) -> Vec<Range<usize>> {
     let packets = &projection.triangles;
     let mut first = 0;
-    let polygons = (0..projection.counts.polygons).map(|number| {
+    let ranges = (0..projection.counts.polygons).map(|number| {
         let count = packets[first..].iter().take_while(|packet| packet.polygon == number).count();
         first += count;
-        Polygon { number, packets: first - count..first }
+        first - count..first
     });
-    polygons.collect()
+    ranges.collect()
+}
+
+/// How many of those packets cross the border of the screen.
+fn clipped(projection: &Projection, packets: Range<usize>) -> u32 {
+    let on_screen = |vertex: &ScreenVertex| {
+        let within = |position: i32, side: u32| (0..=side as i32 * SUBPIXELS).contains(&position);
+        within(vertex.x, projection.size.width()) && within(vertex.y, projection.size.height())
+    };
+    projection.vertices[packets].iter().filter(|vertices| !vertices.iter().all(on_screen)).count() as u32
 }
 
 fn load(projection: &Projection, polygon: &Polygon, costs: &CostTable) -> u64 {
     let packets = &projection.triangles[polygon.packets.clone()];
-    costs.geometry + packets.iter().map(|packet| costs.estimate(packet)).sum::<u64>()
+    let drawing: u64 = packets.iter().map(|packet| costs.estimate(packet)).sum();
+    costs.geometry(polygon) + costs.preparation(polygon) + drawing
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use tilewright_scenes::{Scene, Size, project};
-
-    fn teapot() -> Projection {
-        let scene = Scene::builtin("teapot").expect("a built-in scene");
-        project(&scene, Size::new(160, 120).expect("in range")).expect("the teapot is in sight")
-    }
-
-    #[test]
-    fn every_polygon_is_dealt_once_in_whole_clusters() {
-        let assignment = Assignment::new(&teapot(), 5, 32, &CostTable::default());
-        let mut clusters: Vec<Vec<u32>> = Vec::new();
-        for polygons in &assignment.polygons {
-            clusters.extend(polygons.chunks(32).map(|cluster| cluster.iter().map(|polygon| polygon.number).collect()));
-        }
-        clusters.sort();
-        assert_eq!(clusters.concat(), (0..4096).collect::<Vec<_>>());
-    }
-
-    #[test]
-    fn no_processor_is_ahead_by_more_than_a_cluster() {
-        let projection = teapot();
-        let costs = CostTable::default();
-        let assignment = Assignment::new(&projection, 7, 16, &costs);
-        let heaviest = polygons(&projection)
-            .chunks(16)
-            .map(|cluster| cluster.iter().map(|polygon| load(&projection, polygon, &costs)).sum::<u64>())
-            .max();
-        let (least, most) = (assignment.loads.iter().min(), assignment.loads.iter().max());
-        assert!(most.unwrap() - least.unwrap() <= heaviest.unwrap(), "{:?}", assignment.loads);
-    }
-
-    #[test]
-    fn of_equally_loaded_processors_the_lowest_is_taken() {
-        let costs = CostTable { geometry: 1, set_up: 0, row: 0, pixel: 0, clear: 1 };
-        let assignment = Assignment::new(&teapot(), 3, 1000, &costs);
-        let firsts: Vec<u32> = assignment.polygons.iter().map(|polygons| polygons[0].number).collect();
-        assert_eq!(firsts, [0, 1000, 2000]);
-        assert_eq!(assignment.loads, [2000, 1096, 1000]);
-    }
-}
+mod tests;

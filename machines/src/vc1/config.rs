@@ -6,6 +6,7 @@ use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::vc1::Vc1;
 use tilewright_scenes::Size;
 
+use super::assignment::Assign;
 use super::cost::CostTable;
 
 /// Pixels of an image memory: 4096 pages of 4x4, 1/4.7 of the screen (VC1-LFB).
@@ -24,6 +25,8 @@ pub struct Config {
     pub pages: Option<u32>,
     /// Polygons of a cluster, at least 1 (VC1-CLU).
     pub cluster: u32,
+    /// How polygons are dealt.
+    pub assign: Assign,
     /// What the processing elements' program costs.
     pub costs: CostTable,
 }
@@ -34,7 +37,15 @@ impl Config {
 
     /// The VC-1 of the paper for a screen of that size.
     pub fn new(size: Size) -> Config {
-        Config { size, processors: 16, patch: 4, pages: None, cluster: 32, costs: CostTable::default() }
+        Config {
+            size,
+            processors: 16,
+            patch: 4,
+            pages: None,
+            cluster: 32,
+            assign: Assign::Once,
+            costs: CostTable::default(),
+        }
     }
 
     /// The patches of the screen.
@@ -66,7 +77,7 @@ impl Config {
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
-        let Config { size, processors, patch, cluster, costs, .. } = *self;
+        let Config { size, processors, patch, cluster, assign, costs, .. } = *self;
         Ok(Built {
             width: size.width(),
             height: size.height(),
@@ -75,6 +86,7 @@ impl Config {
             patches: self.patches()?.count(),
             pages: self.pages()?,
             cluster,
+            assign,
             costs,
         })
     }
@@ -113,6 +125,8 @@ pub struct Built {
     pub pages: u32,
     /// Polygons of a cluster.
     pub cluster: u32,
+    /// How polygons are dealt.
+    pub assign: Assign,
     /// Clocks of the program's steps.
     pub costs: CostTable,
 }

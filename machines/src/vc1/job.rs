@@ -23,11 +23,10 @@ pub(crate) struct Job<'a> {
 
 impl<'a> Job<'a> {
     pub fn new(config: &Config, projection: &'a Projection) -> Result<Job<'a>, ParameterError> {
-        let Config { processors, cluster, costs, .. } = *config;
         Ok(Job {
-            assignment: Assignment::new(projection, processors, cluster, &costs),
+            assignment: config.assignment(projection, None)?,
             packets: &projection.triangles,
-            costs,
+            costs: config.costs,
             patches: config.patches()?,
             pages: config.pages()?,
         })

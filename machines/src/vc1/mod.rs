@@ -37,7 +37,7 @@ mod program;
 mod report;
 mod scan_conversion;
 
-pub use assignment::{Assignment, Polygon};
+pub use assignment::{Assign, Assignment, Polygon};
 pub use config::{Built, Config};
 pub use cost::CostTable;
 pub use demand::{Demand, demand};

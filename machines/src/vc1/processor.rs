@@ -140,8 +140,9 @@ mod tests {
         let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
         let packet = set_up(&[at(0, 0), at(30, 0), at(0, 100)], Size::new(4, 1).expect("in range"));
         let packets = [packet.expect("covers pixels")];
-        let polygons = [(7, 0..1), (8, 1..1)].map(|(number, packets)| Polygon { number, packets });
-        let costs = CostTable { geometry: 3, set_up: 0, row: 0, pixel: 2, clear: 1 };
+        let polygons =
+            [(7, 0..1), (8, 1..1)].map(|(number, packets)| Polygon { number, packets, vertices: 1, clipped: 0 });
+        let costs = CostTable { vertex: 1, polygon: 2, area: 0, clip: 0, set_up: 0, row: 0, pixel: 2, clear: 1 };
         let mut processor = Processor::new(Program::new(costs, &packets, &polygons, 1));
         let mut wave = String::new();
         let busy = [7, 8];

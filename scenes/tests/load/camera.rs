@@ -125,7 +125,8 @@ fn a_sliver_that_misses_every_centre_is_a_warning_too() {
     let vertices = [at(4, 0), at(5, 0), at(996, 990)];
     let packet = set_up(&vertices, size).unwrap();
     let counts = Counts { polygons: 1, drawn: 1, ..Counts::default() };
-    let projection = Projection { size, triangles: vec![packet], vertices: vec![vertices], counts };
+    let projection =
+        Projection { size, triangles: vec![packet], vertices: vec![vertices], corners: Vec::new(), counts };
     assert_eq!(golden::ties(size, &projection.triangles).covered, 0, "the sliver is not one");
     assert!(projection.warning().unwrap().contains("1 is too small for a pixel"));
 }
@@ -144,7 +145,7 @@ fn a_warning_counts_every_fate() {
         split: 0,
     };
     let size = Size::new(64, 64).unwrap();
-    let projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), counts };
+    let projection = Projection { size, triangles: Vec::new(), vertices: Vec::new(), corners: Vec::new(), counts };
     assert_eq!(
         projection.warning().unwrap(),
         "nothing is drawn: of 31 polygons, 1 is behind the camera, 2 are outside the picture, 28 are too small for a pixel: \
