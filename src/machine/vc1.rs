@@ -1,5 +1,7 @@
 //! `--machine vc1`.
 
+mod cost;
+
 use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
@@ -7,9 +9,10 @@ use crate::golden;
 use crate::number::number;
 use crate::scene::triangles;
 use crate::shell::Failure;
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use tilewright_machines::vc1::{Config, Machine, Report};
+use clap::{Args, ValueEnum};
+use cost::Cost;
+use tilewright_machines::vc1::{Assign, Config, Machine, Report};
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
@@ -28,6 +31,30 @@ pub struct Vc1Options {
     /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
     #[arg(long, value_name = "N", value_parser = number(1..=MOST_PAGES))]
     pages: Option<u32>,
+    /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
+    /// each, or by the count of polygons alone [default: once]
+    #[arg(long, value_enum, value_name = "HOW")]
+    assign: Option<AssignName>,
+    #[arg(long, value_name = "NAME=CLOCKS", value_parser = cost::cost, help = cost::help())]
+    cost: Vec<Cost>,
+}
+
+/// How polygons are dealt.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum AssignName {
+    Once,
+    Each,
+    Count,
+}
+
+impl From<AssignName> for Assign {
+    fn from(name: AssignName) -> Assign {
+        match name {
+            AssignName::Once => Assign::Once,
+            AssignName::Each => Assign::Each,
+            AssignName::Count => Assign::Count,
+        }
+    }
 }
 
 /// The most pages that could be of use: the patches of the largest screen.
@@ -36,18 +63,20 @@ const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 impl Vc1Options {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let Vc1Options { processors, patch, pages } = self;
+        let Vc1Options { processors, patch, pages, assign, cost } = self;
         first_given([
             ("--processors", processors.is_some()),
             ("--patch", patch.is_some()),
             ("--pages", pages.is_some()),
+            ("--assign", assign.is_some()),
+            ("--cost", !cost.is_empty()),
         ])
     }
 
     /// A scene for the machine.
     ///
     /// # Errors
-    /// The scene cannot be set up.
+    /// The scene cannot be set up, or a cost is given twice.
     pub fn job(&self, scene: &Scene) -> Result<Vc1Job, Failure> {
         let projection = triangles(scene)?;
         let usual = Config::new(projection.size);
@@ -55,6 +84,8 @@ impl Vc1Options {
             processors: self.processors.unwrap_or(usual.processors),
             patch: self.patch.unwrap_or(usual.patch),
             pages: self.pages,
+            assign: self.assign.map_or(usual.assign, Assign::from),
+            costs: cost::table(&self.cost)?,
             ..usual
         };
         Ok(Vc1Job { config, projection, background: scene.background })

@@ -24,6 +24,24 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --patch 5", &["'5'", "4, 8, 16"]),
     ("render teapot --size 64x48 --pages 1", &["`pages`", "is 1:", "from 2 to 192"]),
     ("render teapot --size 64x48 --pages 3", &["ran out of its 3 image memory pages", "pass --pages"]),
+    ("render teapot --assign twice", &["'twice' for '--assign <HOW>'", "once, each, count"]),
+    (
+        "render teapot --cost geometry=631",
+        &[
+            "'geometry=631' for '--cost <NAME=CLOCKS>': there is no step `geometry`; the steps are vertex, polygon, area, clip, set-up, row, pixel, clear\n",
+        ],
+    ),
+    ("render teapot --cost row", &["give a step and its clocks, such as row=60; the steps are vertex, polygon, area"]),
+    ("render teapot --cost row=-1", &["row takes from 0 to 1000000 clocks\n"]),
+    (
+        "render teapot --cost pixel=0",
+        &["pixel takes from 1 to 1000000 clocks; those that can take 0 are vertex, polygon, area, clip, set-up, row\n"],
+    ),
+    ("render teapot --cost row=1 --cost row=1", &["error: --cost row is given twice: leave one out\n"]),
+    (
+        "render teapot --machine quadtree --cost row=1",
+        &["error: --cost is an option of vc1, and the machine is quadtree: leave it out, or pass --machine vc1\n"],
+    ),
     ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
     (
         "render teapot --machine quadtree --processors 4",

@@ -1,7 +1,7 @@
 //! `render` and `golden`.
 
 use crate::cli::harness::{Folder, PYRAMID, Waveform};
-use serde_json::json;
+use serde_json::{Value, json};
 use tilewright_scenes::Frame;
 
 const SMALL: &str = "render teapot --machine vc1 --size 64x48 --processors 2";
@@ -38,6 +38,34 @@ fn patches_and_pages_can_be_chosen() {
     assert_eq!(report["report"]["machine"]["patch"], 8);
     assert_eq!(report["report"]["machine"]["pages"], 40);
     assert_eq!(report["golden"]["identical"], true);
+}
+
+#[test]
+fn costs_and_the_way_of_dealing_can_be_chosen() {
+    let folder = Folder::new();
+    let report = |options: &str| {
+        folder.json(&format!("render teapot --size 64x48 --processors 3 {options} --json"))["report"].clone()
+    };
+    let usual = report("");
+    let mut costs = usual["machine"]["costs"].clone();
+    let geometry = |report: &Value| {
+        report["processors"].as_array().unwrap().iter().map(|it| it["work"]["geometry"].as_u64().unwrap()).sum::<u64>()
+    };
+    let cheap = report("--cost vertex=0 --cost polygon=7 --cost set-up=20");
+    assert_eq!(geometry(&cheap), 7 * 4096);
+    for (step, clocks) in [("vertex", 0), ("polygon", 7), ("set_up", 20)] {
+        costs[step] = json!(clocks);
+    }
+    assert_eq!(cheap["machine"]["costs"], costs, "the others stay");
+
+    let each = report("--assign each");
+    assert_eq!((&usual["machine"]["assign"], &each["machine"]["assign"]), (&json!("once"), &json!("each")));
+    assert_eq!(usual["processors"], each["processors"], "one frame is the same");
+    let polygons = |report: &Value| {
+        report["processors"].as_array().unwrap().iter().map(|it| it["polygons"].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(polygons(&report("--assign count")), [1376, 1376, 1344]);
+    assert_ne!(polygons(&usual), [1376, 1376, 1344]);
 }
 
 #[test]
