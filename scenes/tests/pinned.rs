@@ -25,6 +25,7 @@ fn check(pinned: &Pinned) {
         assert!(frame == drawn, "{}: as polygons", pinned.name);
     }
     assert_eq!(projection.counts, pinned.counts, "{}", pinned.name);
+    assert_eq!(projection.corners.len(), pinned.counts.polygons as usize, "{}: vertices of each polygon", pinned.name);
     assert_eq!(scene.mesh.checksum(), pinned.mesh, "{}: the mesh", pinned.name);
     assert_eq!(frame.checksum(), pinned.frame, "{}: the frame", pinned.name);
 }

@@ -4,6 +4,10 @@
 //! processing element with the least load so far; of equals, to the one of the lowest number (the paper takes any). The load of a
 //! polygon is what the cost table expects it to take. Polygons are loaded into local memories before the first frame, and from frame
 //! to frame only the view is sent, so they stay where the first view brought them: [`Assign`] has that and two other ways.
+//!
+//! A processing element of 16 waits for the last one, as a mean over ter1k's 48 views, for 0.62 ms by `Each` and for 1.01 ms by `Count`.
+//! By `Once` the first view decides: from 1.17 to 2.46 ms, and 1.68 ms as a mean over all first views. Table 1 has 1.4 ms (VC1-T1).
+//! `cargo test -p tilewright-machines each_way_of_dealing -- --ignored --nocapture` prints these.
 
 use super::config::Config;
 use super::cost::CostTable;
