@@ -54,8 +54,8 @@ fn teapot16() {
 fn table() {
     check(&Pinned {
         name: "table",
-        mesh: 0xf0aa_d195_ea0c_6e8b,
-        frame: 0x8e32_d0d3_96ef_4082,
+        mesh: 0x3ff1_c9d4_99c4_7787,
+        frame: 0x8f3e_8b33_c59e_fc2b,
         counts: Counts { polygons: 10224, drawn: 9842, degenerate: 67, between_centres: 315, ..Counts::default() },
     });
 }
