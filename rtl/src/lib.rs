@@ -1,5 +1,6 @@
 //! The hardware blocks of the rendering machines.
 
+pub mod bus;
 pub mod catalog;
 pub mod clocks;
 mod delays;

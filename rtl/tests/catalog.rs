@@ -73,6 +73,20 @@ fn the_local_frame_buffer_shows_what_its_scenarios_say() {
 }
 
 #[test]
+fn the_bus_shows_what_its_scenario_says() {
+    let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
+    for processors in [2, 3, 16, 256] {
+        let set = [("processors", processors)];
+        assert_eq!(shown("broadcast-bus", &set, "word_word"), [0, 0xa0, 0xa1, 0xc0]);
+        // It is not idle while the sender pauses within its packet.
+        assert_eq!(shown("broadcast-bus", &set, "idle"), [1, 0, 1]);
+        assert_eq!(shown("broadcast-bus", &set, "empty[0]"), [1, 0, 1]);
+        assert_eq!(shown("broadcast-bus", &set, "empty[1]"), [1, 0, 1, 0, 1, 0, 1]);
+    }
+    assert_eq!(shown("broadcast-bus", &[("processors", 1), ("queue", 2), ("clocks", 1)], "empty[0]"), [1, 0, 1]);
+}
+
+#[test]
 fn the_machine_shows_what_its_scenario_says() {
     const BLANK: u64 = 0xffffff_102030;
     for set in [&[][..], &[("processors", 16), ("patch", 8), ("width", 40), ("height", 20)]] {

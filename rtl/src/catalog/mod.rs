@@ -1,5 +1,6 @@
 //! Every block by name, with its parameters and a scenario: what the command line lists, prints and shows as a wave.
 
+mod bus;
 mod gfb;
 mod lfb;
 mod merger;
@@ -14,6 +15,7 @@ pub use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 /// Every block: each machine as a whole, then its parts in the order of the data's way through it.
 pub const ENTRIES: &[Entry] = &[
     vc1::VC1,
+    bus::BROADCAST_BUS,
     lfb::LFB_UNIT,
     lfb::PATCH_TABLE,
     lfb::PAGE_ID_GENERATOR,

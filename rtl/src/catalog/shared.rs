@@ -15,6 +15,8 @@ pub(super) const PATCH: Parameter =
     Parameter { name: "patch", default: 4, min: 4, max: 16, meaning: "edge of a patch in pixels: 4, 8 or 16" };
 pub(super) const PAGES: Parameter =
     Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
+pub(super) const PROCESSORS: Parameter =
+    Parameter { name: "processors", default: 2, min: 1, max: 256, meaning: "processing elements" };
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
 

@@ -2,8 +2,8 @@
 
 use tilewright_hdl::{Scenario, Script, Stream, elaborate};
 
-use super::shared::{HEIGHT, PAGES, PATCH, WIDTH};
-use super::{CatalogError, Entry, Parameter, Values};
+use super::shared::{HEIGHT, PAGES, PATCH, PROCESSORS, WIDTH};
+use super::{CatalogError, Entry, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
 use crate::lfb::{LfbUnit, Patches, Request, Wanted};
@@ -13,13 +13,7 @@ use crate::vc1::{ProcessorIn, SWAP_CLOCKS, Vc1, Vc1In};
 pub(super) const VC1: Entry = Entry {
     name: "vc1",
     summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer",
-    parameters: &[
-        WIDTH,
-        HEIGHT,
-        PATCH,
-        PAGES,
-        Parameter { name: "processors", default: 2, min: 1, max: 256, meaning: "processing elements" },
-    ],
+    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS],
     design: |values| Ok(elaborate(&vc1(values)?)?),
     scenario: |values| Ok(a_frame(&vc1(values)?)),
 };

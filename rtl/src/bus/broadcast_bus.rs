@@ -1,0 +1,164 @@
+//! The broadcast bus: brings packets from the host, or from any processor, to all processors (VC1-NET, VC1-APR).
+//!
+//! ```text
+//! senders.0 ========>.-------.                          .--[ queue ]====> received.0
+//! senders.1 ========>|  by   |                          |
+//!    ..              | turns |====>[ word, 6 clocks ]===+--[ queue ]====> received.1
+//! senders.n-1 ======>|       |            ^             |     ..
+//! senders.n, host ==>'-------'            |             '--[ queue ]====> received.n-1
+//!                                         '--- room in all of them
+//! ```
+//!
+//! # Protocol
+//!
+//! A packet is a sequence of words of one sender; `last` marks its end. The senders take turns, a packet each, beginning behind the one that had the
+//! last turn. So a packet waits for at most n others. While a sender pauses within its packet, the bus waits for it.
+//!
+//! A word is on the bus for `word_clocks` clocks. Then it enters the receive queues of all processors at once, the sender's own among them.
+//! While a queue is full, the word stays on the bus, so the slowest processor sets the pace of all. A processor has to receive while it sends:
+//! its own full queue would hold its own packet.
+//!
+//! # Latency and throughput
+//!
+//! A word that is taken from its sender in clock 0 is shown to the processors in clock `word_clocks + 1`. The bus takes the next word, of
+//! whichever packet, in clock `word_clocks`. With 6 clocks of 25 ns it brings 26.7 Mbyte/s.
+//!
+//! # When all has been received
+//!
+//! A word that has left its sender is on the bus, where `idle` is low, or in a queue, where `empty` is low. No clock lies between the two. So when
+//! `idle` and a processor's `empty` are both high, that processor has received all packets that were sent. Words that senders still
+//! offer do not count: a sender knows of those itself.
+
+use tilewright_blocks::{Fifo, Storage, StreamIn};
+
+use crate::prelude::*;
+
+bundle! {
+    /// A word of a packet.
+    pub struct BusWord<T> {
+        /// What it says.
+        pub word: T,
+        /// The packet ends with it.
+        pub last: T,
+    }
+}
+
+block! {
+    /// Brings packets from the host or any processor to all processors, word by word.
+    pub struct BroadcastBus {
+        /// How many processors there are.
+        pub processors: u32,
+        /// The words that the receive queue of each holds.
+        pub queue: u32,
+        /// Clocks that a word is on the bus.
+        pub word_clocks: u32,
+    }
+    ranges {
+        processors: 1..=256,
+        queue: 2..,
+        word_clocks: 1..,
+    }
+    latency(self) = format!("a word every {} clocks, shown 1 clock later", self.word_clocks);
+    source = "VC-1, section 3.1, broadcast bus (VC1-NET, VC1-APR)";
+    in(self) BroadcastBusIn {
+        /// The packets of each processor, and behind them those of the host.
+        senders: [stream(BusWord = BusWord::widths()); self.processors + 1],
+    }
+    out(self) BroadcastBusOut {
+        /// To each processor all packets.
+        received: [stream(BusWord = BusWord::widths()); self.processors],
+        /// No word is on the bus, and no packet is begun and unfinished.
+        idle: bit(),
+        /// The processors that have taken all words that left the bus.
+        empty: bit().of(row(self.processors)),
+    }
+}
+
+impl BusWord<Width> {
+    /// The widths of a word.
+    pub fn widths() -> BusWord<Width> {
+        BusWord { word: bits(32), last: bit() }
+    }
+}
+
+impl BroadcastBus {
+    /// The words that a receive queue of the VC-1 holds here; the paper does not say.
+    pub const QUEUE: u32 = 64;
+    /// The clocks of a processor that a word of the VC-1 takes: 26.7 of 27 Mbyte/s (VC1-NET).
+    pub const WORD_CLOCKS: u32 = 6;
+
+    /// That of a VC-1 of so many processors.
+    pub fn vc1(processors: u32) -> BroadcastBus {
+        BroadcastBus { processors, queue: BroadcastBus::QUEUE, word_clocks: BroadcastBus::WORD_CLOCKS }
+    }
+
+    fn build(&self, m: Module, i: BroadcastBusIn) -> BroadcastBusOut {
+        let BroadcastBus { processors, queue, word_clocks } = *self;
+        let senders = processors + 1;
+        def!(number = constants(below(senders).of(row(senders)), |sender| sender));
+
+        // Whose turn it is: within a packet its sender's, else that of the next one behind the last.
+        let offered = stack(i.senders);
+        def!(open = m.reg(bit()).reset(0));
+        def!(sender = m.reg(below(senders)).reset(processors));
+        def!(requests = offered.valid & (!open | number.eq(*sender)));
+        def!(rank = cat![!requests, number.le(*sender), number]);
+        def!(next = rank.minimum().trunc(below(senders)));
+        def!(on_bus = m.reg(bit()).reset(0));
+        def!(delivers = m.wire(bit()));
+        def!(free = !on_bus | *delivers);
+        def!(takes = free & requests.or_all());
+        let taken = offered.take_when(requests & number.eq(next) & free);
+        let next_word = taken.payload.map(|field| field.pick(next));
+        sender.when(takes, next);
+        open.when(takes, !next_word.last);
+
+        // The bus, where a word is from the edge at which it is taken until the one at which it goes to the queues.
+        def!(word = m.pipe_when(takes, next_word));
+        on_bus.when(takes, 1).when(*delivers, 0);
+        def!(clocks_left = m.reg(below(word_clocks)));
+        clocks_left.when(takes, word_clocks - 1).when(clocks_left.ne(0), clocks_left - 1);
+        def!(arrived = on_bus & clocks_left.eq(0));
+
+        // The queues, which all get the same words, and lose them at their processors' pace.
+        let each = row(processors);
+        let (copies, entered) = m.offer(delivers.of(each), cat![word.word, word.last].of(each));
+        def!(room = copies.ready.and_all());
+        delivers.drive(arrived & room);
+        let fifo = Fifo::new(queue, copies.width(), Storage::Registers);
+        let queues = m.array("u_queue", processors, &fifo, |_| StreamIn { into: copies }).out;
+        def!(empty = !queues.valid);
+        def!(leaves = queues.valid & queues.ready);
+        let received = queues.lanes().iter().map(|queue| queue.unpacked(&word)).collect();
+
+        // No word is lost, doubled or changed: what was taken and not yet received is on the bus or in the queue. Nothing else needs these counters.
+        let stays = on_bus & m.stable(word.word) & m.stable(word.last);
+        m.assert(m.past(on_bus & !*delivers).implies(stays), "a word stays on the bus until it goes to the queues");
+        m.assert(entered.and_all().eq(entered.or_all()), "a word goes to all queues or to none");
+        let count = up_to(queue + 1);
+        def!(sent = m.reg(count).reset(0));
+        sent.next(sent + taken.taken.zext(count).sum());
+        def!(seen = m.reg(count.of(each)).reset(0));
+        seen.when(leaves, seen + 1);
+        def!(queued = sent - seen - on_bus.zext(count));
+        m.assert(queued.le(queue), "what was taken and not yet received has room in the queue");
+        m.assert(empty.eq(queued.eq(0)), "a processor whose queue is empty has received all that left the bus");
+
+        // No word comes between those of another packet, and every packet gets its turn.
+        m.assert((taken.taken & *open).implies(number.eq(*sender)), "no word comes between those of another packet");
+        m.assert(m.past(takes).implies(open.eq(!word.last)), "a packet is open until its last word");
+        def!(others = m.reg(up_to(senders).of(row(senders))).reset(0));
+        others.when(taken.taken, 0).when(offered.valid & takes & !open, others + 1);
+        m.assert(others.le(processors), "a packet waits for one packet of each other sender at most");
+
+        m.cover("a full queue holds the bus", arrived & !room);
+        m.cover("a sender pauses within its packet", *open & free & !takes);
+        m.cover("a sender waits for the packet of another", (offered.valid & *open & number.ne(*sender)).or_all());
+        m.cover("all senders wait for their turn", !open & !free & offered.valid.and_all());
+        m.cover("a packet follows another without a pause", *delivers & takes & !open);
+        BroadcastBusOut { received, idle: !on_bus & !open, empty }
+    }
+}
+
+#[cfg(test)]
+mod tests;
