@@ -73,7 +73,7 @@ fn the_local_frame_buffer_shows_what_its_scenarios_say() {
 }
 
 #[test]
-fn the_bus_shows_what_its_scenario_says() {
+fn the_bus_and_the_sums_show_what_their_scenarios_say() {
     let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
     for processors in [2, 3, 16, 256] {
         let set = [("processors", processors)];
@@ -84,6 +84,11 @@ fn the_bus_shows_what_its_scenario_says() {
         assert_eq!(shown("broadcast-bus", &set, "empty[1]"), [1, 0, 1, 0, 1, 0, 1]);
     }
     assert_eq!(shown("broadcast-bus", &[("processors", 1), ("queue", 2), ("clocks", 1)], "empty[0]"), [1, 0, 1]);
+    for (width, height) in [(16, 8), (9, 5), (2, 2)] {
+        let set = [("width", width), ("height", height)];
+        // The average of two colours that were black before, and in the meantime half of the first.
+        assert_eq!(shown("accumulation", &set, "colour"), [0, 0x081018, 0x203040]);
+    }
 }
 
 #[test]

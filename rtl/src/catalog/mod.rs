@@ -25,6 +25,7 @@ pub const ENTRIES: &[Entry] = &[
     merger::IMAGE_MERGER,
     gfb::GFB_UNIT,
     gfb::GFB_SEQUENCER,
+    gfb::ACCUMULATION,
     quadtree::QUADTREE_GENERATOR,
     quadtree::VIDEO_PROCESSOR,
     quadtree::SET_UP,

@@ -1,7 +1,10 @@
-//! The global frame buffer of the VC-1: a full screen with depth, which collects what the local frame buffers send.
+//! The global frame buffer of the VC-1: a full screen with depth, which collects what the local frame buffers send. Behind it,
+//! the accumulation buffer adds up the pictures of several passes.
 
+mod accumulation;
 mod sequencer;
 mod unit;
 
+pub use accumulation::{Accumulation, AccumulationIn, AccumulationOut, Passes};
 pub use sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut, SCAN_LATENCY};
 pub use unit::{GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};

@@ -1,0 +1,168 @@
+//! The accumulation buffer with its merging unit, MUACC: adds up the pictures of several passes, and shows their average (VC1-ACB).
+//!
+//! ```text
+//!                   merge clock                  |     CRT clock
+//!                                                |
+//! start -->[ address ]--+--> address, to the GFB |         .--- read_address
+//!                       v                        |         |
+//!           old .---------------.                |         |
+//!       .-------|     sums:     |<---------------|---------'
+//!       v       |  even pixels, |                |
+//! word ( + )--->|  odd pixels   |----------------|---> ( (sum + n / 2) / n )--> colour
+//!       ^       '---------------'                |                ^
+//! first '                                passes -|----------------'
+//! ```
+//!
+//! A pixel is three sums of 12 bits: of red, green and blue. A pass goes through the picture in raster order, a pixel in each clock of the merger. It puts out
+//! the address, and has the word and the sum of that pixel one clock later. At the end of that clock it stores the new sum. So a pass is `busy` for one
+//! clock more than there are pixels. The `first` pass stores the colours themselves, whatever was there before.
+//!
+//! In each clock a pass reads one pixel and writes the one before it. One of the two is even and the other one odd, and each kind has a memory of its own. So
+//! each memory needs two ports, one for the pass and one for the display.
+//!
+//! The display gets a colour one of its clocks after the address: red, green and blue, each `floor((sum + n / 2) / n)` of `n` passes. It may read
+//! at any time. While a pass is under way, some pixels have their new sum and others the old one; of the pixel that is stored in that instant, anything may be
+//! read.
+//!
+//! # Protocol
+//!
+//! | who | does | when |
+//! |---|---|---|
+//! | host | starts the `first` pass | not busy |
+//! | host | starts another pass | not busy, and at most 15 times after a `first` one |
+//! | global frame buffer | reads at `address`, and keeps its banks where they are | busy |
+//! | host | says of how many passes the average is | before a picture is shown that is of as many |
+//!
+//! Of more passes than `passes` says, a component of the average is only right modulo 256; of fewer, the picture is dark.
+
+use crate::prelude::*;
+
+/// The bits of a colour's component in a picture, and in the sum of 16.
+const COMPONENT: u32 = 8;
+const SUM: u32 = 12;
+/// The components of a colour: red above green above blue.
+const COMPONENTS: u32 = 3;
+
+codes! {
+    /// Of how many passes an average is.
+    pub enum Passes {
+        /// 2.
+        Two,
+        /// 4.
+        Four,
+        /// 8.
+        Eight,
+        /// 16, the most that can be added up.
+        Sixteen,
+    }
+}
+
+impl Passes {
+    /// How many there are.
+    pub fn count(self) -> u32 {
+        1 << self.shift()
+    }
+
+    /// The binary logarithm of how many there are.
+    fn shift(self) -> u32 {
+        self.code() as u32 + 1
+    }
+}
+
+block! {
+    /// Adds up the pictures of several passes, and shows their average.
+    pub struct Accumulation {
+        /// The screen.
+        pub screen: Screen,
+    }
+    latency(self) = format!("a pass of {} clocks of the merger; 1 clock of the display to read", self.pass_clocks());
+    source = "VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)";
+    in(self) AccumulationIn {
+        /// For one clock, when not busy: begins a pass.
+        start: bit().on(MERGE),
+        /// With `start`: it is the first pass, of which the colours are stored; else they are added.
+        first: bit().on(MERGE),
+        /// The word at the address of the last clock: a depth, which is not looked at, above a colour.
+        word: bits(WORD).on(MERGE),
+        /// Of how many passes the average is.
+        passes: one_of::<Passes>().on(MERGE),
+        /// A pixel to show, in raster order.
+        read_address: below(self.screen.pixels()).on(CRT),
+    }
+    out(self) AccumulationOut {
+        /// A pass is under way.
+        busy: bit(),
+        /// A pixel of the picture that is added, in raster order.
+        address: below(self.screen.pixels()),
+        /// The average at the read address of the last clock: red above green above blue.
+        colour: bits(COMPONENTS * COMPONENT),
+    }
+}
+
+impl Accumulation {
+    /// The clocks of the merger in which a pass is busy.
+    pub fn pass_clocks(&self) -> u64 {
+        u64::from(self.screen.pixels()) + 1
+    }
+
+    fn build(&self, m: Module, i: AccumulationIn) -> AccumulationOut {
+        let (merge, crt) = (m.on(MERGE), m.on(CRT));
+        let pixels = self.screen.pixels();
+
+        // The pass: a pixel that is read, and the one before, which is stored.
+        def!(reads = merge.reg(bit()).reset(0));
+        def!(address = merge.reg(below(pixels)).reset(0));
+        def!(ends = address.eq(pixels - 1));
+        reads.when(i.start, 1).when(ends, 0);
+        address.when(ends, 0).when(*reads, address + 1);
+        def!(stores = merge.reg(bit()).reset(0));
+        stores.next(*reads);
+        def!(stored = merge.pipe(*address));
+        def!(busy = reads | stores);
+        merge.assume(i.start.implies(!busy), "a pass begins when none is under way");
+
+        // Even pixels and odd ones: where one memory is read, the other one is written.
+        let sum = bits(COMPONENTS * SUM);
+        def!(sums = m.memory(pixels.div_ceil(2), sum.of(row(2)), ReadUnderWrite::Any));
+        def!(parity = constants(bit().of(row(2)), |parity| parity));
+        def!(reads_here = reads & parity.eq(address.bit(0)));
+        def!(stores_here = stores & parity.eq(stored.bit(0)));
+        def!(pixel = mux(stores_here, stored, *address));
+        let place = |pixel: Signal| match pixel.width() {
+            1 => lit(1, 0),
+            width => pixel.slice(1..width),
+        };
+        merge.assert(!(reads_here & stores_here), "a memory is not read and written in one clock");
+        def!(old = sums.on(MERGE).read_when(reads_here, place(pixel)));
+
+        // Of each component the sum.
+        def!(replaces = merge.pipe_when(i.start, i.first));
+        def!(so_far = mux(replaces, 0, old.pick(stored.bit(0))));
+        let colour = i.word.trunc(COMPONENTS * COMPONENT).unpack(row(COMPONENTS));
+        def!(added = so_far.unpack(row(COMPONENTS)) + colour.zext(SUM));
+        sums.on(MERGE).write(stores_here, place(pixel), added.pack().of(row(2)));
+
+        let most = Passes::Sixteen.count();
+        def!(may_follow = merge.reg(below(most)).reset(0));
+        may_follow.when(i.start, mux(i.first, most - 1, may_follow - 1));
+        let follows = i.start & !i.first;
+        merge.assume(follows.implies(may_follow.ne(0)), "a pass is the first, or one of 15 that follow it");
+        let passes_so_far = lit(up_to(most), most) - may_follow.zext(up_to(most));
+        let greatest = (passes_so_far * ((1 << COMPONENT) - 1)).trunc(SUM);
+        merge.assert(stores.implies(added.le(greatest)), "a sum is not more than the passes so far give");
+        merge.cover("a pixel is the sum of 16 passes", stores & may_follow.eq(0));
+
+        // The display.
+        let passes = i.passes.quasi_static("the average means something when it has been so for a picture");
+        def!(read_odd = crt.pipe(i.read_address.bit(0)));
+        def!(read = sums.on(CRT).read(place(i.read_address)));
+        let shown = read.pick(read_odd).unpack(row(COMPONENTS));
+        // The bit below the quotient is the half, which is rounded up.
+        let quotient: Signal = passes.choose(|passes: Passes| shown.part(passes.shift() - 1, COMPONENT + 1));
+        let average = quotient.part(1, COMPONENT) + quotient.part(0, 1).zext(COMPONENT);
+        AccumulationOut { busy, address: *address, colour: average.pack() }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,227 @@
+// accumulation_width16_height8
+//
+// Adds up the pictures of several passes, and shows their average.
+//
+// Parameters  Accumulation { screen: Screen { width: 16, height: 8 } }
+// Latency     a pass of 129 clocks of the merger; 1 clock of the display to read
+// Source      VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)
+// Described   rtl/src/gfb/accumulation.rs:72
+// Stable      passes: the average means something when it has been so for a picture (rtl/src/gfb/accumulation.rs:156)
+`default_nettype none
+
+module accumulation_width16_height8 (
+    input  wire        merge_clk,
+    input  wire        merge_rst,
+    input  wire        crt_clk,
+    input  wire        start,        // For one clock, when not busy: begins a pass.
+    // With `start`: it is the first pass, of which the colours are stored; else they are added.
+    input  wire        first,
+    // The word at the address of the last clock: a depth, which is not looked at, above a colour.
+    input  wire [47:0] word,
+    input  wire [1:0]  passes,       // Of how many passes the average is.
+    input  wire [6:0]  read_address, // A pixel to show, in raster order.
+    output wire        busy,         // A pass is under way.
+    output reg  [6:0]  address,      // A pixel of the picture that is added, in raster order.
+    output wire [23:0] colour        // The average at the read address of the last clock: red above green above blue.
+);
+
+    localparam [1:0] PASSES_TWO   = 2'd0;
+    localparam [1:0] PASSES_FOUR  = 2'd1;
+    localparam [1:0] PASSES_EIGHT = 2'd2;
+    // Not used here: PASSES_SIXTEEN = 3.
+
+    reg reads;                                                   // rtl/src/gfb/accumulation.rs:113
+    reg stores;                                                  // rtl/src/gfb/accumulation.rs:118
+    reg [6:0] stored;                                            // rtl/src/gfb/accumulation.rs:120
+    reg replaces;                                                // rtl/src/gfb/accumulation.rs:139
+    reg [3:0] may_follow;                                        // rtl/src/gfb/accumulation.rs:146
+    reg read_odd;                                                // rtl/src/gfb/accumulation.rs:157
+
+    wire [35:0] so_far_picked;                                   // rtl/src/gfb/accumulation.rs:140
+    wire [35:0] sums_write_lanes;                                // rtl/src/gfb/accumulation.rs:143
+    wire [35:0] colour_picked;                                   // rtl/src/gfb/accumulation.rs:159
+    wire ends = address == 7'd127;                               // rtl/src/gfb/accumulation.rs:115
+    assign busy = reads | stores;                                // rtl/src/gfb/accumulation.rs:121
+    wire so_far_part = stored[0];                                // rtl/src/gfb/accumulation.rs:140
+    wire [35:0] so_far = replaces ? 36'd0 : so_far_picked;       // rtl/src/gfb/accumulation.rs:140
+    wire [23:0] added_part = word[23:0];                         // rtl/src/gfb/accumulation.rs:141
+    wire [12:0] asserted_product = {8'd0, 5'd16 - {1'd0, may_follow}} * 13'd255; // rtl/src/gfb/accumulation.rs:151
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : parity_row
+            (* no_rw_check *)
+            reg [35:0] sums [0:63];                                      // rtl/src/gfb/accumulation.rs:126
+            reg [35:0] old;                                              // rtl/src/gfb/accumulation.rs:136
+            reg [35:0] read;                                             // rtl/src/gfb/accumulation.rs:158
+            wire parity;
+            localparam [31:0] parity_value = i;
+            assign parity = parity_value[0];
+            wire reads_here = reads & (parity == address[0]);
+            wire stores_here = stores & (parity == stored[0]);
+            wire [6:0] pixel = stores_here ? stored : address;
+
+            always @(posedge merge_clk) begin
+                if (stores_here) sums[pixel[6:1]] <= sums_write_lanes;
+                if (reads_here) old <= sums[pixel[6:1]];
+            end
+
+            always @(posedge crt_clk) begin
+                read <= sums[read_address[6:1]];
+            end
+            `ifndef SYNTHESIS
+            `ifdef FORMAL
+            always @(posedge merge_clk) begin
+                if (!merge_rst) assert (!(reads_here & stores_here));        // rtl/src/gfb/accumulation.rs:135
+            end
+            `else
+            always @(posedge merge_clk) begin
+                if (!merge_rst && (reads_here & stores_here)) begin          // rtl/src/gfb/accumulation.rs:135
+                    $display("FAIL: time %0t: %m: a memory is not read and written in one clock", $time);
+                    stop;
+                end
+            end
+            `endif
+            `endif
+            wire _unused_lane = &{1'b0, pixel[0]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : added_row
+            wire [11:0] added = so_far[i * 12 +: 12] + {4'd0, added_part[i * 8 +: 8]};
+            `ifndef SYNTHESIS
+            `ifdef FORMAL
+            always @(posedge merge_clk) begin
+                if (!merge_rst) assert (!stores | (added <= asserted_product[11:0])); // rtl/src/gfb/accumulation.rs:152
+            end
+            `else
+            always @(posedge merge_clk) begin
+                if (!merge_rst && !(!stores | (added <= asserted_product[11:0]))) begin // rtl/src/gfb/accumulation.rs:152
+                    $display("FAIL: time %0t: %m: a sum is not more than the passes so far give", $time);
+                    stop;
+                end
+            end
+            `endif
+            `endif
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : colour_choice_row
+            reg [8:0] colour_choice;
+            always @* begin
+                case (passes)
+                    PASSES_TWO: colour_choice = colour_picked[i * 12 +: 9];
+                    PASSES_FOUR: colour_choice = colour_picked[i * 12 + 1 +: 9];
+                    PASSES_EIGHT: colour_choice = colour_picked[i * 12 + 2 +: 9];
+                    default: colour_choice = colour_picked[i * 12 + 3 +: 9]; // PASSES_SIXTEEN
+                endcase
+            end
+            wire [7:0] colour_sum = colour_choice[8:1] + {7'd0, colour_choice[0]};
+        end
+    endgenerate
+
+    wire [35:0] so_far_picked_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : so_far_picked_of
+            assign so_far_picked_lanes[i] = parity_row[i].old;
+        end
+    endgenerate
+    assign so_far_picked = so_far_picked_lanes[so_far_part];     // rtl/src/gfb/accumulation.rs:140
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : sums_write_lanes_of
+            assign sums_write_lanes[i * 12 +: 12] = added_row[i].added;
+        end
+    endgenerate
+    wire [35:0] colour_picked_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : colour_picked_of
+            assign colour_picked_lanes[i] = parity_row[i].read;
+        end
+    endgenerate
+    assign colour_picked = colour_picked_lanes[read_odd];        // rtl/src/gfb/accumulation.rs:159
+    generate
+        for (i = 0; i < 3; i = i + 1) begin : colour_of
+            assign colour[i * 8 +: 8] = colour_choice_row[i].colour_sum;
+        end
+    endgenerate
+
+    always @(posedge merge_clk) begin
+        stored <= address;
+    end
+
+    always @(posedge merge_clk) begin
+        if (start) replaces <= first;
+    end
+
+    always @(posedge crt_clk) begin
+        read_odd <= read_address[0];
+    end
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) begin
+            reads <= 1'b0;
+            address <= 7'd0;
+            stores <= 1'b0;
+            may_follow <= 4'd0;
+        end else begin
+            if (start) reads <= 1'b1;
+            else if (ends) reads <= 1'b0;
+            if (ends) address <= 7'd0;
+            else if (reads) address <= address + 7'd1;
+            stores <= reads;
+            if (start) begin
+                if (first) may_follow <= 4'd15;
+                else may_follow <= may_follow - 4'd1;
+            end
+        end
+    end
+
+`ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
+`ifdef FORMAL
+    always @(posedge merge_clk) begin
+        if (!merge_rst) assume (!start | !busy);                     // rtl/src/gfb/accumulation.rs:122
+        if (!merge_rst) assume (!(start & !first) | (may_follow != 4'd0)); // rtl/src/gfb/accumulation.rs:149
+        if (!merge_rst) cover (stores & (may_follow == 4'd0));       // rtl/src/gfb/accumulation.rs:153
+    end
+`else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    always @(posedge merge_clk) begin
+        if (!merge_rst && !(!start | !busy)) begin                   // rtl/src/gfb/accumulation.rs:122
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass begins when none is under way", $time);
+            stop;
+        end
+        if (!merge_rst && !(!(start & !first) | (may_follow != 4'd0))) begin // rtl/src/gfb/accumulation.rs:149
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass is the first, or one of 15 that follow it", $time);
+            stop;
+        end
+        if (!merge_rst && (stores & (may_follow == 4'd0)) && !is_covered) begin // rtl/src/gfb/accumulation.rs:153
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a pixel is the sum of 16 passes", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, word[47:24], asserted_product};
+endmodule
+`default_nettype wire
