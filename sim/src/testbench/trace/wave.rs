@@ -343,13 +343,8 @@ impl Row {
         for (i, &now) in high.iter().enumerate() {
             line.extend(std::iter::repeat_n(level(now), column - 1));
             line.push(match high.get(i + 1) {
-                Some(&next) if next != now => {
-                    if next {
-                        '/'
-                    } else {
-                        '\\'
-                    }
-                }
+                Some(true) if !now => '/',
+                Some(false) if now => '\\',
                 _ => level(now),
             });
         }
@@ -357,10 +352,11 @@ impl Row {
     }
 }
 
-/// A bus value in `width` characters, the last of which is the border.
+/// A bus value in `width` characters, the last of which is the border. What has no room ends in dots, or is dots alone.
 fn cell(text: &str, width: usize) -> String {
     let room = width - 3;
-    let text = if text.len() > room { format!("{}..", &text[..room - 2]) } else { text.to_string() };
+    let dots = room.min(2);
+    let text = if text.len() > room { format!("{}{}", &text[..room - dots], &".."[..dots]) } else { text.to_string() };
     format!(" {text:room$} |")
 }
 
@@ -389,4 +385,14 @@ fn clock(period: u64, columns: &[(u64, u64)], width: usize) -> String {
         });
     }
     line
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_value_without_room_is_dots() {
+        let cells = [7, 6, 5, 4, 3].map(|width| super::cell("Overflow", width));
+        assert_eq!(cells, [" Ov.. |", " O.. |", " .. |", " . |", "  |"]);
+        assert_eq!(super::cell("9", 4), " 9 |");
+    }
 }
