@@ -2,8 +2,8 @@
 //!
 //! Source: VC1-CLU. Clusters of w consecutive polygons, which tend to be neighbours on the screen, go one after another to the
 //! processing element with the least load so far; of equals, to the one of the lowest number (the paper takes any). The load of a
-//! polygon is what the cost table expects it to take. Polygons are loaded into local memories before the first frame, and from frame
-//! to frame only the view is sent, so they stay where the first view brought them: [`Assign`] has that and two other ways.
+//! polygon is what the cost table expects it to take. Polygons are loaded into local memories before the first frame.
+//! From frame to frame only the view is sent, so they stay where the first view brought them. [`Assign`] has that and two other ways.
 //!
 //! A processing element of 16 waits for the last one, as a mean over ter1k's 48 views, for 0.62 ms by `Each` and for 1.01 ms by `Count`.
 //! By `Once` the first view decides: from 1.17 to 2.46 ms, and 1.68 ms as a mean over all first views. Table 1 has 1.4 ms (VC1-T1).

@@ -1,7 +1,7 @@
 //! The table of the VC-1 paper: a teapot and four cups on a slab, which is as large on the screen as all else together (VC1-SCENE).
 //!
-//! The paper gives the count of polygons and a small picture. What they are is ours (facts D): 12 of a slab, 48 of its legs, 4 of two mats,
-//! 4096 of the teapot, and four times 1516 of a cup, its saucer and its handle.
+//! The paper gives the count of polygons and a small picture. What they are is ours (facts D). A slab has 12, its legs 48, two mats 4,
+//! and the teapot 4096. A cup with its saucer and its handle has 1516, and there are four of them.
 
 use super::shape::{Parts, Shape};
 use super::teapot;
