@@ -34,8 +34,7 @@ impl Printer<'_> {
             Op::Case { .. } if self.is_choice(id) => vec![self.case(id, target)],
             Op::Mux { .. } | Op::Select { .. } if self.is_choice(id) => self.if_chain(id, target),
             Op::Concat(_) if self.plan.form(id) == Form::Block => {
-                let value = self.expression(id, Style::Count);
-                vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
+                vec![target.take(&self.expression(id, Style::Count))]
             }
             _ => self.leaf(id, target),
         }
@@ -63,7 +62,7 @@ impl Printer<'_> {
             return Vec::new();
         }
         let value = self.state_text(id, target.states).unwrap_or_else(|| self.value(id));
-        vec![Statement::Assign(format!("{} {} {value};", target.name, target.assign))]
+        vec![target.take(&value)]
     }
 
     /// Whether `target` keeps its value where it is given that of a node.
@@ -169,8 +168,13 @@ impl Printer<'_> {
 }
 
 impl Target {
+    /// The assignment of a value.
+    fn take(&self, value: &str) -> Statement {
+        Statement::Assign(format!("{} {} {value};", self.name, self.assign))
+    }
+
     /// The assignment that changes nothing.
     pub fn keep(&self) -> Statement {
-        Statement::Assign(format!("{0} {1} {0};", self.name, self.assign))
+        self.take(&self.name)
     }
 }
