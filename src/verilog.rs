@@ -9,8 +9,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tilewright_gen::{VerilogFile, testbench, verilog};
-use tilewright_hdl::{Design, Recording, Scenario};
-use tilewright_sim::EngineKind;
+use tilewright_hdl::{Recording, Scenario};
+use tilewright_sim::{EngineKind, Simulation};
 
 /// Writes a block as Verilog, a file a module
 #[derive(Args)]
@@ -60,7 +60,8 @@ impl Verilog {
         let mut files = verilog(&design);
         let mut cycles = None;
         if self.testbench {
-            let recording = record(&design, &entry.scenario(&values)?)?;
+            let mut sim = simulation(&design, EngineKind::default())?;
+            let recording = record(&mut sim, &entry.scenario(&values)?)?;
             cycles = Some(recording.steps.len());
             files.push(testbench(&design, &recording));
         }
@@ -84,11 +85,10 @@ impl Verilog {
 }
 
 /// The run of the scenario, as a testbench replays it.
-fn record(design: &Design, scenario: &Scenario) -> Result<Recording, Failure> {
-    let mut sim = simulation(design, EngineKind::default())?;
-    check_length(&sim, scenario, "a testbench")?;
+fn record(sim: &mut Simulation, scenario: &Scenario) -> Result<Recording, Failure> {
+    check_length(sim, scenario, "a testbench")?;
     let recording = sim.recording();
-    play(&mut sim, scenario, u64::MAX)?;
+    play(sim, scenario, u64::MAX)?;
     Ok(recording.take())
 }
 

@@ -101,8 +101,8 @@ impl Wave {
         let save = self.output.as_ref().and_then(|path| beside(path, "gtkw"));
         check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
-        let scenario = entry.scenario(&values)?;
         let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
+        let scenario = entry.scenario(&values)?;
         let text = if self.ascii { Some(self.record_ports(&mut sim, &scenario)?) } else { None };
         let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
         let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
