@@ -2,17 +2,12 @@
 
 use tilewright_rtl::parameter::ParameterError;
 
-use crate::vc1::Overflow;
-
 /// Why there is no frame. `Display` is the whole sentence.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The machine cannot be built as asked.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
-    /// A local frame buffer has too few pages.
-    #[error(transparent)]
-    Overflow(#[from] Overflow),
     /// The cancellation flag was raised.
     #[error("the run was interrupted at {time} ps of simulated time, while the machine was {phase}")]
     Cancelled {

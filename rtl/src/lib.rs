@@ -13,5 +13,6 @@ pub mod pixelflow;
 mod prelude;
 pub mod quadtree;
 pub mod scan;
+pub mod swap;
 pub mod vc1;
 pub mod word;

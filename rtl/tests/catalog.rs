@@ -64,7 +64,7 @@ fn the_local_frame_buffer_shows_what_its_scenarios_say() {
     assert_eq!(shown("page-id-generator", &[], "used"), [0, 1, 2, 0, 1]);
     assert_eq!(shown("patch-table", &[], "scan_entry_resident"), [0, 1, 0]);
     assert_eq!(shown("image-memory", &[], "sent"), [EMPTY, 60, EMPTY]);
-    assert_eq!(shown("scan-counter", &[("position", 2)], "armed"), [0, 1, 0]);
+    assert_eq!(shown("scan-counter", &[("position", 2)], "armed"), [0, 1]);
     for patch in [4, 8, 16] {
         let set = [("width", 40), ("height", 24), ("patch", patch), ("pages", 2)];
         assert_eq!(shown("lfb-unit", &set, "word"), [EMPTY, 70, 50, EMPTY, 40, EMPTY], "patches of {patch}");
@@ -97,7 +97,7 @@ fn the_machine_shows_what_its_scenario_says() {
     for set in [&[][..], &[("processors", 16), ("patch", 8), ("width", 40), ("height", 20)]] {
         let nearest =
             40 - set.iter().find(|(name, _)| *name == "processors").map_or(1, |(_, processors)| processors - 1);
-        assert_eq!(play(find("vc1").unwrap(), set, Some("gfb_read_word")), [0, 20, BLANK, nearest]);
+        assert_eq!(play(find("vc1").unwrap(), set, Some("view_read_word")), [0, 20, BLANK, nearest]);
     }
 }
 

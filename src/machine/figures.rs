@@ -5,7 +5,7 @@ use super::job::{Job, Run};
 use super::pixel_planes::PixelPlanesOptions;
 use super::pixelflow::PixelFlowJob;
 use super::quadtree::QuadtreeOptions;
-use super::vc1::Vc1Job;
+use super::vc1::Vc1Options;
 use crate::shell::Failure;
 use serde::Serialize;
 use tilewright_hdl::ir::State;
@@ -76,7 +76,7 @@ pub struct Entrant {
 
 /// All of them.
 pub const ENTRANTS: [Entrant; 4] = [
-    Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Job::with_enough_pages(scene)?, run) },
+    Entrant { machine: Machine::Vc1, draw: |scene, run| drawn(&Vc1Options::default().job(scene)?, run) },
     Entrant {
         machine: Machine::Quadtree,
         draw: |scene, run| drawn(&QuadtreeOptions::default().job(scene, false)?, run),

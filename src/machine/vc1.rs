@@ -13,7 +13,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use cost::Cost;
 use tilewright_machines::vc1::{Assign, Config, Machine, Report};
-use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::gfb::Blanking;
 use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
 
@@ -29,8 +29,14 @@ pub struct Vc1Options {
           value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
     patch: Option<u32>,
     /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
-    #[arg(long, value_name = "N", value_parser = number(1..=MOST_PAGES))]
+    #[arg(long, value_name = "N", value_parser = number(2..=MOST_PAGES))]
     pages: Option<u32>,
+    /// Refreshes of the display in a second, such as 59.94 [default: 60]
+    #[arg(long, value_name = "HZ")]
+    refresh: Option<f64>,
+    /// The lines of the vertical blanking in which the displayed frame changes [default: at-start]
+    #[arg(long, value_name = "WHEN", value_parser = PossibleValuesParser::new(["at-start", "in-blanking"]))]
+    swap: Option<String>,
     /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
     /// each, or by the count of polygons alone [default: once]
     #[arg(long, value_enum, value_name = "HOW")]
@@ -63,11 +69,13 @@ const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 impl Vc1Options {
     /// One that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
-        let Vc1Options { processors, patch, pages, assign, cost } = self;
+        let Vc1Options { processors, patch, pages, refresh, swap, assign, cost } = self;
         first_given([
             ("--processors", processors.is_some()),
             ("--patch", patch.is_some()),
             ("--pages", pages.is_some()),
+            ("--refresh", refresh.is_some()),
+            ("--swap", swap.is_some()),
             ("--assign", assign.is_some()),
             ("--cost", !cost.is_empty()),
         ])
@@ -84,26 +92,13 @@ impl Vc1Options {
             processors: self.processors.unwrap_or(usual.processors),
             patch: self.patch.unwrap_or(usual.patch),
             pages: self.pages,
+            refresh: self.refresh.unwrap_or(usual.refresh),
+            blanking: if self.swap.as_deref() == Some("in-blanking") { Blanking::Within } else { usual.blanking },
             assign: self.assign.map_or(usual.assign, Assign::from),
             costs: cost::table(&self.cost)?,
             ..usual
         };
         Ok(Vc1Job { config, projection, background: scene.background })
-    }
-}
-
-impl Vc1Job {
-    /// A scene for the machine without options; where the scene needs more pages than it has, it has those.
-    ///
-    /// # Errors
-    /// The scene cannot be set up, or there is no such machine.
-    pub fn with_enough_pages(scene: &Scene) -> Result<Vc1Job, Failure> {
-        let job = Vc1Options::default().job(scene)?;
-        let pages =
-            |config: &Config| Ok::<_, ParameterError>([config.pages()?, config.sufficient_pages(&job.projection)?]);
-        let [usual, sufficient] = pages(&job.config).map_err(tilewright_machines::Error::from)?;
-        let pages = (sufficient > usual).then_some(sufficient);
-        Ok(Vc1Job { config: Config { pages, ..job.config }, ..job })
     }
 }
 
@@ -143,10 +138,6 @@ impl Compared for Vc1Job {
         let clocks: u64 = phases().map(|phase| phase.pe_clocks).sum();
         let names: Vec<&str> = phases().map(|phase| phase.name).collect();
         let longest = phases().max_by_key(|phase| phase.picoseconds);
-        let more = match self.config.pages {
-            None => String::new(),
-            Some(pages) => format!("; it has the {pages} pages in a buffer that this scene needs"),
-        };
         let working: u64 = report.processors.iter().map(|it| it.work.total()).sum();
         Ok(Figures {
             processors: report.machine.processors,
@@ -155,7 +146,7 @@ impl Compared for Vc1Job {
             memory_bits: hardware.memories,
             clocks,
             picoseconds: report.frame_picoseconds(),
-            time: format!("{}, one after another, geometry being part of drawing{more}", names.join(", ")),
+            time: format!("{}, one after another, geometry being part of drawing", names.join(", ")),
             // Spans are computed, so no pixel is tested in vain.
             tested: report.pixels,
             drawn: report.pixels,

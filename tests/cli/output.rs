@@ -95,7 +95,7 @@ fn a_waveform_goes_to_a_pipe_or_a_device_without_a_save_file() {
     assert_eq!(folder.read("fifo.vcd"), folder.read("plain.vcd"));
     for line in [
         "wave merging-unit -o /dev/null",
-        "render pyramid.obj --size 32x24 --processors 1 -o /dev/null --vcd /dev/null --scope gfb_start",
+        "render pyramid.obj --size 32x24 --processors 1 -o /dev/null --vcd /dev/null --scope line",
     ] {
         let run = folder.run(line);
         assert_eq!((run.code, run.stderr.replace("wrote /dev/null\n", "").as_str()), (Some(0), ""), "{line}: {run:?}");

@@ -152,7 +152,7 @@ fn an_empty_waveform_is_a_warning() {
 #[test]
 fn a_waveform_of_the_run_can_be_filtered() {
     let folder = Folder::new();
-    folder.stdout(&format!("{SMALL} --vcd run.vcd --scope **.scan_restart --scope gfb_start --from 2us --to 3us"));
+    folder.stdout(&format!("{SMALL} --vcd run.vcd --scope **.scan_restart --scope line --from 2us --to 3us"));
     let waveform = Waveform::read(&folder.path("run.vcd"));
     assert!(waveform.names.iter().any(|name| name.ends_with(".scan_restart")), "{:?}", waveform.names);
     assert!(waveform.names.len() < 12, "{:?}", waveform.names);

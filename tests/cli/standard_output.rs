@@ -41,7 +41,7 @@ fn standard_output_takes_a_picture_and_standard_error_the_report() {
 #[test]
 fn standard_output_takes_a_waveform() {
     let folder = Folder::with_pyramid();
-    for line in ["wave merging-unit -o", &format!("{RENDER} --scope gfb_start --vcd")] {
+    for line in ["wave merging-unit -o", &format!("{RENDER} --scope line --vcd")] {
         let report = folder.stdout(&format!("{line} plain.vcd"));
         let waveform = folder.read("plain.vcd");
         for name in ["-", "/dev/stdout"] {
@@ -54,7 +54,7 @@ fn standard_output_takes_a_waveform() {
             assert!(folder.read("log") == format!("head\n{waveform}"), "{line} {name}: appended");
         }
     }
-    let run = silent(&folder, &format!("tilewright {RENDER} --scope gfb_start --vcd - --json > x.vcd"));
+    let run = silent(&folder, &format!("tilewright {RENDER} --scope line --vcd - --json > x.vcd"));
     assert!(run.stderr.starts_with("{\n  \"format\": 1,") && run.stderr.ends_with("}\n"), "{run:?}");
     let run = silent(&folder, "tilewright wave merging-unit -o - --ascii > x.vcd");
     assert!(run.stderr.starts_with("clk    |__"), "{run:?}");
@@ -89,7 +89,7 @@ fn a_quiet_command_says_nothing_of_a_success() {
     let folder = Folder::with_pyramid();
     let lines = [
         format!("{GOLDEN} g.png"),
-        format!("{RENDER} -o f.png --vcd f.vcd --scope gfb_start"),
+        format!("{RENDER} -o f.png --vcd f.vcd --scope line"),
         "wave merging-unit -o w.vcd".to_owned(),
         "verilog merging-unit -o out --testbench".to_owned(),
     ];

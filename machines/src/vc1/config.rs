@@ -1,6 +1,7 @@
 //! The sizes of a VC-1, with the paper's as defaults.
 
 use serde::Serialize;
+use tilewright_rtl::gfb::{Blanking, Display};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::vc1::Vc1;
@@ -29,6 +30,10 @@ pub struct Config {
     pub assign: Assign,
     /// What the processing elements' program costs.
     pub costs: CostTable,
+    /// Refreshes of the display in a second; 60 in the paper, which may be 59.94 (VC1-59).
+    pub refresh: f64,
+    /// Where in the display's vertical blanking the banks of the global frame buffer change.
+    pub blanking: Blanking,
 }
 
 impl Config {
@@ -45,6 +50,8 @@ impl Config {
             cluster: 32,
             assign: Assign::Once,
             costs: CostTable::default(),
+            refresh: 60.0,
+            blanking: Blanking::AtStart,
         }
     }
 
@@ -72,7 +79,8 @@ impl Config {
     pub fn hardware(&self) -> Result<Vc1, ParameterError> {
         self.check()?;
         let lfb = LfbUnit { patches: self.patches()?, pages: self.pages()? }.checked()?;
-        Ok(Vc1 { lfb, processors: self.processors }.checked()?)
+        let display = Display::of_rate(lfb.patches.screen(), self.refresh, self.blanking)?;
+        Ok(Vc1 { lfb, processors: self.processors, display }.checked()?)
     }
 
     /// As a report shows it.

@@ -1,7 +1,8 @@
-//! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units, the
-//! controls of the swaps and the merge, and time.
+//! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units, what
+//! the swap control wants and says, and time.
 
 use tilewright_rtl::clocks::{MERGE, PE};
+use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
 use tilewright_sim::Simulation;
@@ -14,8 +15,10 @@ pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
     at_port: Vec<Option<Access>>,
-    /// T_m as the hardware is built for it.
-    pub round_clocks: u64,
+    /// By processing element: whether it says that its frame is drawn.
+    done: Vec<bool>,
+    /// T_m in clocks of the merger (VC1-TM).
+    pub merge_clocks: u64,
 }
 
 /// A moment: how often each clock has risen, and the simulated time in picoseconds.
@@ -31,14 +34,16 @@ impl Hardware {
         let sim = Simulation::of(machine)?;
         Ok(Hardware {
             at_port: vec![None; sim.i.processors.len()],
-            round_clocks: machine.gfb().sequencer().merge_clocks(),
+            done: vec![false; sim.i.processors.len()],
+            merge_clocks: machine.gfb().sequencer().merge_clocks(),
             sim,
         })
     }
 
     /// Resets everything, and gives the colour of a pixel that nothing covers.
     pub fn reset(&mut self, background: [u8; 3]) -> Result<(), Error> {
-        self.sim.set(self.sim.i.gfb.background, blank(background));
+        self.sim.set(self.sim.i.host.background, blank(background));
+        self.sim.set(self.sim.i.ready, true);
         Ok(self.sim.try_reset()?)
     }
 
@@ -77,14 +82,16 @@ impl Hardware {
         }
     }
 
-    /// Whether a pixel is held for want of a page.
-    pub fn overflow(&mut self, processor: usize) -> bool {
-        self.flag(self.sim.o.processors[processor].overflow)
+    /// What a processing element may do.
+    pub fn state(&mut self, processor: usize) -> SwapState {
+        SwapState::of_code(self.sim.get_u64(self.sim.o.processors[processor].state))
     }
 
-    /// Whether no pixel is under way in any local frame buffer.
-    pub fn all_idle(&mut self) -> bool {
-        (0..self.processors()).all(|k| self.flag(self.sim.o.processors[k].idle))
+    /// Says to the swap control whether a processing element has drawn its frame.
+    pub fn set_done(&mut self, processor: usize, done: bool) {
+        if std::mem::replace(&mut self.done[processor], done) != done {
+            self.sim.set(self.sim.i.processors[processor].done, done);
+        }
     }
 
     /// Pages taken in the front buffer.
@@ -92,47 +99,16 @@ impl Hardware {
         self.sim.get_u64(self.sim.o.processors[processor].pages_used) as u32
     }
 
-    /// Exchanges the buffers of every local frame buffer; takes a clock.
-    pub fn swap_local_buffers(&mut self) -> Result<(), Error> {
-        let swaps: Vec<_> = self.sim.i.processors.iter().map(|port| port.swap).collect();
-        swaps.iter().for_each(|&swap| self.sim.set(swap, true));
-        self.tick(PE)?;
-        swaps.iter().for_each(|&swap| self.sim.set(swap, false));
-        Ok(())
-    }
-
-    /// Begins a merging round; takes a clock of the merger.
-    pub fn start_merging(&mut self) -> Result<(), Error> {
-        self.pulse(self.sim.i.gfb.start)
-    }
-
-    /// Exchanges the banks of the global frame buffer; takes a clock of the merger.
-    pub fn swap_global_buffer(&mut self) -> Result<(), Error> {
-        self.pulse(self.sim.i.gfb.swap)
-    }
-
-    fn pulse(&mut self, port: tilewright_sim::Port) -> Result<(), Error> {
-        self.sim.set(port, true);
-        self.tick(MERGE)?;
-        self.sim.set(port, false);
-        Ok(())
-    }
-
-    /// Whether a merging round runs.
-    pub fn merging(&mut self) -> bool {
-        self.flag(self.sim.o.gfb.busy)
-    }
-
-    /// Clocks of the merger in this round so far, or in the last one (VC1-TM).
-    pub fn merge_clocks(&mut self) -> u64 {
-        self.sim.get_u64(self.sim.o.gfb.clocks)
+    /// Whether the global frame buffer shows the frame that was drawn.
+    pub fn shown(&mut self) -> bool {
+        self.flag(self.sim.o.shown)
     }
 
     /// A word of the displayed bank; takes a clock of the merger.
     pub fn read_displayed(&mut self, address: u64) -> Result<u64, Error> {
-        self.sim.set(self.sim.i.gfb.read_address, address);
+        self.sim.set(self.sim.i.host.read_address, address);
         self.tick(MERGE)?;
-        Ok(self.sim.get_u64(self.sim.o.gfb.read_word))
+        Ok(self.sim.get_u64(self.sim.o.view.read_word))
     }
 
     /// Goes through the next edge of a clock, and through those of the other before it.

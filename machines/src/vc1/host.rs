@@ -1,26 +1,21 @@
 //! The host's program: the phases of a frame, from the command to draw to the picture read out.
 //!
-//! Source: VC1-FLOW, VC1-SW1, VC1-SW2. All processing elements clear their patch tables and draw; when all have ended and their
-//! local frame buffers are idle, the sync line is high and all local frame buffers are swapped; a merging round moves the picture
-//! into the global frame buffer, whose banks are then swapped; the host reads the displayed bank.
+//! Source: VC1-FLOW, VC1-SW1 to SW4. All processing elements clear their patch tables and draw, through overflows. When all have
+//! ended and their local frame buffers are idle, the hardware's swap control does the rest: the local frame buffers swap, the merger brings
+//! the picture into the global frame buffer, and its banks change in a vertical blanking. The host reads the displayed bank.
 
 use tilewright_rtl::clocks::{MERGE, PE};
 
 use super::config::Config;
 use super::hardware::Hardware;
-use super::job::Job;
 use super::processor::Processor;
 use super::report::{Phase, Report};
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
 
-/// Clocks of the merger until a swap of the local frame buffers has come through the synchronizer to its side.
-const SWAP_CROSSING: u64 = 2;
-
 /// The host during a frame.
 pub(crate) struct Host<'a, 'w> {
     hardware: &'a mut Hardware,
-    job: &'a Job<'a>,
     watch: &'a mut Watch<'w>,
     /// The phases that are over.
     pub phases: Vec<Phase>,
@@ -29,20 +24,14 @@ pub(crate) struct Host<'a, 'w> {
 }
 
 impl<'a, 'w> Host<'a, 'w> {
-    pub fn new(hardware: &'a mut Hardware, job: &'a Job<'a>, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
-        Host { hardware, job, watch, phases: Vec::new(), current: "" }
+    pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
+        Host { hardware, watch, phases: Vec::new(), current: "" }
     }
 
-    /// Runs the programs until the sync line is high: all have ended, and no pixel is under way.
+    /// Runs the programs until all have drawn the frame.
     pub fn draw(&mut self, processors: &mut [Processor]) -> Result<(), Error> {
         self.phase("clearing", |host| host.run(processors, |it| it.entries_left()))?;
-        self.phase("drawing", |host| {
-            host.run(processors, |it| usize::from(!it.ended()) + it.polygons_left())?;
-            while !host.hardware.all_idle() {
-                host.clock(processors)?;
-            }
-            Ok(())
-        })
+        self.phase("drawing", |host| host.run(processors, |it| usize::from(!it.ended()) + it.polygons_left()))
     }
 
     /// Runs the programs until nothing is left of any.
@@ -65,15 +54,14 @@ impl<'a, 'w> Host<'a, 'w> {
     fn clock(&mut self, processors: &mut [Processor]) -> Result<(), Error> {
         let mut taken = [false; Config::MAX_PROCESSORS as usize];
         for (k, processor) in processors.iter().enumerate() {
-            if self.hardware.overflow(k) {
-                let polygon = processor.last_drawn().expect("it drew the pixel that is held");
-                return Err(self.job.overflow(k, polygon).into());
-            }
             self.hardware.present(k, processor.access());
+            self.hardware.set_done(k, processor.done());
             taken[k] = self.hardware.takes(k);
         }
         self.hardware.tick(PE.name)?;
-        processors.iter_mut().zip(taken).for_each(|(processor, taken)| processor.edge(taken));
+        for (k, processor) in processors.iter_mut().enumerate() {
+            processor.edge(taken[k], self.hardware.state(k));
+        }
         Ok(())
     }
 
@@ -82,22 +70,25 @@ impl<'a, 'w> Host<'a, 'w> {
         (0..self.hardware.processors()).map(|k| self.hardware.pages_used(k)).collect()
     }
 
-    /// Swaps the local frame buffers, merges, and swaps the global frame buffer.
-    pub fn compose(&mut self) -> Result<(), Error> {
+    /// Waits until the local frame buffers are swapped, then until the global frame buffer shows the frame.
+    pub fn compose(&mut self, processors: &mut [Processor]) -> Result<(), Error> {
         self.phase("swapping", |host| {
-            host.hardware.swap_local_buffers()?;
-            (0..SWAP_CROSSING).try_for_each(|_| host.hardware.tick(MERGE.name))
+            while !processors.iter().all(Processor::swapped) {
+                host.clock(processors)?;
+            }
+            Ok(())
         })?;
         self.phase("merging", |host| {
-            host.hardware.start_merging()?;
-            while host.hardware.merging() {
-                let clocks = host.hardware.merge_clocks();
-                if clocks % PROGRESS_CLOCKS == 0 {
-                    host.progress(clocks as f64 / host.hardware.round_clocks as f64)?;
+            for clock in 0.. {
+                if host.hardware.shown() {
+                    break;
+                }
+                if clock % PROGRESS_CLOCKS == 0 {
+                    host.progress((clock as f64 / host.hardware.merge_clocks as f64).min(1.0))?;
                 }
                 host.hardware.tick(MERGE.name)?;
             }
-            host.hardware.swap_global_buffer()
+            Ok(())
         })
     }
 

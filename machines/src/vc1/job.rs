@@ -8,7 +8,6 @@ use super::assignment::Assignment;
 use super::config::Config;
 use super::cost::CostTable;
 use super::demand::demand;
-use super::overflow::Overflow;
 use super::processor::Processor;
 use super::program::Program;
 
@@ -18,7 +17,6 @@ pub(crate) struct Job<'a> {
     packets: &'a [Triangle],
     costs: CostTable,
     patches: Patches,
-    pages: u32,
 }
 
 impl<'a> Job<'a> {
@@ -28,7 +26,6 @@ impl<'a> Job<'a> {
             packets: &projection.triangles,
             costs: config.costs,
             patches: config.patches()?,
-            pages: config.pages()?,
         })
     }
 
@@ -36,11 +33,6 @@ impl<'a> Job<'a> {
     pub fn processors(&self) -> Vec<Processor<'_>> {
         let program = |polygons| Program::new(self.costs, self.packets, polygons, self.patches.count());
         self.assignment.polygons.iter().map(|polygons| Processor::new(program(polygons))).collect()
-    }
-
-    /// That a processing element found no page for a pixel of a polygon.
-    pub fn overflow(&self, processor: usize, polygon: u32) -> Overflow {
-        Overflow { processor, pages: self.pages, polygon, sufficient: self.sufficient_pages() }
     }
 
     /// Pages with which no processing element finds none.
@@ -51,7 +43,7 @@ impl<'a> Job<'a> {
 }
 
 impl Config {
-    /// Pages in each buffer with which no processing element runs out of them in that frame; it may have fewer all the same.
+    /// Pages in each buffer with which no processing element overflows in that frame; it may have fewer all the same.
     ///
     /// ```
     /// use tilewright_machines::vc1::Config;

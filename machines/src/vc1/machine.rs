@@ -49,7 +49,7 @@ impl Machine {
     /// Renders a frame: the picture in the global frame buffer's memory, and the report.
     ///
     /// # Errors
-    /// [`Error::Overflow`] if a processing element runs out of pages; [`Error::Parameter`] if the projection is for another
+    /// [`Error::Parameter`] if the projection is for another
     /// screen; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
     pub fn render(
         mut self,
@@ -75,10 +75,10 @@ impl Machine {
         let job = Job::new(&self.config, projection)?;
         let mut processors = job.processors();
         self.hardware.reset(background)?;
-        let mut host = Host::new(&mut self.hardware, &job, watch);
+        let mut host = Host::new(&mut self.hardware, watch);
         host.draw(&mut processors)?;
         let pages = host.pages_used();
-        host.compose()?;
+        host.compose(&mut processors)?;
         let words = host.read_out(size.pixels() as u64)?;
         let phases = host.phases;
 
@@ -91,7 +91,7 @@ impl Machine {
             pixels: processors.iter().map(|it| it.pixels).sum(),
             processors,
             phases,
-            merge_clocks: self.hardware.merge_clocks(),
+            merge_clocks: self.hardware.merge_clocks,
         };
         Ok((frame, report))
     }
@@ -107,6 +107,8 @@ fn each_report(assignment: &Assignment, processors: &[Processor], pages: &[u32])
         pages: pages[k],
         work: it.work(),
         stalls: it.tally().stalls,
+        overflows: it.tally().overflows,
+        overflow_waits: it.tally().overflow_waits,
         waiting: last - it.tally().ended_at,
     };
     processors.iter().enumerate().map(report).collect()

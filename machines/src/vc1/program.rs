@@ -52,12 +52,11 @@ impl Work {
 pub(crate) struct Program<'a> {
     costs: CostTable,
     packets: &'a [Triangle],
-    /// Patches whose table entries are still to be cleared.
+    /// Entries of the patch table, and those that are still to be cleared.
+    entries: u32,
     patches: Range<u32>,
     /// Polygons that are still to be drawn.
     polygons: std::slice::Iter<'a, Polygon>,
-    /// The polygon being drawn, or the last one.
-    polygon: Option<&'a Polygon>,
     /// Packets of it that are still to be drawn.
     rest: Range<usize>,
     span: Option<Spans<'a>>,
@@ -79,18 +78,18 @@ impl<'a> Program<'a> {
         Program {
             costs,
             packets,
+            entries: patches,
             patches: 0..patches,
             polygons: polygons.iter(),
-            polygon: None,
             rest: 0..0,
             span: None,
             work: Work::default(),
         }
     }
 
-    /// The number of the polygon being drawn, if it has come to one.
-    pub fn polygon(&self) -> Option<u32> {
-        self.polygon.map(|polygon| polygon.number)
+    /// Has it clear the whole table before it goes on.
+    pub fn clear_again(&mut self) {
+        self.patches = 0..self.entries;
     }
 
     /// Entries of the patch table that it has not begun to clear.
@@ -137,7 +136,6 @@ impl<'a> Program<'a> {
                 self.work.geometry += self.costs.geometry(polygon);
                 self.work.rasterization += self.costs.preparation(polygon);
                 self.rest = polygon.packets.clone();
-                self.polygon = Some(polygon);
             }
         }
     }

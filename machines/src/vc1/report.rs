@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::Serialize;
 
+use tilewright_rtl::clocks::PE;
+
 use super::config::Built;
 use super::program::Work;
 
@@ -22,7 +24,7 @@ pub struct Report {
     pub processors: Vec<ProcessorReport>,
     /// The frame's phases, one after another.
     pub phases: Vec<Phase>,
-    /// T_m in clocks of the merger, as the global frame buffer unit counted it (VC1-TM).
+    /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
 }
 
@@ -35,12 +37,16 @@ pub struct ProcessorReport {
     pub expected: u64,
     /// Pixels that it drew.
     pub pixels: u64,
-    /// Pages of image memory that they took.
+    /// Pages of image memory that they took, since the last overflow if there was one.
     pub pages: u32,
     /// Clocks of its program.
     pub work: Work,
     /// Clocks for which it waited for its local frame buffer.
     pub stalls: u64,
+    /// Swaps of its local frame buffer because all pages were taken.
+    pub overflows: u64,
+    /// Clocks for which it waited for these swaps.
+    pub overflow_waits: u64,
     /// Clocks for which it waited for the others.
     pub waiting: u64,
 }
@@ -116,6 +122,15 @@ impl Report {
                 "{number:>2} {polygons:>9} {pixels:>9} {pages:>6} {geometry:>10} {rasterization:>10} {stalls:>8} {waiting:>10}"
             )?;
         }
+        let overflows: u64 = self.processors.iter().map(|it| it.overflows).sum();
+        if overflows > 0 {
+            let waits: u64 = self.processors.iter().map(|it| it.overflow_waits).sum();
+            let milliseconds = waits as f64 * PE.period.picoseconds() as f64 / 1e9;
+            writeln!(
+                f,
+                "All pages were taken {overflows} times; the processing elements waited for {milliseconds:.3} ms in all."
+            )?;
+        }
         write!(f, "The load is {:.1} % balanced; a pixel stalls for ", 100.0 * self.balance())?;
         write!(f, "{:.3} clocks on average.", self.stalls_per_pixel())
     }
@@ -149,6 +164,8 @@ mod tests {
             pages: 2,
             work: Work { clear: 10, geometry: 40, rasterization: 50 },
             stalls: 20,
+            overflows: 0,
+            overflow_waits: 0,
             waiting: 0,
         };
         let idle = ProcessorReport {
@@ -158,6 +175,8 @@ mod tests {
             pages: 1,
             work: Work { clear: 10, geometry: 20, rasterization: 30 },
             stalls: 0,
+            overflows: 0,
+            overflow_waits: 0,
             waiting: 60,
         };
         let phase = |name, pe_clocks, merge_clocks, picoseconds| Phase { name, pe_clocks, merge_clocks, picoseconds };

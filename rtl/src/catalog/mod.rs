@@ -8,6 +8,7 @@ mod pixel_planes;
 mod pixelflow;
 mod quadtree;
 mod shared;
+mod swap;
 mod vc1;
 
 pub use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
@@ -25,7 +26,11 @@ pub const ENTRIES: &[Entry] = &[
     merger::IMAGE_MERGER,
     gfb::GFB_UNIT,
     gfb::GFB_SEQUENCER,
+    gfb::CRT_READ_OUT,
     gfb::ACCUMULATION,
+    swap::SYNC_LINE,
+    swap::LFB_SWAP,
+    swap::GFB_SWAP,
     quadtree::QUADTREE_GENERATOR,
     quadtree::VIDEO_PROCESSOR,
     quadtree::SET_UP,

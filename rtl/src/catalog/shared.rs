@@ -1,8 +1,9 @@
 //! What several entries share.
 
-use tilewright_hdl::{Bits, Block, Bundle, Width};
+use tilewright_hdl::{Bits, Block, Bundle, Period, Width};
 
-use super::Parameter;
+use super::{Parameter, Values};
+use crate::gfb::Display;
 
 /// The word that is behind every other: an empty pixel.
 pub(super) const EMPTY: u64 = (1 << 48) - 1;
@@ -15,10 +16,22 @@ pub(super) const PATCH: Parameter =
     Parameter { name: "patch", default: 4, min: 4, max: 16, meaning: "edge of a patch in pixels: 4, 8 or 16" };
 pub(super) const PAGES: Parameter =
     Parameter { name: "pages", default: 4, min: 2, max: 1 << 18, meaning: "pages of image memory in a buffer" };
+pub(super) const PIXEL_CLOCK: Parameter = Parameter {
+    name: "pixel-clock",
+    default: 7934,
+    min: 5002,
+    max: 1_000_000,
+    meaning: "period of the display's pixel clock in picoseconds; VGA's is 39682",
+};
 pub(super) const PROCESSORS: Parameter =
     Parameter { name: "processors", default: 2, min: 1, max: 256, meaning: "processing elements" };
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
+
+/// A display of that pixel clock.
+pub(super) fn display(values: &Values) -> Display {
+    Display { period: Period::ps(values.get("pixel-clock")), ..Display::VGA }
+}
 
 /// Inputs of a block that are all 0.
 pub(super) fn idle<B: Block>(block: &B) -> <B::In as Bundle>::Of<Bits> {

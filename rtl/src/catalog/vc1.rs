@@ -2,18 +2,18 @@
 
 use tilewright_hdl::{Scenario, Script, Stream, elaborate};
 
-use super::shared::{HEIGHT, PAGES, PATCH, PROCESSORS, WIDTH};
+use super::shared::{HEIGHT, PAGES, PATCH, PIXEL_CLOCK, PROCESSORS, WIDTH, display};
 use super::{CatalogError, Entry, Values};
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
 use crate::lfb::{LfbUnit, Patches, Request, Wanted};
 use crate::parameter::Screen;
-use crate::vc1::{ProcessorIn, SWAP_CLOCKS, Vc1, Vc1In};
+use crate::vc1::{ProcessorIn, Vc1, Vc1In};
 
 pub(super) const VC1: Entry = Entry {
     name: "vc1",
-    summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer",
-    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS],
+    summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer, swap control",
+    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS, PIXEL_CLOCK],
     design: |values| Ok(elaborate(&vc1(values)?)?),
     scenario: |values| Ok(a_frame(&vc1(values)?)),
 };
@@ -22,11 +22,10 @@ fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
     let patches = Patches::new(screen, values.get_u32("patch"))?;
     let lfb = LfbUnit { patches, pages: values.get_u32("pages") }.checked()?;
-    Ok(Vc1 { lfb, processors: values.get_u32("processors") }.checked()?)
+    Ok(Vc1 { lfb, processors: values.get_u32("processors"), display: display(values) }.checked()?)
 }
 
 fn a_frame(vc1: &Vc1) -> Scenario {
-    let merge_clocks = vc1.gfb().sequencer().merge_clocks();
     let screen = vc1.lfb.patches.screen();
     let Screen { width, height } = screen;
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
@@ -34,33 +33,35 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     let processor = ProcessorIn {
         request: Stream::of(0, Request { x: 0, y: 0, word: 0 }),
         clear: Stream::of(0, Wanted { patch: 0 }),
-        swap: 0,
-        resume: 0,
+        done: 0,
     };
-    let host = Host { start: 0, swap: 0, read_address: 0, background: 0xffffff_102030 };
+    let host = Host { read_address: 0, background: 0xffffff_102030 };
     let all = |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In {
         processors: (0..vc1.processors.into()).map(of).collect(),
-        gfb: host,
+        ready: 1,
+        host,
     };
     let idle = all(&|_| processor);
     let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Stream::of(1, Request { x, y, word }), ..processor };
 
     let mut script = Script::new(vc1, PE.period);
+    for patch in 0..vc1.lfb.patches.count().into() {
+        script.clock(&all(&|_| ProcessorIn { clear: Stream::of(1, Wanted { patch }), ..processor }));
+        script.hold(&idle, 2);
+    }
     script.clock(&all(&|number| draw(0, 0, 20 + number)));
     // Held until it is accepted: the first look-up, of a patch without a page, takes 4 clocks.
     script.hold(&all(&|number| draw(last_x, last_y, 40 - number % 16)), 4);
     script.hold(&idle, 8);
-    script.clock(&all(&|_| ProcessorIn { swap: 1, ..processor }));
+    script.clock(&all(&|_| ProcessorIn { done: 1, ..processor }));
 
     script.in_clocks_of(MERGE.period);
-    script.hold(&idle, SWAP_CLOCKS);
-    script.clock(&Vc1In { gfb: Host { start: 1, ..host }, ..idle.clone() });
-    script.hold(&idle, merge_clocks + 4);
-    script.clock(&Vc1In { gfb: Host { swap: 1, ..host }, ..idle.clone() });
+    let refresh = vc1.gfb().read_out().refresh_clocks() * vc1.display.period.picoseconds();
+    script.hold(&idle, vc1.gfb().sequencer().stored_clocks() + 60 + refresh.div_ceil(MERGE.period.picoseconds()));
     for read_address in [0, 1, u64::from(screen.pixels()) - 1] {
-        script.hold(&Vc1In { gfb: Host { read_address, ..host }, ..idle.clone() }, 2);
+        script.hold(&Vc1In { host: Host { read_address, ..host }, ..idle.clone() }, 2);
     }
     script.finish(
-        "every processor draws the first and the last pixel; they swap, the merger keeps the nearest, the host reads",
+        "every processor clears its table, and draws the first and the last pixel; they swap, the merger keeps the nearest, the display shows them",
     )
 }

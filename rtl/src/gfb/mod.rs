@@ -2,9 +2,11 @@
 //! the accumulation buffer adds up the pictures of several passes.
 
 mod accumulation;
+mod crt;
 mod sequencer;
 mod unit;
 
 pub use accumulation::{Accumulation, AccumulationIn, AccumulationOut, Passes};
+pub use crt::{BLANK_COLUMNS, BLANK_LINES, Blanking, CrtPixel, CrtReadOut, CrtReadOutIn, CrtReadOutOut, Display};
 pub use sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut, SCAN_LATENCY};
 pub use unit::{GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};

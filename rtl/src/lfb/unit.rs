@@ -29,6 +29,7 @@
 //! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
 
 use super::*;
+use crate::gfb::SCAN_LATENCY;
 use crate::prelude::*;
 
 block! {
@@ -73,8 +74,14 @@ block! {
         pages_used: up_to(self.pages),
         /// No request is under way.
         idle: bit(),
+        /// A request is accepted.
+        draws: bit(),
+        /// An entry of the patch table is cleared.
+        clears: bit(),
         /// The pixel sent to the merging unit.
         word: bits(WORD),
+        /// Some of the back buffer is still to be sent since the last swap.
+        sending: bit(),
     }
 }
 
@@ -98,10 +105,27 @@ impl LfbUnit {
         def!(sought_offset = merge.pipe_when(enable, sought.offset));
         def!(sought_buffer = merge.pipe_when(enable, back));
 
+        // Each pixel of the back buffer goes by once in so many, from whichever on; the last is sent 2 clocks after the scan.
+        let pixels = self.patches.screen().pixels() + SCAN_LATENCY;
+        def!(was_front = merge.reg(bit()).reset(0));
+        was_front.next(merge_front);
+        def!(swapped = was_front.ne(merge_front));
+        def!(passes = enable & counted.armed);
+        def!(pixels_left = merge.reg(up_to(pixels)).reset(0));
+        def!(all_sent = pixels_left.eq(0));
+        pixels_left
+            .when(swapped, mux(passes, lit(up_to(pixels), pixels - 1), pixels))
+            .when(passes & !all_sent, pixels_left - 1);
+        // A register, as it crosses to the processor's clock.
+        def!(sending = merge.reg(bit()).reset(0));
+        sending.next(!all_sent | swapped);
+        merge.assert(swapped.implies(all_sent), "the buffers are swapped when the back buffer has been sent");
+
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let look_up = i.request.with(Wanted { patch: wanted.patch });
         def!(accept = i.request.valid & i.request.ready);
+        def!(clears = i.clear.valid & i.clear.ready);
         let seek = ScanLookUp { enable, patch: sought.patch, buffer: back };
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
         let asked =
@@ -119,7 +143,15 @@ impl LfbUnit {
         let idle = table.idle & image.idle;
         pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
-        LfbUnitOut { overflow: table.overflow, pages_used: table.pages_used, idle, word: image.sent }
+        LfbUnitOut {
+            overflow: table.overflow,
+            pages_used: table.pages_used,
+            idle,
+            draws: accept,
+            clears,
+            word: image.sent,
+            sending: *sending,
+        }
     }
 }
 

@@ -10,35 +10,37 @@
 //!  |                                                           |
 //!  '-------------------- [ GFB unit ] <------------------------'
 //!                             |
-//!                           host
+//!                     host, display
 //! ```
 //!
 //! The processors' programs and the host are behind the ports. Each processor draws into its own virtual local frame
-//! buffer at its own pace; when all have swapped theirs, the host starts a round of merging, which fills a bank of the global
-//! frame buffer, and swaps that to where it can be read.
+//! buffer at its own pace, and says `done`. The hardware does the rest: see [`swap`](crate::swap).
 //!
 //! # Protocol
 //!
 //! | who | does | when |
 //! |---|---|---|
-//! | processor | swaps its buffers | idle or in overflow, and a whole round has begun and ended since its last swap (VC1-SW3) |
-//! | processor | clears its patch table, then resumes | after its swap (VC1-CLR2) |
-//! | host | starts a round | no round is under way; [`SWAP_CLOCKS`] after a swap that has to be seen from its first pixel on |
-//! | host | swaps the banks | no round is under way, and all that was drawn has been merged (VC1-SW2) |
+//! | processor | clears its patch table, entry by entry in order | its state is `Clear`: at the beginning, and after each swap (VC1-CLR2) |
+//! | processor | draws | its state is `Draw` |
+//! | processor | says `done` | it has drawn its frame; it takes it back when its state is `Due` |
+//! | processor | waits | its state is `Due`, as its frame ends, or `Overflow`, as all pages are taken; the hardware tries the held request again |
+//! | host | holds the line low | it takes part in the synchronization, and is not ready (VC1-SW1) |
 //! | host | reads the picture | at any time |
 //!
-//! A processor that swaps during a round loses nothing (VC1-SW4): what the scan has passed already is sent in the next round.
+//! A processor that swaps in an overflow loses nothing (VC1-SW4): the merger runs freely, and sends what the scan has passed already in
+//! the next round.
 
-use crate::gfb::{GfbUnit, GfbUnitIn, Host, View};
+use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
 use crate::lfb::{LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter, Wanted};
-use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
+use crate::merger::{ImageMerger, ImageMergerIn};
 use crate::prelude::*;
+use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SyncLine, SyncLineIn};
 
 /// The scan line overhead of the VC-1, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
 
-/// The clocks of the merger, at most, until its units know of a swap of local frame buffers.
-pub const SWAP_CLOCKS: u64 = 3;
+/// Clocks of the merger for the crossings between the clocks and for reading a pixel, beside T_m.
+const CROSSINGS: u32 = 4;
 
 bundle! {
     /// What a processor says to its local frame buffer.
@@ -47,16 +49,14 @@ bundle! {
         pub request: Stream<Request<T>, T>,
         /// A patch table entry to clear.
         pub clear: Stream<Wanted<T>, T>,
-        /// For one clock, when idle or in overflow: exchange the buffers.
-        pub swap: T,
-        /// For one clock, in overflow: try the held request again.
-        pub resume: T,
+        /// Its frame is drawn.
+        pub done: T,
     }
 
     /// What a processor sees of its local frame buffer.
     pub struct ProcessorOut<T> {
-        /// The request is held: all pages are taken.
-        pub overflow: T,
+        /// What it may do: a code of [`SwapState`](crate::swap::SwapState).
+        pub state: T,
         /// How many pages are taken.
         pub pages_used: T,
         /// Nothing is under way.
@@ -65,69 +65,150 @@ bundle! {
 }
 
 block! {
-    /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer.
+    /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer, swap control.
     pub struct Vc1 {
         /// The local frame buffer of each processor.
         pub lfb: LfbUnit,
         /// How many processors there are.
         pub processors: u32,
+        /// What shows the picture.
+        pub display: Display,
     }
     ranges(self) {
-        /// Each scan counter runs 4 pixels ahead of the succeeding one.
-        processors: 1..=self.lfb.patches.screen().pixels() / STAGES,
+        /// Each scan counter runs 4 pixels ahead of the succeeding one, and all lie within the screen.
+        processors: 1..=(self.lfb.patches.screen().pixels() - 3) / crate::merger::STAGES,
     }
-    latency(self) = format!("a round of merging takes {} clocks", self.gfb().sequencer().merge_clocks());
-    source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB)";
+    latency(self) = format!("a frame is merged in {} clocks of the merger", self.gfb().sequencer().stored_clocks());
+    source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)";
     in(self) Vc1In {
         /// Of each processor.
         processors: [ProcessorIn = self.processor(); self.processors],
+        /// The host lets the sync line go.
+        ready: bit().on(PE),
         /// Of the host.
-        gfb: Host = self.gfb().inputs().host.on(MERGE),
+        host: Host = self.gfb().inputs().host.on(MERGE),
     }
     out(self) Vc1Out {
         /// To each processor.
         processors: [ProcessorOut] = _,
+        /// The sync line: all processors have drawn the frame.
+        line: bit(),
         /// To the host.
-        gfb: View = _,
+        view: View = _,
+        /// Turns with each swap of the global frame buffer.
+        shown: bit(),
+        /// To the display.
+        pixel: CrtPixel = _,
     }
 }
 
 impl Vc1 {
     /// Its global frame buffer unit.
     pub fn gfb(&self) -> GfbUnit {
-        GfbUnit { screen: self.lfb.patches.screen(), units: self.processors, overhead: OVERHEAD }
+        let (screen, display) = (self.lfb.patches.screen(), self.display);
+        GfbUnit { screen, units: self.processors, overhead: OVERHEAD, display }
+    }
+
+    /// The swap control of a local frame buffer.
+    pub fn lfb_swap(&self) -> LfbSwap {
+        let sequencer = self.gfb().sequencer();
+        let [merge_clocks, sent_clocks] = [sequencer.merge_clocks(), self.longest()].map(pe_clocks);
+        LfbSwap { patches: self.lfb.patches.count(), merge_clocks, sent_clocks: sent_clocks + 4 * u64::from(CROSSINGS) }
+    }
+
+    /// The swap control of the global frame buffer.
+    pub fn gfb_swap(&self) -> GfbSwap {
+        let sequencer = self.gfb().sequencer();
+        let merge_clocks = sequencer.merge_clocks();
+        let way = self.lfb.patches.screen().pixels() + sequencer.chain() + CROSSINGS;
+        GfbSwap { processors: self.processors, merge_clocks, way, late: self.longest() - merge_clocks }
+    }
+
+    /// The clocks of the merger after a swap in which all is sent and stored: T_m, an overhead in which the swap may have come, one
+    /// for each line that the last pixels take to go through the chain, and the crossings.
+    fn longest(&self) -> u64 {
+        let sequencer = self.gfb().sequencer();
+        let overheads = 1 + (sequencer.chain() + CROSSINGS).div_ceil(self.lfb.patches.screen().width);
+        sequencer.merge_clocks() + u64::from(overheads * OVERHEAD + CROSSINGS + 1)
     }
 
     /// The widths of what a processor says.
     fn processor(&self) -> ProcessorIn<Width> {
-        let LfbUnitIn { request, clear, swap, resume, .. } = self.lfb.inputs();
-        ProcessorIn { request, clear, swap, resume }
+        let LfbUnitIn { request, clear, .. } = self.lfb.inputs();
+        ProcessorIn { request, clear, done: bit().on(PE) }
     }
 
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
-        let merge = m.on(MERGE);
+        let (pe, merge) = (m.on(PE), m.on(MERGE));
         let screen = self.lfb.patches.screen();
+        let lanes = bit().of(self.processors);
 
         def!(merged = merge.wire(WORD));
-        let gfb = merge.instance("u_gfb", &self.gfb(), GfbUnitIn { host: i.gfb, merged: *merged });
+        def!(gfb_swap = merge.wire(bit()));
+        let gfb = GfbUnitIn { swap: *gfb_swap, host: i.host, merged: *merged };
+        let gfb = m.instance("u_gfb", &self.gfb(), gfb);
 
+        def!(swap = pe.wire(lanes));
+        def!(resume = pe.wire(lanes));
+        let ProcessorIn { request, clear, done } = stack(i.processors);
+        let patch = clear.patch;
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
-            let ProcessorIn { request, clear, swap, resume } = stack(i.processors);
             let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
             let preset = constants(widths, |position| ScanCounter::preset(screen, position));
-            LfbUnitIn { request, clear, swap, resume, scan: gfb.scan, preset }
+            LfbUnitIn { request, clear, swap: *swap, resume: *resume, scan: gfb.scan, preset }
         });
+        let LfbUnitOut { overflow, idle, draws, clears, sending, word, .. } = lfb;
+
+        // The swaps.
+        def!(line = pe.wire(bit()));
+        def!(shown = merge.wire(bit()));
+        let control = m.array("u_lfb_swap", self.processors, &self.lfb_swap(), |_| LfbSwapIn {
+            done,
+            idle,
+            overflow,
+            draws,
+            clears,
+            patch,
+            line: *line,
+            shown: *shown,
+            sending,
+        });
+        swap.drive(control.swap);
+        resume.drive(control.resume);
+        let sync = SyncLineIn { ready: control.ready.to_vec(), host: i.ready };
+        line.drive(pe.instance("u_sync_line", &SyncLine { processors: self.processors }, sync).line);
+        let frames = GfbSwapIn {
+            frames: control.frame.to_vec(),
+            sending: sending.to_vec(),
+            enable: gfb.scan.enable,
+            blanking: gfb.blanking,
+        };
+        let banks = merge.instance("u_gfb_swap", &self.gfb_swap(), frames);
+        gfb_swap.drive(banks.swap);
+        shown.drive(banks.shown);
 
         let chain = ImageMerger { units: self.processors };
-        let inputs = ImageMergerIn { left: gfb.left, samples: lfb.word.to_vec(), enable: gfb.scan.enable };
+        let inputs = ImageMergerIn { left: gfb.left, samples: word.to_vec(), enable: gfb.scan.enable };
         merged.drive(merge.instance("u_merger", &chain, inputs).merged);
 
-        let processor = |position| {
-            let LfbUnitOut { overflow, pages_used, idle, .. } = lfb.map(|unit| unit.lane(position));
-            ProcessorOut { overflow, pages_used, idle }
+        let processor = |position| ProcessorOut {
+            state: control.state.lane(position),
+            pages_used: lfb.pages_used.lane(position),
+            idle: idle.lane(position),
         };
-        Vc1Out { processors: (0..self.processors).map(processor).collect(), gfb: gfb.view }
+        Vc1Out {
+            processors: (0..self.processors).map(processor).collect(),
+            line: *line,
+            view: gfb.view,
+            shown: *shown,
+            pixel: gfb.pixel,
+        }
     }
+}
+
+/// As many clocks of the processing elements as take that many of the merger, at least.
+fn pe_clocks(merge_clocks: u64) -> u64 {
+    (merge_clocks * MERGE.period.picoseconds()).div_ceil(PE.period.picoseconds())
 }
 
 #[cfg(test)]

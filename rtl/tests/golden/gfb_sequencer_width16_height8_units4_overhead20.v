@@ -1,101 +1,141 @@
 // gfb_sequencer_width16_height8_units4_overhead20
 //
-// Leads a merging round over the screen, through a chain of merging units.
+// Leads the scan over the screen, again and again, through a chain of merging units.
 //
 // Parameters  GfbSequencer { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20 }
-// Latency     a round of 304 clocks
-// Source      VC-1, section 3.3, T_m (VC1-TM)
-// Described   rtl/src/gfb/sequencer.rs:31
+// Latency     rounds with a period of 288 clocks
+// Source      VC-1, section 3.3, T_m and the free-running scan (VC1-TM, VC1-FREE, VC1-CLR3)
+// Described   rtl/src/gfb/sequencer.rs:33
 `default_nettype none
 
 module gfb_sequencer_width16_height8_units4_overhead20 (
     input  wire       clk,
     input  wire       rst,
-    input  wire       start,        // Begins a round, unless one is under way.
+    input  wire       restart,      // For one clock: the scan begins again with the first pixel.
     // To every unit of the chain.
     output wire       scan_restart, // For one clock: every scan counter takes its preset.
     // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
     output wire       scan_enable,
-    output reg  [6:0] feed,         // The pixel to read, which enters the chain `SCAN_LATENCY` clocks later.
-    output wire       stores,       // A pixel leaves the chain.
-    output reg  [6:0] store,        // The pixel that leaves the chain.
-    output wire       busy,         // A round is under way.
-    output wire       ends,         // The round ends with this clock.
-    // The clocks of the round so far, or of the last one, from the first pixel that entered the chain.
-    output reg  [8:0] clocks
+    // The pixel to read, which enters the chain `SCAN_LATENCY` clocks with `enable` later.
+    output reg  [6:0] feed,
+    output reg        blank,        // A blank pixel enters in its place.
+    output wire       stores,       // A pixel leaves the chain that entered it after the last restart.
+    output wire       stale,        // A pixel leaves the chain that entered it before.
+    output reg  [6:0] store         // The pixel that is stored.
 );
 
-    localparam [2:0] ROUND_IDLE     = 3'd0;
-    localparam [2:0] ROUND_PRIME    = 3'd1;
-    localparam [2:0] ROUND_LINE     = 3'd2;
-    localparam [2:0] ROUND_OVERHEAD = 3'd3;
-    localparam [2:0] ROUND_DRAIN    = 3'd4;
+    localparam [1:0] SCAN_RESTART_2 = 2'd0;
+    localparam [1:0] SCAN_PRIME     = 2'd1;
+    localparam [1:0] SCAN_LINE      = 2'd2;
+    localparam [1:0] SCAN_OVERHEAD  = 2'd3;
 
-    reg [2:0] round;                                             // rtl/src/gfb/sequencer.rs:78
-    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:79
-    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:80
-    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:82
-    reg [4:0] until_stored;                                      // rtl/src/gfb/sequencer.rs:111
+    reg [1:0] part;                                              // rtl/src/gfb/sequencer.rs:94
+    reg [3:0] x;                                                 // rtl/src/gfb/sequencer.rs:96
+    reg [2:0] y;                                                 // rtl/src/gfb/sequencer.rs:97
+    reg [4:0] clocks_left;                                       // rtl/src/gfb/sequencer.rs:98
+    reg [4:0] way_left;                                          // rtl/src/gfb/sequencer.rs:123
 
-    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:83
-    wire last_pixel = x == 4'd15;                                // rtl/src/gfb/sequencer.rs:84
-    wire last_line = y == 3'd7;                                  // rtl/src/gfb/sequencer.rs:85
-    wire begins = (round == ROUND_IDLE) & start;                 // rtl/src/gfb/sequencer.rs:93
-    wire line_ends = (round == ROUND_LINE) & last_pixel;         // rtl/src/gfb/sequencer.rs:94
-    wire overhead_ends = (round == ROUND_OVERHEAD) & part_ends;  // rtl/src/gfb/sequencer.rs:95
-    wire scan_ends = (round == ROUND_OVERHEAD) & (part_ends & last_line); // rtl/src/gfb/sequencer.rs:96
-    assign ends = (round == ROUND_DRAIN) & part_ends;            // rtl/src/gfb/sequencer.rs:97
-    wire enable = (round == ROUND_PRIME) | (round == ROUND_LINE) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:107
-    assign stores = enable & (until_stored == 5'd0);             // rtl/src/gfb/sequencer.rs:112
-    wire counts = (round == ROUND_LINE) | (round == ROUND_OVERHEAD) | (round == ROUND_DRAIN); // rtl/src/gfb/sequencer.rs:118
-    assign busy = round != ROUND_IDLE;                           // rtl/src/gfb/sequencer.rs:122
+    wire restarts = restart | (part == SCAN_RESTART_2);          // rtl/src/gfb/sequencer.rs:95
+    wire part_ends = clocks_left == 5'd0;                        // rtl/src/gfb/sequencer.rs:99
+    wire line_ends = (part == SCAN_LINE) & (x == 4'd15);         // rtl/src/gfb/sequencer.rs:100
+    wire enable = (part == SCAN_PRIME) | (part == SCAN_LINE);    // rtl/src/gfb/sequencer.rs:115
+    wire round_ends = enable & (feed == 7'd127);                 // rtl/src/gfb/sequencer.rs:117
+    wire is_stale = way_left != 5'd0;                            // rtl/src/gfb/sequencer.rs:124
+    assign stores = enable & !is_stale;                          // rtl/src/gfb/sequencer.rs:126
+    assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:134
 
     always @(posedge clk) begin
         if (rst) begin
-            round <= ROUND_IDLE;
+            part <= SCAN_RESTART_2;
             x <= 4'd0;
             y <= 3'd0;
             clocks_left <= 5'd0;
             feed <= 7'd0;
-            until_stored <= 5'd0;
+            blank <= 1'b1;
+            way_left <= 5'd18;
             store <= 7'd0;
-            clocks <= 9'd0;
         end else begin
-            case (round)
-                ROUND_IDLE: if (start) round <= ROUND_PRIME;
-                ROUND_PRIME: if (part_ends) round <= ROUND_LINE;
-                ROUND_LINE: if (last_pixel) round <= ROUND_OVERHEAD;
-                ROUND_OVERHEAD: begin
-                    if (!part_ends) round <= ROUND_OVERHEAD;
-                    else if (last_line) round <= ROUND_DRAIN;
-                    else round <= ROUND_LINE;
+            case (part)
+                SCAN_RESTART_2: part <= SCAN_PRIME;
+                SCAN_PRIME: begin
+                    if (restart) part <= SCAN_PRIME;
+                    else if (part_ends) part <= SCAN_LINE;
                 end
-                default: begin // ROUND_DRAIN
-                    if (part_ends) round <= ROUND_IDLE;
-                    else round <= ROUND_DRAIN;
+                SCAN_LINE: begin
+                    if (restart) part <= SCAN_PRIME;
+                    else if (line_ends) part <= SCAN_OVERHEAD;
+                end
+                default: begin // SCAN_OVERHEAD
+                    if (restart) part <= SCAN_PRIME;
+                    else if (part_ends) part <= SCAN_LINE;
+                    else part <= SCAN_OVERHEAD;
                 end
             endcase
-            if (line_ends) x <= 4'd0;
-            else if (round == ROUND_LINE) x <= x + 4'd1;
-            if (scan_ends) y <= 3'd0;
-            else if (overhead_ends) y <= y + 3'd1;
-            if (begins) clocks_left <= 5'd1;
+            if (restarts | line_ends) x <= 4'd0;
+            else if (part == SCAN_LINE) x <= x + 4'd1;
+            if (restarts | (line_ends & (y == 3'd7))) y <= 3'd0;
+            else if (line_ends) y <= y + 3'd1;
+            if (restarts) clocks_left <= 5'd1;
             else if (line_ends) clocks_left <= 5'd19;
-            else if (scan_ends) clocks_left <= 5'd15;
             else if (!part_ends) clocks_left <= clocks_left - 5'd1;
-            if (begins) feed <= 7'd0;
+            if (restarts | round_ends) feed <= 7'd0;
             else if (enable) feed <= feed + 7'd1;
-            if (begins) until_stored <= 5'd18;
-            else if (stores) until_stored <= 5'd0;
-            else if (enable) until_stored <= until_stored - 5'd1;
-            if (begins) store <= 7'd0;
+            if (restarts) blank <= 1'b1;
+            else if (round_ends) blank <= 1'b0;
+            if (restarts) way_left <= 5'd18;
+            else if (enable & is_stale) way_left <= way_left - 5'd1;
+            if (restarts | (stores & (store == 7'd127))) store <= 7'd0;
             else if (stores) store <= store + 7'd1;
-            if (begins) clocks <= 9'd0;
-            else if (counts) clocks <= clocks + 9'd1;
         end
     end
 
-    assign scan_restart = begins;
+    assign scan_restart = restarts;
     assign scan_enable = enable;
+
+`ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
+    reg [7:0] fed;                                               // rtl/src/gfb/sequencer.rs:130
+
+    always @(posedge clk) begin
+        if (rst) fed <= 8'd0;
+        else if (restarts) fed <= 8'd0;
+        else if (enable & (fed <= 8'd127)) fed <= fed + 8'd1;
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (blank == (fed <= 8'd127));                 // rtl/src/gfb/sequencer.rs:132
+        if (!rst) cover (round_ends & !blank);                       // rtl/src/gfb/sequencer.rs:133
+    end
+`else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    always @(posedge clk) begin
+        if (!rst && !(blank == (fed <= 8'd127))) begin               // rtl/src/gfb/sequencer.rs:132
+            $display("FAIL: time %0t: %m: blank pixels enter in the first round after a restart, and in no other", $time);
+            stop;
+        end
+        if (!rst && (round_ends & !blank) && !is_covered) begin      // rtl/src/gfb/sequencer.rs:133
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a later round begins", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+    end
+`endif
+`endif
 endmodule
 `default_nettype wire

@@ -5,7 +5,7 @@
 // Parameters  LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }
 // Latency     an access every 3 or 4 clocks; 2 clocks of the merger from the scan counter to the word
 // Source      VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)
-// Described   rtl/src/lfb/unit.rs:34
+// Described   rtl/src/lfb/unit.rs:35
 `default_nettype none
 
 module lfb_unit_width16_height8_edge4_pages4 (
@@ -33,41 +33,50 @@ module lfb_unit_width16_height8_edge4_pages4 (
     output wire        overflow,      // A request is held, because its patch has no page and all pages are taken.
     output wire [2:0]  pages_used,    // How many pages of the front buffer are taken.
     output wire        idle,          // No request is under way.
+    output wire        draws,         // A request is accepted.
+    output wire        clears,        // An entry of the patch table is cleared.
     output wire [47:0] word,          // The pixel sent to the merging unit.
+    output reg         sending,       // Some of the back buffer is still to be sent since the last swap.
     output wire        request_ready,
     output wire        clear_ready
 );
 
-    reg front;                                                   // rtl/src/lfb/unit.rs:87
-    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:88
-    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:88
-    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:89
-    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:89
-    reg sought_armed;                                            // rtl/src/lfb/unit.rs:97
-    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:98
-    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:99
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:110
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:111
+    reg front;                                                   // rtl/src/lfb/unit.rs:94
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:95
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:95
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:96
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:96
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:104
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:105
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:106
+    reg was_front;                                               // rtl/src/lfb/unit.rs:110
+    reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:114
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:134
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:135
 
-    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:95
-    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:95
-    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:95
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:109
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:109
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:109
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:109
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:109
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:118
+    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:102
+    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:102
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:102
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:133
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:133
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:133
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:133
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:133
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:142
 
-    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:90
-    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:91
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:97
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:98
     wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
+    wire swapped = was_front != merge_front;                     // rtl/src/lfb/unit.rs:112
+    wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:113
+    wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:115
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:104
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:114
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:119
+    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:127
+    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:128
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:138
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:143
 
-    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:95
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:102
         .clk          (merge_clk),
         .rst          (merge_rst),
         .scan_restart (scan_restart),
@@ -79,7 +88,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:109
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:133
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -105,7 +114,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:118
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:142
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -155,13 +164,26 @@ module lfb_unit_width16_height8_edge4_pages4 (
             merge_front_meta <= 1'b0;
             merge_front <= 1'b0;
             sought_armed <= 1'b0;
+            was_front <= 1'b0;
+            pixels_left <= 8'd0;
+            sending <= 1'b0;
         end else begin
             merge_front_meta <= front;
             merge_front <= merge_front_meta;
             if (scan_restart) sought_armed <= 1'b0;
             else if (scan_enable) sought_armed <= u_scan_counter_armed;
+            was_front <= merge_front;
+            if (swapped) begin
+                if (passes) pixels_left <= 8'd129;
+                else pixels_left <= 8'd130;
+            end else if (passes & !all_sent) begin
+                pixels_left <= pixels_left - 8'd1;
+            end
+            sending <= !all_sent | swapped;
         end
     end
+
+    assign draws = accept;
 
 `ifndef SYNTHESIS
 `ifndef FORMAL
@@ -180,17 +202,26 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:120
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:121
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:144
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:145
+    end
+    always @(posedge merge_clk) begin
+        if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:122
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:120
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:144
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:121
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:145
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
+            stop;
+        end
+    end
+    always @(posedge merge_clk) begin
+        if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:122
+            $display("FAIL: time %0t: %m: the buffers are swapped when the back buffer has been sent", $time);
             stop;
         end
     end

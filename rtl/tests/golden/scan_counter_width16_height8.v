@@ -5,7 +5,7 @@
 // Parameters  ScanCounter { screen: Screen { width: 16, height: 8 } }
 // Latency     1 clock
 // Source      VC-1, section 3.3, scan counter (VC1-SCAN)
-// Described   rtl/src/lfb/scan_counter.rs:29
+// Described   rtl/src/lfb/scan_counter.rs:23
 `default_nettype none
 
 module scan_counter_width16_height8 (
@@ -21,28 +21,22 @@ module scan_counter_width16_height8 (
     // The pixel to send.
     output wire [3:0] pixel_x,      // Counted from the left.
     output wire [2:0] pixel_y,      // Counted from the top.
-    output wire       armed         // The pixel belongs to the whole frame after the restart.
+    output reg        armed         // The pixel belongs to the first whole frame after the restart, or to a later one.
 );
 
-    localparam [1:0] PASS_BEFORE = 2'd0;
-    localparam [1:0] PASS_FRAME  = 2'd1;
-    localparam [1:0] PASS_AFTER  = 2'd2;
+    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:61
+    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:62
 
-    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:67
-    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:68
-    reg [1:0] pass;                                              // rtl/src/lfb/scan_counter.rs:69
-
-    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:70
-    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:71
-    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:72
-    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:76
-    assign armed = pass == PASS_FRAME;                           // rtl/src/lfb/scan_counter.rs:82
+    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:64
+    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:65
+    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:66
+    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:70
 
     always @(posedge clk) begin
         if (rst) begin
             x <= 4'd0;
             y <= 3'd0;
-            pass <= PASS_AFTER;
+            armed <= 1'b0;
         end else begin
             if (scan_restart) x <= preset_x;
             else if (line_end) x <= 4'd0;
@@ -50,15 +44,8 @@ module scan_counter_width16_height8 (
             if (scan_restart) y <= preset_y;
             else if (frame_end) y <= 3'd0;
             else if (line_end) y <= y + 3'd1;
-            if (scan_restart) begin
-                if (at_start) pass <= PASS_FRAME;
-                else pass <= PASS_BEFORE;
-            end else if (frame_end) begin
-                case (pass)
-                    PASS_BEFORE: pass <= PASS_FRAME;
-                    default: pass <= PASS_AFTER;
-                endcase
-            end
+            if (scan_restart) armed <= at_start;
+            else if (frame_end) armed <= 1'b1;
         end
     end
 
@@ -66,38 +53,19 @@ module scan_counter_width16_height8 (
     assign pixel_y = y;
 
 `ifndef SYNTHESIS
-`ifndef FORMAL
-    task stop;
-        begin
-`ifdef __ICARUS__
-            $finish_and_return(1);
-`else
-            $stop;
-`endif
-        end
-    endtask
-`endif
-`endif
-
-`ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (frame_end & armed);                         // rtl/src/lfb/scan_counter.rs:83
-        if (!rst) assert (pass <= PASS_AFTER);                       // rtl/src/lfb/scan_counter.rs:77
+        if (!rst) cover (frame_end & armed);                         // rtl/src/lfb/scan_counter.rs:72
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (frame_end & armed) && !is_covered) begin        // rtl/src/lfb/scan_counter.rs:83
+        if (!rst && (frame_end & armed) && !is_covered) begin        // rtl/src/lfb/scan_counter.rs:72
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a whole frame is sent", $time);
             `endif
             is_covered <= 1'b1;
-        end
-        if (!rst && !(pass <= PASS_AFTER)) begin                     // rtl/src/lfb/scan_counter.rs:77
-            $display("FAIL: time %0t: %m: `pass` is a code of `Pass`", $time);
-            stop;
         end
     end
 `endif

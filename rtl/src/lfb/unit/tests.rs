@@ -39,10 +39,8 @@ struct Bench {
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
     position: u32,
-    /// How many pixels the scan has advanced since its restart, and after how many it is restarted, whether it advances or not.
+    /// How many pixels the scan has advanced since its restart.
     advanced: u64,
-    restart_at: u64,
-    restart_advances: bool,
     /// How many pixels were sent since the last swap.
     since_swap: u64,
     overflows: u64,
@@ -73,9 +71,7 @@ impl Bench {
             sent: BTreeMap::new(),
             position,
             advanced: 0,
-            restart_at: u64::from(screen.pixels()) + 19,
-            restart_advances: false,
-            since_swap: 0,
+            since_swap: u64::from(screen.pixels()),
             overflows: 0,
             found: 0,
             table_free: 0,
@@ -110,20 +106,21 @@ impl Bench {
             self.advanced += 1;
             // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
             let first = 3 + 4 * u64::from(self.position);
-            match self.advanced.checked_sub(first).filter(|number| *number < self.frame()) {
-                Some(number) => self.merge_pixel(number, word),
-                None => assert_eq!(word, EMPTY, "only the pixels of a whole frame are sent"),
+            match self.advanced.checked_sub(first) {
+                Some(number) => self.merge_pixel(number % self.frame(), word),
+                None => assert_eq!(word, EMPTY, "nothing is sent before the first whole frame"),
             }
         }
         if self.sim.get_u64(scan.restart) == 1 {
             self.advanced = 0;
-            self.restart_at = self.frame() + 19;
         }
-        // The chain is longer than this unit's place in it, and holds now and then, as it does after each line.
-        let restart = self.advanced == self.restart_at;
+        // The chain holds now and then, as it does after each line.
         let merged = self.sim.cycles(MERGE).unwrap();
-        self.sim.set(scan.restart, restart);
-        self.sim.set(scan.enable, if restart { self.restart_advances } else { merged % 11 > 1 });
+        self.sim.set(scan.restart, 0);
+        self.sim.set(scan.enable, merged % 11 > 1);
+        // The merger learns of a swap some clocks later.
+        let is_sent = self.since_swap <= 4 || self.since_swap >= self.frame();
+        assert!(is_sent || self.sim.get_u64(self.sim.o.sending) == 1, "all is said to be sent");
     }
 
     fn merge_pixel(&mut self, number: u64, word: u64) {
@@ -205,22 +202,18 @@ impl Bench {
         accepted
     }
 
-    /// Whether every pixel of the back buffer has been sent: the merger follows a swap after 2 clocks, and a word comes 2
-    /// clocks after its pixel is counted.
-    fn is_sent(&self) -> bool {
-        self.since_swap >= self.frame() + 4
-    }
-
-    /// Waits until the scan has advanced so far, in a frame after that in which all was sent.
+    /// Waits until the scan has advanced so far in a frame.
     fn wait_for_scan(&mut self, advanced: u64) {
-        while !self.is_sent() || self.advanced != advanced {
+        while self.advanced % self.frame() != advanced {
             self.clock();
         }
     }
 
-    /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn.
+    /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn. The merger follows a swap
+    /// after 2 clocks, and a word comes 2 clocks after its pixel is counted.
     fn finish_scan(&mut self) {
-        while !self.is_sent() {
+        while self.sim.get_u64(self.sim.o.sending) == 1 || self.since_swap < self.frame() {
+            assert!(self.since_swap <= self.frame() + 5, "it does not say that all is sent");
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));

@@ -5,23 +5,25 @@
 //!        |               |                  |
 //!  .-----v---------------v------------------v-------.
 //!  |                      VC-1                      |
-//!  '-----------------------^------------------------'
+//!  '-----------------------^------------------------'     pixel clock
 //!                          |                             merge clock
 //!                      [ host ]--> checksum
 //! ```
 //!
-//! Frame after frame, the painters clear their patch tables and draw, while the host has the frame before merged and reads the one
-//! before that; then all swap. As in a frame of the teapot, most of the time goes into merging.
+//! Frame after frame, the painters clear their patch tables and draw, while the frame before is merged, and the host reads the one
+//! before that. As in a frame of the teapot, most of the time goes into merging: a frame comes every two refreshes of the display.
 //!
-//! What it asks of a simulator: two clocks, large memories, and units that are alike inside of a machine that is not.
+//! What it asks of a simulator: three clocks, large memories, and units that are alike inside of a machine that is not.
 
 mod host;
 mod painter;
 
-use tilewright_hdl::{Module, Signal, bits, block, constants, def, stack};
+use tilewright_hdl::{Module, bit, bits, block, constants, def, lit, one_of, stack};
 use tilewright_rtl::clocks::{MERGE, PE};
+use tilewright_rtl::gfb::{Blanking, Display};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
+use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::{ProcessorIn, Vc1, Vc1In};
 
 use super::BenchOut;
@@ -57,51 +59,50 @@ impl Vc1Frames {
         }
         let pages = (patches.count() / 4).clamp(2, 4096);
         let lfb = LfbUnit { patches, pages }.checked()?;
-        let vc1 = Vc1 { lfb, processors }.checked()?;
+        // The paper's T_m is one and a half refreshes.
+        let t_m = Vc1 { lfb: lfb.clone(), processors, display: Display::VGA }.gfb().sequencer().merge_clocks()
+            * MERGE.period.picoseconds();
+        let display = Display::of_rate(screen, 1.52e12 / t_m as f64, Blanking::AtStart)?;
+        let vc1 = Vc1 { lfb, processors, display }.checked()?;
         Ok(Vc1Frames { vc1, patches, processors, painted: pages.div_ceil(4) })
     }
 
-    /// How many cycles there are from a frame to the next, where drawing takes less time than merging: T_m (VC1-TM) and the
-    /// swaps, in clocks of the merger, with 4 instants for each at which one or both of its clocks rise.
+    /// How many instants there are, about, at which a clock rises, from a frame to the next: two refreshes.
     pub fn frame_cycles(&self) -> u64 {
-        const SWAPS: u64 = 14;
-        4 * (self.vc1.gfb().sequencer().merge_clocks() + SWAPS)
+        let refresh = self.vc1.gfb().read_out().refresh_clocks() * self.vc1.display.period.picoseconds();
+        let clocks =
+            [PE.period, MERGE.period, self.vc1.display.period].map(|period| 2 * refresh / period.picoseconds());
+        clocks.iter().sum()
     }
 
     fn build(&self, m: Module, (): ()) -> BenchOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
-        let idle: Vec<_> = (0..self.processors).map(|number| m.wire(&format!("idle{number}"), 1)).collect();
-        def!(request = merge.wire(1));
-        def!(swap = pe.synchronize(*request));
-
+        let states = one_of::<SwapState>().of(self.processors);
+        def!(state = pe.wire(states));
         let painter = Painter { patches: self.patches, painted: self.painted };
         let painters = pe.array("u_painter", self.processors, &painter, |_| PainterIn {
             seed: constants(bits(32).of(self.processors), seed),
-            idle: stack(idle.iter().map(|wire| Signal::from(*wire))),
-            swap,
+            state: *state,
         });
 
         let host = Host { screen: self.patches.screen() };
-        let [read_word, busy] = [("read_word", 48), ("busy", 1)].map(|(name, width)| merge.wire(name, width));
-        def!(drawn = merge.synchronize(pe.pipe("all_drawn", painters.drawn.and_all())));
-        def!(swapped = merge.synchronize(pe.pipe("all_swapped", painters.swapped.and_all())));
-        let hash = painters.hash.xor_all().quasi_static("the painters wait when the host looks at it");
-        let host = merge.instance("u_host", &host, HostIn { drawn, swapped, hash, read_word: *read_word, busy: *busy });
-        request.drive(host.request);
+        def!(read_word = merge.wire(48));
+        def!(shown = merge.wire(bit()));
+        def!(line = pe.wire(bit()));
+        def!(drawn = pe.reg(32).reset(0));
+        drawn.when(*line, painters.hash.xor_all());
+        let hash = drawn.quasi_static("it is of the frame that is shown until the next one is drawn");
+        let host = merge.instance("u_host", &host, HostIn { shown: *shown, hash, read_word: *read_word });
 
-        let ProcessorIn { request, clear, swap, resume } = painters.vc1;
+        let ProcessorIn { request, clear, done } = painters.vc1;
         let streams = request.lanes().into_iter().zip(clear.lanes());
-        let processor = |(number, (request, clear))| {
-            let [swap, resume] = [swap, resume].map(|field| field.lane(number));
-            ProcessorIn { request, clear, swap, resume }
-        };
+        let processor = |(number, (request, clear))| ProcessorIn { request, clear, done: done.lane(number) };
         let processors = (0..).zip(streams).map(processor).collect();
-        let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, gfb: host.gfb });
-        read_word.drive(vc1.gfb.read_word);
-        busy.drive(vc1.gfb.busy);
-        for (idle, processor) in idle.iter().zip(&vc1.processors) {
-            idle.drive(processor.idle);
-        }
+        let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, ready: lit(1, 1), host: host.gfb });
+        read_word.drive(vc1.view.read_word);
+        shown.drive(vc1.shown);
+        line.drive(vc1.line);
+        state.drive(stack(vc1.processors.iter().map(|it| it.state)));
         BenchOut { csum: host.csum }
     }
 }

@@ -1,7 +1,8 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
-use tilewright_hdl::{Module, Reg, bit, bits, block, cat, codes, def, index_width, lit, mux, when};
+use tilewright_hdl::{Module, Reg, bits, block, cat, codes, def, index_width, mux, one_of, when};
 use tilewright_rtl::lfb::{Patches, Request, Wanted};
+use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::ProcessorIn;
 use tilewright_rtl::word::WORD;
 
@@ -14,10 +15,8 @@ codes! {
         Clear,
         /// Draws.
         Draw,
-        /// Waits for the swap.
+        /// Waits for the others.
         Wait,
-        /// Has swapped.
-        Swapped,
     }
 }
 
@@ -31,18 +30,12 @@ block! {
     in PainterIn {
         /// Of the random generator.
         seed: bits(32),
-        /// Nothing is under way in the local frame buffer.
-        idle: bit(),
-        /// The host wants the buffers swapped; until it has seen that they are.
-        swap: bit(),
+        /// What it may do.
+        state: one_of::<SwapState>(),
     }
     out PainterOut {
         /// To the local frame buffer.
         vc1: ProcessorIn = _,
-        /// Waits for the swap.
-        drawn: bit(),
-        /// Has swapped, and waits for the host to see it.
-        swapped: bit(),
         /// Of what was drawn, and when.
         hash: bits(32),
     }
@@ -57,7 +50,7 @@ impl Painter {
         random.next(mux(seeded, xorshift(*random), i.seed));
 
         def!(entry = m.reg(self.patches.patch_width()).reset(0));
-        let (clear, cleared) = m.offer(phase.is(Phase::Clear), Wanted { patch: *entry });
+        let (clear, cleared) = m.offer(phase.is(Phase::Clear) & i.state.eq(SwapState::Clear), Wanted { patch: *entry });
         def!(last_entry = entry.eq(self.patches.count() - 1));
         entry.enable(cleared).next(mux(last_entry, 0, entry + 1));
 
@@ -87,21 +80,14 @@ impl Painter {
         def!(last_patch = painted.eq(self.painted - 1));
         painted.enable(patch_ends).next(mux(last_patch, 0, painted + 1));
 
-        def!(swaps = phase.is(Phase::Wait) & i.idle & i.swap);
         phase.next(|state| match state {
             Phase::Clear => when(cleared & last_entry, Phase::Draw),
             Phase::Draw => when(patch_ends & last_patch, Phase::Wait),
-            Phase::Wait => when(swaps, Phase::Swapped),
-            Phase::Swapped => when(!i.swap, Phase::Clear),
+            Phase::Wait => when(i.state.eq(SwapState::Due), Phase::Clear),
         });
 
         def!(hash = m.reg(32).reset(0));
         hash.enable(taken).next(hash.rotate_left(1) ^ *random);
-        PainterOut {
-            vc1: ProcessorIn { request, clear, swap: swaps, resume: lit(1, 0) },
-            drawn: phase.is(Phase::Wait) & i.idle,
-            swapped: phase.is(Phase::Swapped),
-            hash: *hash,
-        }
+        PainterOut { vc1: ProcessorIn { request, clear, done: phase.is(Phase::Wait) }, hash: *hash }
     }
 }

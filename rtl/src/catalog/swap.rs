@@ -1,0 +1,98 @@
+//! The entries of the swap control.
+
+use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
+
+use super::shared::PROCESSORS;
+use super::{CatalogError, Entry, Parameter, Values};
+use crate::clocks::{MERGE, PE};
+use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SyncLine, SyncLineIn};
+
+const PATCHES: Parameter =
+    Parameter { name: "patches", default: 3, min: 2, max: 1 << 18, meaning: "entries of the patch table" };
+const MERGE_CLOCKS: Parameter =
+    Parameter { name: "merge-clocks", default: 12, min: 12, max: 1 << 20, meaning: "T_m in clocks of the block" };
+
+pub(super) const SYNC_LINE: Entry = Entry {
+    name: "sync-line",
+    summary: "one bit that is high when no processing element holds it low",
+    parameters: &[PROCESSORS],
+    design: |values| Ok(elaborate_at(&sync_line(values)?, PE.period)?),
+    scenario: |values| Ok(one_after_another(&sync_line(values)?)),
+};
+
+pub(super) const LFB_SWAP: Entry = Entry {
+    name: "lfb-swap",
+    summary: "swaps a local frame buffer at a frame's end and in an overflow",
+    parameters: &[PATCHES, MERGE_CLOCKS],
+    design: |values| Ok(elaborate(&lfb_swap(values)?)?),
+    scenario: |values| Ok(a_frame_and_an_overflow(&lfb_swap(values)?)),
+};
+
+pub(super) const GFB_SWAP: Entry = Entry {
+    name: "gfb-swap",
+    summary: "swaps the global frame buffer in a vertical blanking, when a frame is merged",
+    parameters: &[PROCESSORS, MERGE_CLOCKS],
+    design: |values| Ok(elaborate_at(&gfb_swap(values)?, MERGE.period)?),
+    scenario: |values| Ok(two_frames(&gfb_swap(values)?)),
+};
+
+fn sync_line(values: &Values) -> Result<SyncLine, CatalogError> {
+    Ok(SyncLine { processors: values.get_u32("processors") }.checked()?)
+}
+
+fn one_after_another(line: &SyncLine) -> Scenario {
+    let mut script = Script::new(line, PE.period);
+    for number in 0..=line.processors {
+        let ready = (0..line.processors).map(|other| u64::from(other < number)).collect();
+        script.clock(&SyncLineIn { ready, host: 1 });
+    }
+    script.clock(&SyncLineIn { ready: vec![0; line.processors as usize], host: 1 });
+    script.finish("the processing elements let the line go, one after another")
+}
+
+fn lfb_swap(values: &Values) -> Result<LfbSwap, CatalogError> {
+    let merge_clocks = values.get("merge-clocks");
+    Ok(LfbSwap { patches: values.get_u32("patches"), merge_clocks, sent_clocks: merge_clocks + 40 }.checked()?)
+}
+
+fn a_frame_and_an_overflow(control: &LfbSwap) -> Scenario {
+    let idle =
+        LfbSwapIn { done: 0, idle: 1, overflow: 0, draws: 0, clears: 0, patch: 0, line: 0, shown: 0, sending: 0 };
+    let mut script = Script::new(control, PE.period);
+    let clear = |script: &mut Script<LfbSwap>, shown| {
+        for patch in 0..control.patches.into() {
+            script.clock(&LfbSwapIn { clears: 1, patch, shown, ..idle });
+        }
+    };
+    clear(&mut script, 0);
+    script.clock(&LfbSwapIn { draws: 1, ..idle });
+    script.clock(&LfbSwapIn { done: 1, line: 1, ..idle });
+    script.hold(&idle, 2);
+    clear(&mut script, 0);
+    script.hold(&LfbSwapIn { overflow: 1, idle: 0, ..idle }, control.merge_clocks + 4);
+    // The global frame buffer shows the frame.
+    script.hold(&LfbSwapIn { overflow: 1, idle: 0, shown: 1, ..idle }, 3);
+    clear(&mut script, 1);
+    script.hold(&LfbSwapIn { shown: 1, ..idle }, 4);
+    script.finish(
+        "a frame ends; in the next one a pixel finds no page, and waits for the swap of the global frame buffer",
+    )
+}
+
+fn gfb_swap(values: &Values) -> Result<GfbSwap, CatalogError> {
+    let (processors, merge_clocks) = (values.get_u32("processors"), values.get("merge-clocks"));
+    Ok(GfbSwap { processors, merge_clocks, way: merge_clocks as u32 - 4, late: 8 }.checked()?)
+}
+
+fn two_frames(control: &GfbSwap) -> Scenario {
+    let mut script = Script::new(control, MERGE.period);
+    let all = |bit| vec![bit; control.processors as usize];
+    for frame in [1, 0] {
+        script.hold(&GfbSwapIn { frames: all(1 - frame), sending: all(0), enable: 1, blanking: 1 }, 3);
+        script.hold(&GfbSwapIn { frames: all(frame), sending: all(1), enable: 1, blanking: 0 }, 4);
+        let waits = control.merge_clocks + control.late - 4;
+        script.hold(&GfbSwapIn { frames: all(frame), sending: all(0), enable: 1, blanking: 0 }, waits);
+        script.hold(&GfbSwapIn { frames: all(frame), sending: all(0), enable: 1, blanking: 1 }, 3);
+    }
+    script.finish("two frames, each merged and shown in a blanking")
+}

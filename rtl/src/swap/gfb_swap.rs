@@ -1,0 +1,79 @@
+//! The swap control of the global frame buffer (VC1-SW2).
+//!
+//! ```text
+//! frames --> all have swapped --+--> T_m since -------.
+//!                               '--> M N + 4 n pixels --+--> & --> swap --> [ shown ]
+//! blanking ---------------------------------------------'
+//! ```
+//!
+//! Latency: a swap comes in the first clock in which all of these hold:
+//!
+//! - all local frame buffers have swapped at the end of the frame;
+//! - T_m has passed since the last of these swaps (VC1-SW2);
+//! - the chain has advanced by all pixels of the screen and its own length since, so that the global frame buffer has stored all. The
+//!   paper does not name this one; where the chain holds for overheads while the last pixels are in it, T_m is short of it;
+//! - the display is in the part of its vertical blanking in which the banks may change.
+
+use crate::prelude::*;
+
+block! {
+    /// Swaps the global frame buffer in a vertical blanking, when a frame is merged.
+    pub struct GfbSwap {
+        /// How many processing elements there are.
+        pub processors: u32,
+        /// T_m in clocks of the merger (VC1-TM).
+        pub merge_clocks: u64,
+        /// Clocks with `enable` since the last of these swaps until all pixels have gone through the chain and are stored.
+        pub way: u32,
+        /// Clocks after T_m in which all is stored, at most.
+        pub late: u64,
+    }
+    ranges { processors: 1.., merge_clocks: 1.., way: 1.., late: 1.. }
+    latency = "0 clocks, if all guards hold";
+    source = "VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)";
+    in(self) GfbSwapIn {
+        /// Of each processing element: turns with its swap at the end of a frame.
+        frames: [bit(); self.processors],
+        /// Of each processing element: some of its back buffer is still to be sent.
+        sending: [bit(); self.processors],
+        /// The chain advances.
+        enable: bit(),
+        /// The banks may change.
+        blanking: bit(),
+    }
+    out GfbSwapOut {
+        /// For one clock: exchange the banks.
+        swap: bit(),
+        /// Turns with each swap.
+        shown: bit(),
+    }
+}
+
+impl GfbSwap {
+    fn build(&self, m: Module, i: GfbSwapIn) -> GfbSwapOut {
+        def!(swap = m.wire(bit()));
+        def!(shown = m.toggle(*swap));
+        def!(all_swapped = stack(i.frames).ne(shown).and_all());
+
+        let longest = self.merge_clocks + self.late;
+        def!(since = m.reg(up_to(longest)).reset(0));
+        since.when(!all_swapped | *swap, 0).when(since.ne(longest), since + 1);
+        def!(waited = since.ge(self.merge_clocks));
+        def!(way_left = m.reg(up_to(self.way)).reset(self.way));
+        def!(stored = way_left.eq(0));
+        way_left.when(!all_swapped | *swap, self.way).when(i.enable & !stored, way_left - 1);
+        swap.drive(all_swapped & waited & stored & i.blanking);
+
+        m.assert(
+            swap.implies(i.blanking & !stack(i.sending).or_all()),
+            "the banks change in a blanking, with all of the frame sent",
+        );
+        m.assert(since.eq(longest).implies(stored), "all is stored soon after T_m");
+        m.cover("the banks change", *swap);
+        m.cover("a merged frame waits for the blanking", waited & stored & !i.blanking);
+        GfbSwapOut { swap: *swap, shown }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,159 @@
+//! The swap control of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4, VC1-CLR2).
+//!
+//! ```text
+//!            .-------------------- the last entry is cleared ---------------------.
+//!            v                                                                    |
+//! reset --> Draw --- the line is high -------> Due ----- swap: a frame ends ---> Clear <-- reset
+//!              '---- all pages are taken --> Overflow -- swap: in a frame -------^
+//! ```
+//!
+//! Latency: a swap comes in the clock in which the last of its guards holds, and one clock after the line or the overflow at the
+//! earliest. The guards of every swap, at a frame's end and in an overflow:
+//!
+//! - the global frame buffer has swapped for each frame that ended before (`shown`, VC1-SW3);
+//! - T_m has passed since the last swap of this local frame buffer (VC1-SW3);
+//! - the merger has sent the whole back buffer (`sending` is low). The paper does not name this one. T_m alone may be short of it by the
+//!   crossing into the merger's clock, and by overheads in which the chain holds.
+//!
+//! After a swap the program clears the patch table, entry by entry. The control sees that, and then tries the held request again by
+//! itself (`resume`). The line counts as `ready` only in `Draw`: a fast processing element, whose next frame is drawn
+//! while a slow one still waits with its swap, would else take the line of the old frame for that of the new one.
+//!
+//! A frame's swap turns `frame`. It crosses to the merger one clock behind the buffers' exchange.
+
+use crate::prelude::*;
+
+codes! {
+    /// What a local frame buffer is used for, and waits for.
+    pub enum SwapState {
+        /// The program clears the patch table.
+        Clear,
+        /// The program draws.
+        Draw,
+        /// The frame is drawn by all; the swap waits for its guards.
+        Due,
+        /// All pages are taken; the swap waits for its guards.
+        Overflow,
+    }
+}
+
+impl SwapState {
+    /// The state that has this code.
+    ///
+    /// # Panics
+    ///
+    /// None has it.
+    pub fn of_code(code: u64) -> SwapState {
+        SwapState::ALL[code as usize]
+    }
+}
+
+block! {
+    /// Swaps a local frame buffer at the end of a frame and in an overflow, as soon as that is safe.
+    pub struct LfbSwap {
+        /// The number of patches, and so of table entries to clear.
+        pub patches: u32,
+        /// T_m in clocks of the processing element (VC1-TM).
+        pub merge_clocks: u64,
+        /// The clocks of the processing element after a swap in which the whole back buffer is sent, at most.
+        pub sent_clocks: u64,
+    }
+    ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.. }
+    latency = "1 clock from the line to the swap, if all guards hold";
+    source = "VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)";
+    in(self) LfbSwapIn {
+        /// The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the table.
+        done: bit().on(PE),
+        /// No pixel is under way in the local frame buffer.
+        idle: bit().on(PE),
+        /// A pixel is held, because all pages are taken.
+        overflow: bit().on(PE),
+        /// A pixel is accepted.
+        draws: bit().on(PE),
+        /// An entry of the patch table is cleared.
+        clears: bit().on(PE),
+        /// Which.
+        patch: below(self.patches).on(PE),
+        /// The sync line.
+        line: bit().on(PE),
+        /// Turns with each swap of the global frame buffer.
+        shown: bit().on(MERGE),
+        /// Some of the back buffer is still to be sent.
+        sending: bit().on(MERGE),
+    }
+    out LfbSwapOut {
+        /// What the processing element says to the sync line.
+        ready: bit(),
+        /// For one clock: exchange the buffers.
+        swap: bit(),
+        /// For one clock: try the held request again.
+        resume: bit(),
+        /// What the program sees.
+        state: one_of::<SwapState>(),
+        /// Turns with each swap at the end of a frame, as the merger knows it.
+        frame: bit(),
+    }
+}
+
+impl LfbSwap {
+    fn build(&self, m: Module, i: LfbSwapIn) -> LfbSwapOut {
+        use SwapState::*;
+        let (pe, merge) = (m.on(PE), m.on(MERGE));
+        def!(state = pe.fsm(Clear));
+        let [clear, draw, due, overflow] = [Clear, Draw, Due, Overflow].map(|it| state.is(it));
+
+        // The guards.
+        def!(swap = pe.wire(bit()));
+        def!(frame_end = due & *swap);
+        def!(parity = pe.toggle(frame_end));
+        def!(shown_here = pe.synchronize(i.shown));
+        def!(sending_here = pe.synchronize(i.sending));
+        def!(is_sent = !sending_here);
+        def!(is_shown = shown_here.eq(parity));
+        let longest = self.merge_clocks.max(self.sent_clocks);
+        def!(since = pe.reg(up_to(longest)).reset(longest));
+        since.when(*swap, 0).when(since.ne(longest), since + 1);
+        def!(waited = since.ge(self.merge_clocks));
+        swap.drive((due | overflow) & is_shown & waited & is_sent);
+
+        // The table is cleared in order.
+        def!(entry = pe.reg(below(self.patches)).reset(0));
+        def!(last_entry = i.clears & entry.eq(self.patches - 1));
+        entry.when(last_entry, 0).when(i.clears, entry + 1);
+        let moves = state.next(|state| match state {
+            Clear => when(last_entry, Draw),
+            Draw => when(i.overflow, Overflow).or_when(i.line, Due),
+            Due | Overflow => when(*swap, Clear),
+        });
+        def!(holds = pe.reg(bit()).reset(0));
+        def!(resume = last_entry & holds);
+        holds.when(moves.enters(Overflow), 1).when(resume, 0);
+        def!(ready = draw & i.done & i.idle);
+
+        pe.assume(
+            i.clears.implies(clear & i.patch.eq(entry)),
+            "after a swap the entries are cleared in order, each once",
+        );
+        pe.assume(i.draws.implies(draw), "no pixel is drawn between a swap and the last entry cleared");
+        pe.assume(i.line.implies(ready), "the line is high only while this processing element lets it go");
+        pe.assume(i.done.implies(!clear), "the end of a frame is taken back when its swap is due");
+        pe.assert(swap.implies(shown_here.eq(parity)), "the global frame buffer has swapped for the frame before");
+        pe.assert(swap.implies(since.ge(self.merge_clocks)), "T_m has passed since the last swap");
+        pe.assert(
+            since.eq(self.sent_clocks).implies(is_sent),
+            "the back buffer is sent within a period and its overhead",
+        );
+        pe.cover("a frame ends", frame_end);
+        pe.cover("a buffer overflows", moves.enters(Overflow));
+        pe.cover("a swap waits for the global frame buffer alone", (due | overflow) & waited & is_sent & !is_shown);
+        pe.cover("a swap waits for T_m alone", (due | overflow) & is_shown & is_sent & !waited);
+
+        def!(frame_here = merge.synchronize(parity));
+        def!(frame_late = merge.reg(bit()).reset(0));
+        frame_late.next(frame_here);
+        LfbSwapOut { ready, swap: *swap, resume, state: *state, frame: *frame_late }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,185 @@
+//! Frames and overflows, clock by clock and against a model of the guards.
+
+use proptest::prelude::*;
+use tilewright_sim::Simulation;
+
+use super::*;
+
+const IDLE: LfbSwapIn<u64> =
+    LfbSwapIn { done: 0, idle: 1, overflow: 0, draws: 0, clears: 0, patch: 0, line: 0, shown: 0, sending: 0 };
+
+fn control(merge_clocks: u64) -> LfbSwap {
+    LfbSwap { patches: 2, merge_clocks, sent_clocks: merge_clocks + 30 }
+}
+
+type Sim = Simulation<LfbSwapIn, LfbSwapOut>;
+
+fn clock(sim: &mut Sim, inputs: LfbSwapIn<u64>) {
+    sim.drive(inputs);
+    sim.step_clock(PE, 1);
+}
+
+fn clear(sim: &mut Sim, inputs: LfbSwapIn<u64>) {
+    (0..2).for_each(|patch| clock(sim, LfbSwapIn { clears: 1, patch, ..inputs }));
+}
+
+#[test]
+fn a_frame_ends_with_the_line_and_an_overflow_waits_for_its_guards() {
+    let mut sim = Simulation::of(&control(12)).unwrap();
+    let wave = sim.record(["state", "ready", "line", "shown", "since", "swap", "resume", "frame_end"]);
+    sim.reset();
+    clear(&mut sim, IDLE);
+    clock(&mut sim, LfbSwapIn { done: 1, ..IDLE });
+    clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
+    clock(&mut sim, IDLE);
+    clear(&mut sim, IDLE);
+    // T_m has not passed, and the frame is not shown.
+    let overflow = LfbSwapIn { overflow: 1, idle: 0, ..IDLE };
+    (0..4).for_each(|_| clock(&mut sim, overflow));
+    (0..9).for_each(|_| clock(&mut sim, LfbSwapIn { shown: 1, ..overflow }));
+    clear(&mut sim, LfbSwapIn { shown: 1, ..overflow });
+    clock(&mut sim, LfbSwapIn { shown: 1, ..IDLE });
+    wave.expect(
+        r"
+        pe_clk    |______/~~~\__/~~~\__/~~~~~~~~~~\__/~~~\__/~~~\__/~~~~~~~~~~\__/~~~\__/~~~\__/~~~\_________/~~~\__/
+        merge_clk |___________________________/~~~~~~~~~~\________________/~~~~~~~~~~~~~\_____________/~~~~~~~~~~~~~~
+        state     | Clear                                   | Draw               | Due  | Clear              | Draw |
+        ready     |_________________________________________/~~~~~~~~~~~~~~~~~~~~\___________________________________
+        line      |________________________________________________/~~~~~~~~~~~~~\___________________________________
+        shown     |__________________________________________________________________________________________________
+        since     | 2a                                                                  | 0    | 1           | 2    |
+        swap      |______________________________________________________________/~~~~~~\____________________________
+        resume    |__________________________________________________________________________________________________
+        frame_end |______________________________________________________________/~~~~~~\____________________________
+
+        pe_clk    |~~~\__/~~~\_________/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~\__/~~~~~~~~~~\__/~~~\__/~~~\__/~~~~~~~
+        merge_clk |~~~\_________/~~~~~~~~~~~~~~~~~\_________/~~~~~~~~~~\________________/~~~~~~~~~~\________________/
+        state     | Overflow                                                                          | Clear       |
+        ready     |__________________________________________________________________________________________________
+        line      |__________________________________________________________________________________________________
+        shown     |___________________________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        since     | 3    | 4           | 5    | 6    | 7    | 8    | 9    | a    | b           | c    | 0    | 1    |
+        swap      |____________________________________________________________________________/~~~~~~\______________
+        resume    |__________________________________________________________________________________________________
+        frame_end |__________________________________________________________________________________________________
+
+        pe_clk    |~~~\__/~~~\__/~~~\__/~~~\_________/
+        merge_clk |~~~~~~~~~~~~~\_____________/~~~~~~~
+        state     | Clear              | Draw        |
+        ready     |___________________________________
+        line      |___________________________________
+        shown     |~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+        since     | 1    | 2    | 3    | 4           |
+        swap      |___________________________________
+        resume    |_____________/~~~~~~\______________
+        frame_end |___________________________________
+        ",
+    );
+    for what in ["a frame ends", "a buffer overflows"] {
+        assert_eq!(sim.covered(what).unwrap(), 1, "{what}");
+    }
+}
+
+/// A fast processing element, whose next frame is drawn while the line is still that of the old one, would end it at once.
+#[test]
+fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
+    let mut sim = Simulation::of(&control(12)).unwrap();
+    sim.reset();
+    assert_eq!(sim.get_u64(sim.o.ready), 0);
+    clear(&mut sim, IDLE);
+    clock(&mut sim, LfbSwapIn { done: 1, idle: 0, ..IDLE });
+    assert_eq!(sim.get_u64(sim.o.ready), 0, "a pixel is under way");
+    sim.drive(LfbSwapIn { done: 1, ..IDLE });
+    assert_eq!(sim.get_u64(sim.o.ready), 1);
+    clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
+    clock(&mut sim, IDLE);
+    clear(&mut sim, IDLE);
+    // The frame before is not shown: the swap is due, and waits.
+    clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
+    for shown in [0; 20].into_iter().chain([1; 3]) {
+        sim.drive(LfbSwapIn { done: 1, shown, ..IDLE });
+        assert_eq!((sim.get_u64(sim.o.state), sim.get_u64(sim.o.ready)), (SwapState::Due as u64, 0));
+        sim.step_clock(PE, 1);
+    }
+    sim.drive(LfbSwapIn { shown: 1, ..IDLE });
+    assert_eq!((sim.get_u64(sim.o.state), sim.get_u64(sim.o.ready)), (SwapState::Clear as u64, 0));
+}
+
+#[test]
+fn what_the_program_must_not_do_is_an_error() {
+    let problem = |inputs: LfbSwapIn<u64>| {
+        let mut sim = Simulation::of(&control(12)).unwrap();
+        sim.reset();
+        sim.drive(inputs);
+        (0..3).find_map(|_| sim.try_step().err()).map(|problem| problem.to_string()).unwrap_or_default()
+    };
+    for (inputs, sentence) in [
+        (LfbSwapIn { clears: 1, patch: 1, ..IDLE }, "after a swap the entries are cleared in order, each once"),
+        (LfbSwapIn { draws: 1, ..IDLE }, "no pixel is drawn between a swap and the last entry cleared"),
+        (LfbSwapIn { line: 1, ..IDLE }, "the line is high only while this processing element lets it go"),
+        (LfbSwapIn { done: 1, ..IDLE }, "the end of a frame is taken back when its swap is due"),
+    ] {
+        assert!(problem(inputs).contains(sentence), "{inputs:?}: {}", problem(inputs));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Against the clock of the last swap, and the counts of frames ended and shown (VC1-SW3). Each swap comes in the first clock
+    /// in which all guards hold, 2 clocks after they are put at the ports of the other clock's side.
+    #[test]
+    fn a_swap_comes_when_all_guards_hold(
+        merge_clocks in 12..40u64,
+        jobs in prop::collection::vec((any::<bool>(), 0..30u64, 0..60u64, 0..60u64), 1..12),
+    ) {
+        let control = LfbSwap { patches: 3, merge_clocks, sent_clocks: merge_clocks + 200 };
+        let mut sim = Simulation::of(&control).unwrap();
+        sim.reset();
+        let (mut now, mut last_swap, mut ended) = (0, None::<u64>, 0);
+        // The numbers of clocks, in each of which one frame more is shown, and in which the back buffer is sent.
+        let (mut shown_at, mut sent_at) = (Vec::<u64>::new(), 0);
+        let step = |sim: &mut Sim, inputs: LfbSwapIn<u64>, now: &mut u64, shown_at: &[u64], sent_at: u64| {
+            let shown = shown_at.iter().filter(|at| **at <= *now).count() as u64 % 2;
+            sim.drive(LfbSwapIn { shown, sending: u64::from(sent_at > *now), ..inputs });
+            let seen = (sim.get_u64(sim.o.swap), sim.get_u64(sim.o.resume));
+            sim.step_clock(PE, 1);
+            *now += 1;
+            seen
+        };
+        for (overflows, draws, shown_after, sent_after) in jobs {
+            for patch in 0..3 {
+                let (swap, resume) =
+                    step(&mut sim, LfbSwapIn { clears: 1, patch, ..IDLE }, &mut now, &shown_at, sent_at);
+                let held = sim.peek("holds").unwrap().to_u64().unwrap();
+                prop_assert_eq!(swap, 0);
+                prop_assert!(patch < 2 || resume == 1 || held == 0);
+                prop_assert!(patch == 2 || resume == 0);
+            }
+            for _ in 0..draws {
+                step(&mut sim, LfbSwapIn { draws: 1, ..IDLE }, &mut now, &shown_at, sent_at);
+            }
+            let waits = if overflows { LfbSwapIn { overflow: 1, idle: 0, ..IDLE } } else { IDLE };
+            let begins = if overflows { waits } else { LfbSwapIn { done: 1, line: 1, ..IDLE } };
+            prop_assert_eq!(step(&mut sim, begins, &mut now, &shown_at, sent_at).0, 0);
+            let shown = |now: u64, shown_at: &[u64]| shown_at.iter().filter(|at| **at + 2 <= now).count();
+            let (mut guards, mut clocks) = (false, 0);
+            while !guards {
+                guards = shown(now, &shown_at) == ended
+                    && last_swap.is_none_or(|at| now - at > merge_clocks)
+                    && sent_at + 2 <= now.max(2);
+                let (swap, _) = step(&mut sim, waits, &mut now, &shown_at, sent_at);
+                prop_assert_eq!(swap == 1, guards, "clock {}", now - 1);
+                clocks += 1;
+                prop_assert!(clocks < 400);
+            }
+            last_swap = Some(now - 1);
+            sent_at = now + sent_after;
+            if !overflows {
+                ended += 1;
+                let at = now + 10 + shown_after;
+                shown_at.push(at);
+            }
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! The sync line: one bit across all processing elements, and the host if it takes part (VC1-NET, VC1-SW1).
+//!
+//! ```text
+//! ready[0] --.
+//! ready[1] --+--> & --> line
+//!    ..      |
+//! host ------'
+//! ```
+//!
+//! Latency: none, it is a wired AND. Whoever does not take part lets the line go.
+
+use crate::prelude::*;
+
+block! {
+    /// One bit that is high when nobody holds it low.
+    pub struct SyncLine {
+        /// How many processing elements there are.
+        pub processors: u32,
+    }
+    ranges { processors: 1.. }
+    latency = "0 clocks";
+    source = "VC-1, sections 3.1 and 4, sync line (VC1-NET, VC1-SW1)";
+    in(self) SyncLineIn {
+        /// Of each processing element: its frame is drawn, and its last swap is over.
+        ready: [bit(); self.processors],
+        /// The host lets the line go.
+        host: bit(),
+    }
+    out SyncLineOut {
+        /// Nobody holds the line low.
+        line: bit(),
+    }
+}
+
+impl SyncLine {
+    fn build(&self, m: Module, i: SyncLineIn) -> SyncLineOut {
+        def!(line = stack(i.ready).and_all() & i.host);
+        m.cover("a frame is drawn by all", m.rose(line));
+        SyncLineOut { line }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use tilewright_sim::Simulation;
+
+    use super::*;
+
+    #[test]
+    fn it_is_high_when_nobody_holds_it_low() {
+        let mut sim = Simulation::of(&SyncLine { processors: 2 }).unwrap();
+        let wave = sim.record([sim.i.ready[0], sim.i.ready[1], sim.i.host, sim.o.line]);
+        sim.reset();
+        for (ready, host) in [([0, 0], 1), ([1, 0], 1), ([1, 1], 1), ([0, 1], 1), ([1, 1], 0), ([1, 1], 1)] {
+            sim.drive(SyncLineIn { ready: ready.to_vec(), host });
+            sim.step();
+        }
+        wave.expect(
+            r"
+            clk     |___/~\_/~\_/~\_/~\_/~\_/~\_/
+            ready_0 |_______/~~~~~~~\___/~~~~~~~~
+            ready_1 |___________/~~~~~~~~~~~~~~~~
+            host    |___/~~~~~~~~~~~~~~~\___/~~~~
+            line    |___________/~~~\_______/~~~~
+            ",
+        );
+        assert_eq!(sim.covered("a frame is drawn by all").unwrap(), 2);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Against a count of those who hold it low (VC1-SW1).
+        #[test]
+        fn nobody_holds_it_low(ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40), host: bool) {
+            let mut sim = Simulation::of(&SyncLine { processors: ready.len() as u32 }).unwrap();
+            sim.reset();
+            sim.drive(SyncLineIn { ready: ready.iter().map(|it| u64::from(*it)).collect(), host: host.into() });
+            let low = ready.iter().filter(|ready| !**ready).count() + usize::from(!host);
+            prop_assert_eq!(sim.get_u64(sim.o.line) == 1, low == 0);
+        }
+    }
+}
