@@ -2,19 +2,15 @@
 
 use tilewright_hdl::{Scenario, Script, Stream, elaborate_at};
 
-use super::shared::PROCESSORS;
-use super::{Entry, Parameter, Values};
+use super::shared::{PROCESSORS, RECEIVE_QUEUE, WORD_CLOCKS};
+use super::{Entry, Values};
 use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::clocks::PE;
 
 pub(super) const BROADCAST_BUS: Entry = Entry {
     name: "broadcast-bus",
     summary: "brings packets from the host or any processor to all processors",
-    parameters: &[
-        PROCESSORS,
-        Parameter { name: "queue", default: 4, min: 2, max: 4096, meaning: "words that each receive queue holds" },
-        Parameter { name: "clocks", default: 6, min: 1, max: 255, meaning: "clocks that a word is on the bus" },
-    ],
+    parameters: &[PROCESSORS, RECEIVE_QUEUE, WORD_CLOCKS],
     design: |values| Ok(elaborate_at(&broadcast_bus(values), PE.period)?),
     scenario: |values| Ok(two_packets(&broadcast_bus(values))),
 };

@@ -25,6 +25,10 @@ pub(super) const PIXEL_CLOCK: Parameter = Parameter {
 };
 pub(super) const PROCESSORS: Parameter =
     Parameter { name: "processors", default: 2, min: 1, max: 256, meaning: "processing elements" };
+pub(super) const RECEIVE_QUEUE: Parameter =
+    Parameter { name: "queue", default: 4, min: 2, max: 4096, meaning: "words that each receive queue holds" };
+pub(super) const WORD_CLOCKS: Parameter =
+    Parameter { name: "clocks", default: 6, min: 1, max: 255, meaning: "clocks that a word is on the bus" };
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
 

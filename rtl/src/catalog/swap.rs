@@ -44,9 +44,9 @@ fn one_after_another(line: &SyncLine) -> Scenario {
     let mut script = Script::new(line, PE.period);
     for number in 0..=line.processors {
         let ready = (0..line.processors).map(|other| u64::from(other < number)).collect();
-        script.clock(&SyncLineIn { ready, host: 1 });
+        script.clock(&SyncLineIn { ready, bus: 1, host: 1 });
     }
-    script.clock(&SyncLineIn { ready: vec![0; line.processors as usize], host: 1 });
+    script.clock(&SyncLineIn { ready: vec![0; line.processors as usize], bus: 1, host: 1 });
     script.finish("the processing elements let the line go, one after another")
 }
 

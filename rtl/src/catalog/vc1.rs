@@ -2,8 +2,9 @@
 
 use tilewright_hdl::{Scenario, Script, Stream, elaborate};
 
-use super::shared::{HEIGHT, PAGES, PATCH, PIXEL_CLOCK, PROCESSORS, WIDTH, display};
+use super::shared::{HEIGHT, PAGES, PATCH, PIXEL_CLOCK, PROCESSORS, RECEIVE_QUEUE, WIDTH, WORD_CLOCKS, display};
 use super::{CatalogError, Entry, Values};
+use crate::bus::BusWord;
 use crate::clocks::{MERGE, PE};
 use crate::gfb::Host;
 use crate::lfb::{LfbUnit, Patches, Request, Wanted};
@@ -13,7 +14,7 @@ use crate::vc1::{ProcessorIn, Vc1, Vc1In};
 pub(super) const VC1: Entry = Entry {
     name: "vc1",
     summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer, swap control",
-    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS, PIXEL_CLOCK],
+    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS, RECEIVE_QUEUE, WORD_CLOCKS, PIXEL_CLOCK],
     design: |values| Ok(elaborate(&vc1(values)?)?),
     scenario: |values| Ok(a_frame(&vc1(values)?)),
 };
@@ -22,7 +23,14 @@ fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
     let screen = Screen::new(values.get_u32("width"), values.get_u32("height"))?;
     let patches = Patches::new(screen, values.get_u32("patch"))?;
     let lfb = LfbUnit { patches, pages: values.get_u32("pages") }.checked()?;
-    Ok(Vc1 { lfb, processors: values.get_u32("processors"), display: display(values) }.checked()?)
+    Ok(Vc1 {
+        lfb,
+        processors: values.get_u32("processors"),
+        queue: values.get_u32("queue"),
+        word_clocks: values.get_u32("clocks"),
+        display: display(values),
+    }
+    .checked()?)
 }
 
 fn a_frame(vc1: &Vc1) -> Scenario {
@@ -30,14 +38,17 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     let Screen { width, height } = screen;
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
 
+    let silent = Stream::of(0, BusWord { word: 0, last: 0 });
     let processor = ProcessorIn {
         request: Stream::of(0, Request { x: 0, y: 0, word: 0 }),
         clear: Stream::of(0, Wanted { patch: 0 }),
+        sends: silent,
         done: 0,
     };
     let host = Host { read_address: 0, background: 0xffffff_102030 };
     let all = |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In {
         processors: (0..vc1.processors.into()).map(of).collect(),
+        command: silent,
         ready: 1,
         host,
     };
@@ -45,6 +56,9 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Stream::of(1, Request { x, y, word }), ..processor };
 
     let mut script = Script::new(vc1, PE.period);
+    (0..vc1.processors).for_each(|number| script.ready(&format!("processors_{number}_received"), true));
+    // The command, a word.
+    script.hold(&Vc1In { command: Stream::of(1, BusWord { word: 1, last: 1 }), ..idle.clone() }, 1);
     for patch in 0..vc1.lfb.patches.count().into() {
         script.clock(&all(&|_| ProcessorIn { clear: Stream::of(1, Wanted { patch }), ..processor }));
         script.hold(&idle, 2);

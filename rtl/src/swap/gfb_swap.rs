@@ -44,6 +44,8 @@ block! {
     out GfbSwapOut {
         /// For one clock: exchange the banks.
         swap: bit(),
+        /// A frame is stored, and waits for the blanking.
+        merged: bit(),
         /// Turns with each swap.
         shown: bit(),
     }
@@ -62,7 +64,8 @@ impl GfbSwap {
         def!(way_left = m.reg(up_to(self.way)).reset(self.way));
         def!(stored = way_left.eq(0));
         way_left.when(!all_swapped | *swap, self.way).when(i.enable & !stored, way_left - 1);
-        swap.drive(all_swapped & waited & stored & i.blanking);
+        def!(merged = all_swapped & waited & stored);
+        swap.drive(merged & i.blanking);
 
         m.assert(
             swap.implies(i.blanking & !stack(i.sending).or_all()),
@@ -70,8 +73,8 @@ impl GfbSwap {
         );
         m.assert(since.eq(longest).implies(stored), "all is stored soon after T_m");
         m.cover("the banks change", *swap);
-        m.cover("a merged frame waits for the blanking", waited & stored & !i.blanking);
-        GfbSwapOut { swap: *swap, shown }
+        m.cover("a merged frame waits for the blanking", merged & !i.blanking);
+        GfbSwapOut { swap: *swap, merged, shown }
     }
 }
 

@@ -64,7 +64,7 @@ block! {
     in(self) LfbSwapIn {
         /// The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the table.
         done: bit().on(PE),
-        /// No pixel is under way in the local frame buffer.
+        /// No pixel is under way in the local frame buffer, and no word waits in the receive queue.
         idle: bit().on(PE),
         /// A pixel is held, because all pages are taken.
         overflow: bit().on(PE),

@@ -4,7 +4,7 @@
 //!            done                 line                            frames, sending
 //! program ---------> [LFB swap] <------- [sync line]  [LFB swap] ---------------> [GFB swap] <-- blanking
 //!            state    |  ^   |            ^  ^  ^                                    |  |
-//!         <-----------'  |   '--- ready --'  |  '-- host                      swap --'  '-- shown
+//!         <-----------'  |   '--- ready --'  |  '-- bus, host                 swap --'  '-- shown
 //!                        '------- shown -----|-----------------------------------------------'
 //!                                            '-- ready of the other processing elements
 //! ```

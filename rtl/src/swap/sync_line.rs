@@ -1,9 +1,10 @@
-//! The sync line: one bit across all processing elements, and the host if it takes part (VC1-NET, VC1-SW1).
+//! The sync line: one bit across all processing elements, the bus, and the host if it takes part (VC1-NET, VC1-SW1).
 //!
 //! ```text
 //! ready[0] --.
 //! ready[1] --+--> & --> line
 //!    ..      |
+//! bus -------+
 //! host ------'
 //! ```
 //!
@@ -23,6 +24,8 @@ block! {
     in(self) SyncLineIn {
         /// Of each processing element: its frame is drawn, and its last swap is over.
         ready: [bit(); self.processors],
+        /// The broadcast bus is idle.
+        bus: bit(),
         /// The host lets the line go.
         host: bit(),
     }
@@ -34,7 +37,7 @@ block! {
 
 impl SyncLine {
     fn build(&self, m: Module, i: SyncLineIn) -> SyncLineOut {
-        def!(line = stack(i.ready).and_all() & i.host);
+        def!(line = stack(i.ready).and_all() & i.bus & i.host);
         m.cover("a frame is drawn by all", m.rose(line));
         SyncLineOut { line }
     }
@@ -50,19 +53,29 @@ mod tests {
     #[test]
     fn it_is_high_when_nobody_holds_it_low() {
         let mut sim = Simulation::of(&SyncLine { processors: 2 }).unwrap();
-        let wave = sim.record([sim.i.ready[0], sim.i.ready[1], sim.i.host, sim.o.line]);
+        let wave = sim.record([sim.i.ready[0], sim.i.ready[1], sim.i.bus, sim.i.host, sim.o.line]);
         sim.reset();
-        for (ready, host) in [([0, 0], 1), ([1, 0], 1), ([1, 1], 1), ([0, 1], 1), ([1, 1], 0), ([1, 1], 1)] {
-            sim.drive(SyncLineIn { ready: ready.to_vec(), host });
+        let steps = [
+            ([0, 0], 1, 1),
+            ([1, 0], 1, 1),
+            ([1, 1], 1, 1),
+            ([0, 1], 1, 1),
+            ([1, 1], 1, 0),
+            ([1, 1], 1, 1),
+            ([1, 1], 0, 1),
+        ];
+        for (ready, bus, host) in steps {
+            sim.drive(SyncLineIn { ready: ready.to_vec(), bus, host });
             sim.step();
         }
         wave.expect(
             r"
-            clk     |___/~\_/~\_/~\_/~\_/~\_/~\_/
-            ready_0 |_______/~~~~~~~\___/~~~~~~~~
-            ready_1 |___________/~~~~~~~~~~~~~~~~
-            host    |___/~~~~~~~~~~~~~~~\___/~~~~
-            line    |___________/~~~\_______/~~~~
+            clk     |___/~\_/~\_/~\_/~\_/~\_/~\_/~\_/
+            ready_0 |_______/~~~~~~~\___/~~~~~~~~~~~~
+            ready_1 |___________/~~~~~~~~~~~~~~~~~~~~
+            bus     |___/~~~~~~~~~~~~~~~~~~~~~~~\____
+            host    |___/~~~~~~~~~~~~~~~\___/~~~~~~~~
+            line    |___________/~~~\_______/~~~\____
             ",
         );
         assert_eq!(sim.covered("a frame is drawn by all").unwrap(), 2);
@@ -73,11 +86,16 @@ mod tests {
 
         /// Against a count of those who hold it low (VC1-SW1).
         #[test]
-        fn nobody_holds_it_low(ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40), host: bool) {
+        fn nobody_holds_it_low(
+            ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40),
+            bus: bool,
+            host: bool,
+        ) {
             let mut sim = Simulation::of(&SyncLine { processors: ready.len() as u32 }).unwrap();
             sim.reset();
-            sim.drive(SyncLineIn { ready: ready.iter().map(|it| u64::from(*it)).collect(), host: host.into() });
-            let low = ready.iter().filter(|ready| !**ready).count() + usize::from(!host);
+            let lets_go = ready.iter().map(|it| u64::from(*it)).collect();
+            sim.drive(SyncLineIn { ready: lets_go, bus: bus.into(), host: host.into() });
+            let low = ready.iter().filter(|ready| !**ready).count() + usize::from(!bus) + usize::from(!host);
             prop_assert_eq!(sim.get_u64(sim.o.line) == 1, low == 0);
         }
     }

@@ -1,6 +1,7 @@
 //! The VC-1's frame buffer subsystem: everything of the machine that is hardware here (section 3.3 of the paper).
 //!
 //! ```text
+//!       .------------------.-------- broadcast bus ---.--------- host
 //!    processor 0        processor 1               processor n-1
 //!        |                  |                          |
 //!   [ LFB unit ]       [ LFB unit ]               [ LFB unit ]
@@ -22,14 +23,17 @@
 //! |---|---|---|
 //! | processor | clears its patch table, entry by entry in order | its state is `Clear`: at the beginning, and after each swap (VC1-CLR2) |
 //! | processor | draws | its state is `Draw` |
-//! | processor | says `done` | it has drawn its frame; it takes it back when its state is `Due` |
+//! | processor | sends packets over the bus, and takes words from its queue | at any time; it takes all of them, or the bus stops |
+//! | processor | says `done` | it has drawn its frame, and has sent all that it has to; it takes it back when its state is `Due` |
 //! | processor | waits | its state is `Due`, as its frame ends, or `Overflow`, as all pages are taken; the hardware tries the held request again |
+//! | host | sends commands over the bus | at any time |
 //! | host | holds the line low | it takes part in the synchronization, and is not ready (VC1-SW1) |
 //! | host | reads the picture | at any time |
 //!
 //! A processor that swaps in an overflow loses nothing (VC1-SW4): the merger runs freely, and sends what the scan has passed already in
 //! the next round.
 
+use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
 use crate::lfb::{LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter, Wanted};
 use crate::merger::{ImageMerger, ImageMergerIn};
@@ -49,6 +53,8 @@ bundle! {
         pub request: Stream<Request<T>, T>,
         /// A patch table entry to clear.
         pub clear: Stream<Wanted<T>, T>,
+        /// A word for the bus.
+        pub sends: Stream<BusWord<T>, T>,
         /// Its frame is drawn.
         pub done: T,
     }
@@ -61,6 +67,8 @@ bundle! {
         pub pages_used: T,
         /// Nothing is under way.
         pub idle: T,
+        /// The word at the front of its queue.
+        pub received: Stream<BusWord<T>, T>,
     }
 }
 
@@ -71,6 +79,10 @@ block! {
         pub lfb: LfbUnit,
         /// How many processors there are.
         pub processors: u32,
+        /// Words that the receive queue of each processor holds.
+        pub queue: u32,
+        /// Clocks of the processors that a word is on the bus.
+        pub word_clocks: u32,
         /// What shows the picture.
         pub display: Display,
     }
@@ -83,6 +95,8 @@ block! {
     in(self) Vc1In {
         /// Of each processor.
         processors: [ProcessorIn = self.processor(); self.processors],
+        /// A word of the host for the bus.
+        command: stream(BusWord = BusWord::widths()).on(PE),
         /// The host lets the sync line go.
         ready: bit().on(PE),
         /// Of the host.
@@ -95,6 +109,8 @@ block! {
         line: bit(),
         /// To the host.
         view: View = _,
+        /// A frame is stored in the global frame buffer, and waits for the blanking.
+        is_merged: bit(),
         /// Turns with each swap of the global frame buffer.
         shown: bit(),
         /// To the display.
@@ -107,6 +123,11 @@ impl Vc1 {
     pub fn gfb(&self) -> GfbUnit {
         let (screen, display) = (self.lfb.patches.screen(), self.display);
         GfbUnit { screen, units: self.processors, overhead: OVERHEAD, display }
+    }
+
+    /// Its bus.
+    pub fn bus(&self) -> BroadcastBus {
+        BroadcastBus { processors: self.processors, queue: self.queue, word_clocks: self.word_clocks }
     }
 
     /// The swap control of a local frame buffer.
@@ -135,7 +156,8 @@ impl Vc1 {
     /// The widths of what a processor says.
     fn processor(&self) -> ProcessorIn<Width> {
         let LfbUnitIn { request, clear, .. } = self.lfb.inputs();
-        ProcessorIn { request, clear, done: bit().on(PE) }
+        let sends = stream(BusWord::widths()).on(PE);
+        ProcessorIn { request, clear, sends, done: bit().on(PE) }
     }
 
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
@@ -150,7 +172,9 @@ impl Vc1 {
 
         def!(swap = pe.wire(lanes));
         def!(resume = pe.wire(lanes));
-        let ProcessorIn { request, clear, done } = stack(i.processors);
+        let ProcessorIn { request, clear, sends, done } = stack(i.processors);
+        let senders = sends.lanes().into_iter().chain([i.command]).collect();
+        let bus = pe.instance("u_bus", &self.bus(), BroadcastBusIn { senders });
         let patch = clear.patch;
         let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
             let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
@@ -160,11 +184,12 @@ impl Vc1 {
         let LfbUnitOut { overflow, idle, draws, clears, sending, word, .. } = lfb;
 
         // The swaps.
+        def!(finished = idle & bus.empty);
         def!(line = pe.wire(bit()));
         def!(shown = merge.wire(bit()));
         let control = m.array("u_lfb_swap", self.processors, &self.lfb_swap(), |_| LfbSwapIn {
             done,
-            idle,
+            idle: finished,
             overflow,
             draws,
             clears,
@@ -175,7 +200,7 @@ impl Vc1 {
         });
         swap.drive(control.swap);
         resume.drive(control.resume);
-        let sync = SyncLineIn { ready: control.ready.to_vec(), host: i.ready };
+        let sync = SyncLineIn { ready: control.ready.to_vec(), bus: bus.idle, host: i.ready };
         line.drive(pe.instance("u_sync_line", &SyncLine { processors: self.processors }, sync).line);
         let frames = GfbSwapIn {
             frames: control.frame.to_vec(),
@@ -183,6 +208,10 @@ impl Vc1 {
             enable: gfb.scan.enable,
             blanking: gfb.blanking,
         };
+        pe.assert(
+            line.implies(bus.idle & bus.empty.and_all() & idle.and_all()),
+            "the line is high only with the bus and all queues empty and all local frame buffers idle",
+        );
         let banks = merge.instance("u_gfb_swap", &self.gfb_swap(), frames);
         gfb_swap.drive(banks.swap);
         shown.drive(banks.shown);
@@ -195,11 +224,13 @@ impl Vc1 {
             state: control.state.lane(position),
             pages_used: lfb.pages_used.lane(position),
             idle: idle.lane(position),
+            received: bus.received[position as usize],
         };
         Vc1Out {
             processors: (0..self.processors).map(processor).collect(),
             line: *line,
             view: gfb.view,
+            is_merged: banks.merged,
             shown: *shown,
             pixel: gfb.pixel,
         }

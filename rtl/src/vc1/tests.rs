@@ -21,7 +21,8 @@ type Pixel = (u64, u64, u64);
 fn vc1(screen: Screen, edge: u32, pages: u32, processors: u32) -> Vc1 {
     let patches = Patches::new(screen, edge).unwrap();
     let display = Display { period: Period::ps(6_002), blanking: Blanking::AtStart };
-    Vc1 { lfb: LfbUnit { patches, pages: pages.min(patches.count()) }, processors, display }
+    let lfb = LfbUnit { patches, pages: pages.min(patches.count()) };
+    Vc1 { lfb, processors, queue: 4, word_clocks: 6, display }
 }
 
 fn running(vc1: &Vc1, seed: u64) -> Sim {
@@ -269,6 +270,46 @@ fn an_overflow_is_merged_in_a_round_of_its_own() {
         |what: &str| (0..3).map(|k| run.sim.covered(&format!("u_lfb_swap[{k}].{what}")).unwrap_or(0)).sum::<u64>();
     assert_eq!(covered("a buffer overflows"), 12);
     assert!(covered("a swap waits for the global frame buffer alone") > 0 && covered("a swap waits for T_m alone") > 0);
+}
+
+/// One sends a packet of two words to all when they have drawn; the other one takes them late (VC1-SW1).
+#[test]
+fn a_word_on_the_bus_or_in_a_queue_holds_the_line_low() {
+    let machine = vc1(SMALL, 4, 8, 2);
+    let mut sim = running(&machine, 7);
+    let (patches, ports) = (machine.lfb.patches.count(), sim.i.processors.clone());
+    let received = sim.o.processors[1].received;
+    let t = sim.testbench();
+    let pe = t.on(PE);
+    t.run((t.all(ports.iter().map(|i| clear(&pe, *i, patches))),));
+    drop(t);
+    let [sends, takes] = [ports[0].sends, sim.o.processors[0].received];
+    sim.set(takes.ready, 1);
+    let line = |sim: &mut Sim, clocks: u64| {
+        let mut is_high = false;
+        for _ in 0..clocks {
+            is_high |= sim.get_u64(sim.o.line) == 1;
+            sim.step_clock(PE, 1);
+        }
+        is_high
+    };
+    for (word, last) in [(5, 0), (6, 1)] {
+        sim.set(sends.word, word);
+        sim.set(sends.last, last);
+        sim.set(sends.valid, 1);
+        sim.step_clock(PE, 1);
+        // It has been taken, and is on the bus when all have drawn.
+        sim.set(sends.valid, 0);
+        sim.set(ports[0].done, 1);
+        sim.set(ports[1].done, 1);
+        assert!(!line(&mut sim, 20), "the line is high in a packet, or while a word waits");
+        sim.set(received.ready, 1);
+        assert_eq!(sim.get_u64(received.word), word);
+        sim.step_clock(PE, 1);
+        sim.set(received.ready, 0);
+    }
+    assert_eq!(sim.get_u64(received.valid), 0);
+    assert!(line(&mut sim, 2));
 }
 
 proptest! {

@@ -20,16 +20,18 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     input  wire enable,    // The chain advances.
     input  wire blanking,  // The banks may change.
     output wire swap,      // For one clock: exchange the banks.
+    output wire merged,    // A frame is stored, and waits for the blanking.
     output reg  shown      // Turns with each swap.
 );
 
-    reg [4:0] since;                                             // rtl/src/swap/gfb_swap.rs:59
-    reg [3:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:62
+    reg [4:0] since;                                             // rtl/src/swap/gfb_swap.rs:61
+    reg [3:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:64
 
-    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:56
-    wire waited = since >= 5'd12;                                // rtl/src/swap/gfb_swap.rs:61
-    wire stored = way_left == 4'd0;                              // rtl/src/swap/gfb_swap.rs:63
-    assign swap = all_swapped & waited & stored & blanking;      // rtl/src/swap/gfb_swap.rs:54
+    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:58
+    wire waited = since >= 5'd12;                                // rtl/src/swap/gfb_swap.rs:63
+    wire stored = way_left == 4'd0;                              // rtl/src/swap/gfb_swap.rs:65
+    assign merged = all_swapped & waited & stored;               // rtl/src/swap/gfb_swap.rs:67
+    assign swap = merged & blanking;                             // rtl/src/swap/gfb_swap.rs:56
 
     genvar i;
 
@@ -47,7 +49,7 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
             assign all_swapped_lanes[i] = row[i].all_swapped_differs;
         end
     endgenerate
-    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:56
+    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:58
 
     always @(posedge clk) begin
         if (rst) begin
@@ -80,10 +82,10 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!swap | (blanking & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:67
-        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:71
-        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:72
-        if (!rst) cover (waited & stored & !blanking);               // rtl/src/swap/gfb_swap.rs:73
+        if (!rst) assert (!swap | (blanking & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:70
+        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:74
+        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:75
+        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:76
     end
 `else
     reg is_covered;
@@ -91,21 +93,21 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!swap | (blanking & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:67
+        if (!rst && !(!swap | (blanking & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:70
             $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent", $time);
             stop;
         end
-        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:71
+        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:74
             $display("FAIL: time %0t: %m: all is stored soon after T_m", $time);
             stop;
         end
-        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:72
+        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:75
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the banks change", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (waited & stored & !blanking) && !is_covered_2) begin // rtl/src/swap/gfb_swap.rs:73
+        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:76
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a merged frame waits for the blanking", $time);
             `endif

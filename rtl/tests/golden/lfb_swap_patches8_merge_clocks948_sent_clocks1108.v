@@ -17,7 +17,8 @@ module lfb_swap_patches8_merge_clocks948_sent_clocks1108 (
     // The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the
     // table.
     input  wire       done,
-    input  wire       idle,      // No pixel is under way in the local frame buffer.
+    // No pixel is under way in the local frame buffer, and no word waits in the receive queue.
+    input  wire       idle,
     input  wire       overflow,  // A pixel is held, because all pages are taken.
     input  wire       draws,     // A pixel is accepted.
     input  wire       clears,    // An entry of the patch table is cleared.

@@ -5,7 +5,7 @@
 // Parameters  SyncLine { processors: 2 }
 // Latency     0 clocks; 0 clocks
 // Source      VC-1, sections 3.1 and 4, sync line (VC1-NET, VC1-SW1)
-// Described   rtl/src/swap/sync_line.rs:14
+// Described   rtl/src/swap/sync_line.rs:15
 `default_nettype none
 
 module sync_line_processors2 (
@@ -14,15 +14,16 @@ module sync_line_processors2 (
     // Of each processing element: its frame is drawn, and its last swap is over.
     input  wire ready_0,
     input  wire ready_1,
+    input  wire bus,     // The broadcast bus is idle.
     input  wire host,    // The host lets the line go.
     output wire line     // Nobody holds the line low.
 );
 
-    assign line = ready_0 & ready_1 & host;                      // rtl/src/swap/sync_line.rs:37
+    assign line = ready_0 & ready_1 & bus & host;                // rtl/src/swap/sync_line.rs:40
 
 `ifndef SYNTHESIS
-    reg line_past;                                               // rtl/src/swap/sync_line.rs:38
-    reg has_past;                                                // rtl/src/swap/sync_line.rs:38
+    reg line_past;                                               // rtl/src/swap/sync_line.rs:41
+    reg has_past;                                                // rtl/src/swap/sync_line.rs:41
 
     initial has_past = 1'b0;
 
@@ -37,13 +38,13 @@ module sync_line_processors2 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (has_past & (line & !line_past));            // rtl/src/swap/sync_line.rs:38
+        if (!rst) cover (has_past & (line & !line_past));            // rtl/src/swap/sync_line.rs:41
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (has_past & (line & !line_past)) && !is_covered) begin // rtl/src/swap/sync_line.rs:38
+        if (!rst && (has_past & (line & !line_past)) && !is_covered) begin // rtl/src/swap/sync_line.rs:41
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a frame is drawn by all", $time);
             `endif

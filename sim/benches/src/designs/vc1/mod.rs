@@ -19,6 +19,7 @@ mod host;
 mod painter;
 
 use tilewright_hdl::{Module, bit, bits, block, constants, def, lit, one_of, stack};
+use tilewright_rtl::bus::{BroadcastBus, BusWord};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::gfb::{Blanking, Display};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
@@ -60,10 +61,16 @@ impl Vc1Frames {
         let pages = (patches.count() / 4).clamp(2, 4096);
         let lfb = LfbUnit { patches, pages }.checked()?;
         // The paper's T_m is one and a half refreshes.
-        let t_m = Vc1 { lfb: lfb.clone(), processors, display: Display::VGA }.gfb().sequencer().merge_clocks()
-            * MERGE.period.picoseconds();
+        let of = |display| Vc1 {
+            lfb: lfb.clone(),
+            processors,
+            queue: BroadcastBus::QUEUE,
+            word_clocks: BroadcastBus::WORD_CLOCKS,
+            display,
+        };
+        let t_m = of(Display::VGA).gfb().sequencer().merge_clocks() * MERGE.period.picoseconds();
         let display = Display::of_rate(screen, 1.52e12 / t_m as f64, Blanking::AtStart)?;
-        let vc1 = Vc1 { lfb, processors, display }.checked()?;
+        let vc1 = Vc1 { display, ..of(Display::VGA) }.checked()?;
         Ok(Vc1Frames { vc1, patches, processors, painted: pages.div_ceil(4) })
     }
 
@@ -94,11 +101,17 @@ impl Vc1Frames {
         let hash = drawn.quasi_static("it is of the frame that is shown until the next one is drawn");
         let host = merge.instance("u_host", &host, HostIn { shown: *shown, hash, read_word: *read_word });
 
-        let ProcessorIn { request, clear, done } = painters.vc1;
-        let streams = request.lanes().into_iter().zip(clear.lanes());
-        let processor = |(number, (request, clear))| ProcessorIn { request, clear, done: done.lane(number) };
+        let ProcessorIn { request, clear, sends, done } = painters.vc1;
+        let streams = request.lanes().into_iter().zip(clear.lanes()).zip(sends.lanes());
+        let processor =
+            |(number, ((request, clear), sends))| ProcessorIn { request, clear, sends, done: done.lane(number) };
         let processors = (0..).zip(streams).map(processor).collect();
-        let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, ready: lit(1, 1), host: host.gfb });
+        let silent = BusWord { word: lit(32, 0), last: lit(1, 0) };
+        let (command, _) = pe.offer(lit(1, 0), silent);
+        let vc1 = m.instance("u_vc1", &self.vc1, Vc1In { processors, command, ready: lit(1, 1), host: host.gfb });
+        for processor in &vc1.processors {
+            processor.received.take_when(lit(1, 1));
+        }
         read_word.drive(vc1.view.read_word);
         shown.drive(vc1.shown);
         line.drive(vc1.line);

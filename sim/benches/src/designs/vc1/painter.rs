@@ -1,6 +1,7 @@
 //! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
 
-use tilewright_hdl::{Module, Reg, bits, block, cat, codes, def, index_width, mux, one_of, when};
+use tilewright_hdl::{Module, Reg, bits, block, cat, codes, def, index_width, lit, mux, one_of, when};
+use tilewright_rtl::bus::BusWord;
 use tilewright_rtl::lfb::{Patches, Request, Wanted};
 use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::ProcessorIn;
@@ -88,6 +89,8 @@ impl Painter {
 
         def!(hash = m.reg(32).reset(0));
         hash.enable(taken).next(hash.rotate_left(1) ^ *random);
-        PainterOut { vc1: ProcessorIn { request, clear, done: phase.is(Phase::Wait) }, hash: *hash }
+        let (sends, _) = m.offer(lit(1, 0), BusWord { word: lit(32, 0), last: lit(1, 0) });
+        let vc1 = ProcessorIn { request, clear, sends, done: phase.is(Phase::Wait) };
+        PainterOut { vc1, hash: *hash }
     }
 }
