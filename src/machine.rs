@@ -13,6 +13,7 @@ use serde::Serialize;
 
 pub use figures::{ENTRANTS, Entrant, Figures};
 pub use job::{Job, Run};
+pub use vc1::Turn;
 
 /// A machine by its name on the command line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -1,5 +1,7 @@
 //! `tilewright render`: a frame from a machine's hardware, its cycle report, and the comparison with the golden image.
 
+mod frames;
+
 use crate::engine::EngineArguments;
 use crate::machine::{Job, Machine, MachineArguments, Run};
 use crate::scene::SceneArguments;
@@ -8,7 +10,7 @@ use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, terminal};
 use crate::trace::TraceOptions;
-use crate::verdict::{DIFFERENCE, Golden, Verdict, leave_difference};
+use crate::verdict::{DIFFERENCE, Golden, leave_difference};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -20,6 +22,7 @@ use tilewright_scenes::Scene;
 Examples:
   tilewright render teapot --machine vc1 -o frame.png
   tilewright render teapot --processors 4 --size 160x120 --json
+  tilewright render teapot --size 96x72 --frames 4 -o turn.png
   tilewright render star --machine quadtree --size 64x48
   tilewright render teapot --machine quadtree --size 32x24 --matrix 8x8 --form pipe:1+stack --test serial
   tilewright render star --machine pixel-planes-5 --size 64x48 --renderers 2 --region 16
@@ -58,12 +61,12 @@ pub struct Render {
 }
 
 #[derive(Serialize)]
-struct Report<'a, R> {
+struct Report<'a, R, V> {
     format: u32,
     scene: &'a str,
     machine: &'static str,
     report: &'a R,
-    golden: &'a Verdict,
+    golden: &'a V,
 }
 
 impl Render {
@@ -73,7 +76,10 @@ impl Render {
         self.options.check(self.machine)?;
         let scene = self.scene.load()?;
         match self.machine {
-            Machine::Vc1 => self.render(&scene, &self.options.vc1.job(&scene)?),
+            Machine::Vc1 => match self.options.vc1.turn(&scene)? {
+                Some(turn) => self.render_turn(&scene, &turn),
+                None => self.render(&scene, &self.options.vc1.job(&scene)?),
+            },
             Machine::Quadtree => self.render(&scene, &self.options.quadtree.job(&scene, self.options.order.strict)?),
             Machine::PixelPlanes => {
                 self.render(&scene, &self.options.pixel_planes.job(&scene, self.options.order.strict)?)

@@ -40,6 +40,14 @@ pub enum Error {
         /// What the model has.
         expected: u64,
     },
+    /// The display got another colour than the frame buffer has.
+    #[error("the display got another colour of pixel ({x}, {y}) than the frame buffer has; please report this")]
+    Displayed {
+        /// Counted from the left.
+        x: u32,
+        /// Counted from the top.
+        y: u32,
+    },
     /// The hardware could not be simulated, or an assertion of it does not hold.
     #[error(transparent)]
     Simulation(#[from] tilewright_sim::Error),

@@ -4,3 +4,4 @@ mod pixel_planes;
 mod pixelflow;
 mod quadtree;
 mod vc1;
+mod vc1_campaign;

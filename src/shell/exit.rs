@@ -117,6 +117,7 @@ impl From<tilewright_machines::Error> for Failure {
         match error {
             tilewright_machines::Error::Simulation(error) => error.into(),
             tilewright_machines::Error::Untraced { run, trace } => Failure::from(*run).then(trace.into()),
+            tilewright_machines::Error::Displayed { .. } => Failure::new(Exit::CheckFailed, error.to_string()),
             tilewright_machines::Error::Cancelled { .. } => Failure::new(interrupt::exit(), error.to_string()),
             _ => Failure::new(Exit::BadInput, error.to_string()),
         }

@@ -22,5 +22,6 @@ mod reproduce;
 mod spheres;
 mod standard_output;
 mod terminal;
+mod turn;
 mod verilog;
 mod wave;

@@ -10,20 +10,19 @@ const SMALL: &str = "render teapot --machine vc1 --size 64x48 --processors 2";
 fn the_report_counts_the_work_and_the_clocks() {
     let folder = Folder::new();
     let report = folder.json(&format!("{SMALL} -o frame.png --json"));
-    let (machine, phases) = (&report["report"], &report["report"]["phases"]);
+    let (machine, frame) = (&report["report"], &report["report"]["frames"][0]);
     assert_eq!(report["format"], 1);
     assert_eq!(report["golden"], json!({"identical": true, "differing": 0, "first": null}));
     assert_eq!(machine["polygons"], 4096);
-    let drawn: u64 = machine["processors"].as_array().unwrap().iter().map(|it| it["pixels"].as_u64().unwrap()).sum();
-    assert_eq!(machine["pixels"], drawn);
+    let drawn: u64 = frame["processors"].as_array().unwrap().iter().map(|it| it["pixels"].as_u64().unwrap()).sum();
     // VC1-TM: (M + beta) N + 4 n.
     assert_eq!(machine["merge_clocks"], (64 + 20) * 48 + 4 * 2);
-    assert!(phases[1]["pe_clocks"].as_u64() > Some(0), "{phases}");
-    assert!(phases[1]["merge_clocks"].as_u64() > Some(0), "{phases}");
+    let time = |event: &str| frame["times"][event].as_u64().unwrap();
+    assert!(["command", "drawn", "swapped", "merged", "shown"].map(time).is_sorted(), "{frame}");
 
     let text = folder.stdout(SMALL);
-    let pages = machine["processors"][1]["pages"].to_string();
-    for part in ["4096 polygons", &format!("{drawn} pixels drawn"), "PE clocks", "T_m is 4040", "pages", &pages] {
+    let geometry = frame["processors"][1]["clocks"]["geometry"].to_string();
+    for part in ["4096 polygons", &format!(" {drawn} "), "clocks of each", "T_m is 4040", "shown ms", &geometry] {
         assert!(text.contains(part), "{part}: {text}");
     }
     assert!(text.ends_with("\nidentical to the golden image\n"), "{text}");
@@ -49,7 +48,8 @@ fn costs_and_the_way_of_dealing_can_be_chosen() {
     let usual = report("");
     let mut costs = usual["machine"]["costs"].clone();
     let geometry = |report: &Value| {
-        report["processors"].as_array().unwrap().iter().map(|it| it["work"]["geometry"].as_u64().unwrap()).sum::<u64>()
+        let processors = report["frames"][0]["processors"].as_array().unwrap();
+        processors.iter().map(|it| it["clocks"]["geometry"].as_u64().unwrap()).sum::<u64>()
     };
     let cheap = report("--cost vertex=0 --cost polygon=7 --cost set-up=20");
     assert_eq!(geometry(&cheap), 7 * 4096);
@@ -60,9 +60,10 @@ fn costs_and_the_way_of_dealing_can_be_chosen() {
 
     let each = report("--assign each");
     assert_eq!((&usual["machine"]["assign"], &each["machine"]["assign"]), (&json!("once"), &json!("each")));
-    assert_eq!(usual["processors"], each["processors"], "one frame is the same");
+    assert_eq!(usual["frames"], each["frames"], "one frame is the same");
     let polygons = |report: &Value| {
-        report["processors"].as_array().unwrap().iter().map(|it| it["polygons"].clone()).collect::<Vec<_>>()
+        let processors = report["frames"][0]["processors"].as_array().unwrap();
+        processors.iter().map(|it| it["polygons"].clone()).collect::<Vec<_>>()
     };
     assert_eq!(polygons(&report("--assign count")), [1376, 1376, 1344]);
     assert_ne!(polygons(&usual), [1376, 1376, 1344]);

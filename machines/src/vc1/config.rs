@@ -1,6 +1,7 @@
 //! The sizes of a VC-1, with the paper's as defaults.
 
 use serde::Serialize;
+use tilewright_rtl::bus::BroadcastBus;
 use tilewright_rtl::gfb::{Blanking, Display};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -9,6 +10,7 @@ use tilewright_scenes::Size;
 
 use super::assignment::Assign;
 use super::cost::CostTable;
+use super::words::POLYGON_WORDS;
 
 /// Pixels of an image memory: 4096 pages of 4x4, 1/4.7 of the screen (VC1-LFB).
 const IMAGE_MEMORY_PIXELS: u32 = 65_536;
@@ -28,8 +30,14 @@ pub struct Config {
     pub cluster: u32,
     /// How polygons are dealt.
     pub assign: Assign,
+    /// The area in pixels above which a packet is sent to all and drawn by all (VC1-APR); `None`: each draws its own.
+    pub apr: Option<u32>,
     /// What the processing elements' program costs.
     pub costs: CostTable,
+    /// Words of 32 bits that each receive queue holds, at least 2; 64 here, as the paper does not say.
+    pub queue: u32,
+    /// Clocks of the processing elements that a word is on the bus, 1 to 255; 6 in the paper (VC1-NET).
+    pub word_clocks: u32,
     /// Refreshes of the display in a second; 60 in the paper, which may be 59.94 (VC1-59).
     pub refresh: f64,
     /// Where in the display's vertical blanking the banks of the global frame buffer change.
@@ -38,7 +46,7 @@ pub struct Config {
 
 impl Config {
     /// The most processing elements.
-    pub const MAX_PROCESSORS: u32 = 16;
+    pub const MAX_PROCESSORS: u32 = 256;
 
     /// The VC-1 of the paper for a screen of that size.
     pub fn new(size: Size) -> Config {
@@ -49,7 +57,10 @@ impl Config {
             pages: None,
             cluster: 32,
             assign: Assign::Once,
+            apr: Some(500),
             costs: CostTable::default(),
+            queue: BroadcastBus::QUEUE,
+            word_clocks: BroadcastBus::WORD_CLOCKS,
             refresh: 60.0,
             blanking: Blanking::AtStart,
         }
@@ -80,12 +91,13 @@ impl Config {
         self.check()?;
         let lfb = LfbUnit { patches: self.patches()?, pages: self.pages()? }.checked()?;
         let display = Display::of_rate(lfb.patches.screen(), self.refresh, self.blanking)?;
-        Ok(Vc1 { lfb, processors: self.processors, display }.checked()?)
+        let Config { processors, queue, word_clocks, .. } = *self;
+        Ok(Vc1 { lfb, processors, queue, word_clocks, display }.checked()?)
     }
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
-        let Config { size, processors, patch, cluster, assign, costs, .. } = *self;
+        let Config { size, processors, patch, cluster, assign, apr, costs, queue, word_clocks, refresh, .. } = *self;
         Ok(Built {
             width: size.width(),
             height: size.height(),
@@ -95,20 +107,27 @@ impl Config {
             pages: self.pages()?,
             cluster,
             assign,
+            apr,
             costs,
+            queue,
+            word_clocks,
+            refresh,
         })
     }
 
     /// Checks what the hardware does not check itself.
     fn check(&self) -> Result<(), ParameterError> {
-        let Config { processors, cluster, costs, .. } = *self;
+        let Config { processors, cluster, costs, queue, .. } = *self;
         let problem = if !(1..=Config::MAX_PROCESSORS).contains(&processors) {
             let most = Config::MAX_PROCESSORS;
             format!("a VC-1 of {processors} processing elements: it has to have from 1 to {most}")
         } else if cluster == 0 {
             "clusters of 0 polygons: they have to have at least 1".to_owned()
-        } else if costs.pixel == 0 || costs.clear == 0 {
-            "a cost table with accesses in 0 clocks: a pixel and a cleared entry take at least 1 each".to_owned()
+        } else if (queue as usize) < POLYGON_WORDS {
+            format!("receive queues of {queue} words: they have to hold a polygon, which is {POLYGON_WORDS}")
+        } else if [costs.pixel, costs.clear, costs.send, costs.receive].contains(&0) {
+            "a cost table with accesses in 0 clocks: a pixel, a cleared entry and a word take at least 1 each"
+                .to_owned()
         } else {
             return Ok(());
         };
@@ -117,7 +136,7 @@ impl Config {
 }
 
 /// A configuration as a report shows it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Built {
     /// Pixels in a row.
     pub width: u32,
@@ -135,6 +154,14 @@ pub struct Built {
     pub cluster: u32,
     /// How polygons are dealt.
     pub assign: Assign,
+    /// The area in pixels above which packets are drawn by all.
+    pub apr: Option<u32>,
     /// Clocks of the program's steps.
     pub costs: CostTable,
+    /// Words of a receive queue.
+    pub queue: u32,
+    /// Clocks of a word on the bus.
+    pub word_clocks: u32,
+    /// Refreshes of the display in a second.
+    pub refresh: f64,
 }

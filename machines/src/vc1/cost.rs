@@ -35,17 +35,32 @@ pub struct CostTable {
     pub pixel: u64,
     /// Clearing of an entry of the patch table, the clock of its write among them; at least 1.
     pub clear: u64,
+    /// A word sent over the bus, the clock of its write to the port among them; at least 1.
+    pub send: u64,
+    /// A word received, the clock of its read from the queue among them; at least 1.
+    pub receive: u64,
 }
 
 impl Default for CostTable {
     fn default() -> Self {
-        CostTable { vertex: 400, polygon: 201, area: 12, clip: 300, set_up: 500, row: 54, pixel: 3, clear: 3 }
+        CostTable {
+            vertex: 400,
+            polygon: 201,
+            area: 12,
+            clip: 300,
+            set_up: 500,
+            row: 54,
+            pixel: 3,
+            clear: 3,
+            send: 2,
+            receive: 2,
+        }
     }
 }
 
 impl CostTable {
     /// The steps by name, each with the fewest clocks that it can take.
-    pub const STEPS: [(&'static str, u64); 8] = [
+    pub const STEPS: [(&'static str, u64); 10] = [
         ("vertex", 0),
         ("polygon", 0),
         ("area", 0),
@@ -54,6 +69,8 @@ impl CostTable {
         ("row", 0),
         ("pixel", 1),
         ("clear", 1),
+        ("send", 1),
+        ("receive", 1),
     ];
 
     /// The clocks of the step of that name, one of [`CostTable::STEPS`].
@@ -76,6 +93,8 @@ impl CostTable {
             "row" => &mut self.row,
             "pixel" => &mut self.pixel,
             "clear" => &mut self.clear,
+            "send" => &mut self.send,
+            "receive" => &mut self.receive,
             _ => return None,
         })
     }
@@ -106,9 +125,22 @@ mod tests {
     use super::*;
     use tilewright_scenes::{ScreenVertex, Size, set_up};
 
+    const NONE: CostTable = CostTable {
+        vertex: 0,
+        polygon: 0,
+        area: 0,
+        clip: 0,
+        set_up: 0,
+        row: 0,
+        pixel: 0,
+        clear: 0,
+        send: 0,
+        receive: 0,
+    };
     const HUGE: CostTable = {
         let it = 1_000_000;
-        CostTable { vertex: it, polygon: it, area: it, clip: it, set_up: it, row: it, pixel: it, clear: it }
+        let costs = CostTable { vertex: it, polygon: it, area: it, clip: it, set_up: it, row: it, ..NONE };
+        CostTable { pixel: it, clear: it, send: it, receive: it, ..costs }
     };
 
     #[test]
@@ -117,8 +149,9 @@ mod tests {
         for (clocks, (name, _)) in (1..).zip(CostTable::STEPS) {
             *costs.step(name).expect("is a step") = clocks;
         }
-        let CostTable { vertex, polygon, area, clip, set_up, row, pixel, clear } = costs;
-        assert_eq!([vertex, polygon, area, clip, set_up, row, pixel, clear], [1, 2, 3, 4, 5, 6, 7, 8]);
+        let CostTable { vertex, polygon, area, clip, set_up, row, pixel, clear, send, receive } = costs;
+        let all = [vertex, polygon, area, clip, set_up, row, pixel, clear, send, receive];
+        assert_eq!(all, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
     }
 
     #[test]

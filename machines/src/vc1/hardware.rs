@@ -1,41 +1,80 @@
-//! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units, what
-//! the swap control wants and says, and time.
+//! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units and of the bus,
+//! what the swap control wants and says, the display, and time.
 
-use tilewright_rtl::clocks::{MERGE, PE};
+use tilewright_rtl::clocks::{CRT, PE};
 use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
-use tilewright_sim::Simulation;
+use tilewright_sim::{Port, Simulation};
 
+use super::processor::{Edge, Processor};
 use super::program::Access;
+use super::words::Word;
 use crate::error::Error;
+
+/// The memory of the global frame buffer: each pixel's words in both banks.
+const BANKS: &str = "u_gfb.banks";
 
 /// The running hardware.
 pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
-    at_port: Vec<Option<Access>>,
-    /// By processing element: whether it says that its frame is drawn.
-    done: Vec<bool>,
+    ports: Vec<Ports>,
+    /// What the host offers to the bus.
+    command: Option<Word>,
+    line_is_held: bool,
+    /// In the clock before no processing element did anything, so that nothing stands at any port.
+    was_idle: bool,
+    /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
+    #[cfg(test)]
+    pub flips: u32,
+    pe: Edges,
+    crt: Edges,
+    /// The clocks of a refresh.
+    pub refresh_clocks: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
 }
 
-/// A moment: how often each clock has risen, and the simulated time in picoseconds.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Moment {
-    pub pe_clocks: u64,
-    pub merge_clocks: u64,
-    pub time: u64,
+/// What stands at the ports of a processing element.
+#[derive(Clone, Default)]
+struct Ports {
+    access: Option<Access>,
+    sends: Option<Word>,
+    receives: bool,
+    done: bool,
+}
+
+/// The edges of a clock.
+#[derive(Clone, Copy)]
+struct Edges {
+    period: u64,
+    /// When the next one comes.
+    next: u64,
+}
+
+impl Edges {
+    /// Those after so many; the first is a period after the beginning.
+    fn after(count: u64, period: u64) -> Edges {
+        Edges { period, next: (count + 1) * period }
+    }
 }
 
 impl Hardware {
     pub fn new(machine: &Vc1) -> Result<Hardware, Error> {
         let sim = Simulation::of(machine)?;
+        let gfb = machine.gfb();
         Ok(Hardware {
-            at_port: vec![None; sim.i.processors.len()],
-            done: vec![false; sim.i.processors.len()],
-            merge_clocks: machine.gfb().sequencer().merge_clocks(),
+            ports: vec![Ports::default(); sim.i.processors.len()],
+            command: None,
+            line_is_held: false,
+            was_idle: false,
+            #[cfg(test)]
+            flips: 0,
+            pe: Edges::after(0, PE.period.picoseconds()),
+            crt: Edges::after(0, machine.display.period.picoseconds()),
+            refresh_clocks: gfb.read_out().refresh_clocks(),
+            merge_clocks: gfb.sequencer().merge_clocks(),
             sim,
         })
     }
@@ -44,53 +83,131 @@ impl Hardware {
     pub fn reset(&mut self, background: [u8; 3]) -> Result<(), Error> {
         self.sim.set(self.sim.i.host.background, blank(background));
         self.sim.set(self.sim.i.ready, true);
-        Ok(self.sim.try_reset()?)
+        self.sim.try_reset()?;
+        self.pe = Edges::after(self.cycles(PE), self.pe.period);
+        self.crt = Edges::after(self.cycles(CRT), self.crt.period);
+        Ok(())
     }
 
-    /// The number of processing elements.
-    pub fn processors(&self) -> usize {
-        self.at_port.len()
-    }
-
-    /// Puts an access at the ports of a processing element, or none, for the coming clocks.
-    pub fn present(&mut self, processor: usize, access: Option<Access>) {
-        let before = std::mem::replace(&mut self.at_port[processor], access);
-        if before == access {
-            return;
+    /// A clock of the processing elements, with the edges of the other clocks on the way. The colours of pixels that the display gets
+    /// in it go to `display`, if that is there. Whether the sync line is high, as all have drawn.
+    pub fn clock(&mut self, processors: &mut [Processor], display: Option<&mut Vec<u32>>) -> Result<bool, Error> {
+        let is_idle = self.command.is_none() && processors.iter().all(Processor::is_idle);
+        if std::mem::replace(&mut self.was_idle, is_idle) && is_idle {
+            self.advance(display)?;
+            processors.iter_mut().for_each(Processor::idle);
+            return Ok(false);
         }
-        let port = self.sim.i.processors[processor];
-        match access {
-            Some(Access::Draw(pixel)) => {
-                self.sim.set(port.request.x, pixel.x);
-                self.sim.set(port.request.y, pixel.y);
-                self.sim.set(port.request.word, pixel.word);
+        for (k, processor) in processors.iter().enumerate() {
+            self.present(k, processor);
+        }
+        let taken: Vec<(bool, bool)> = (0..processors.len()).map(|k| (self.takes(k), self.sends(k))).collect();
+        let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
+        let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
+        self.advance(display)?;
+        if command {
+            self.command = None;
+        }
+        for (k, processor) in processors.iter_mut().enumerate() {
+            let port = self.sim.o.processors[k];
+            let may = SwapState::of_code(self.sim.get_u64(port.state));
+            let front = self.flag(port.received.valid).then(|| Word {
+                word: self.sim.get_u64(port.received.word) as u32,
+                last: self.sim.get_u64(port.received.last) == 1,
+            });
+            #[cfg(test)]
+            let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
+            processor.edge(Edge { taken: taken[k].0, sent: taken[k].1, may, front });
+        }
+        Ok(line)
+    }
+
+    /// Goes through the next edge of the processing elements' clock, and through those of the others before it.
+    fn advance(&mut self, display: Option<&mut Vec<u32>>) -> Result<(), Error> {
+        let end = self.pe.next;
+        if let Some(colours) = display {
+            while self.crt.next <= end {
+                self.sim.try_run_to(self.crt.next)?;
+                self.crt.next += self.crt.period;
+                if self.flag(self.sim.o.pixel.valid) {
+                    colours.push(self.sim.get_u64(self.sim.o.pixel.rgb) as u32);
+                }
             }
-            Some(Access::Clear(patch)) => self.sim.set(port.clear.patch, patch),
-            None => {}
+        } else {
+            let behind = (end + self.crt.period).saturating_sub(self.crt.next) / self.crt.period;
+            self.crt.next += behind * self.crt.period;
         }
-        self.sim.set(port.request.valid, matches!(access, Some(Access::Draw(_))));
-        self.sim.set(port.clear.valid, matches!(access, Some(Access::Clear(_))));
+        self.pe.next += self.pe.period;
+        Ok(self.sim.try_run_to(end)?)
+    }
+
+    /// Puts what a processing element wants at its ports for the coming clock.
+    fn present(&mut self, number: usize, processor: &Processor) {
+        let port = self.sim.i.processors[number];
+        let access = processor.access();
+        let before = std::mem::replace(&mut self.ports[number].access, access);
+        if before != access {
+            match access {
+                Some(Access::Draw(pixel)) => {
+                    self.sim.set(port.request.x, pixel.x);
+                    self.sim.set(port.request.y, pixel.y);
+                    self.sim.set(port.request.word, pixel.word);
+                }
+                Some(Access::Clear(patch)) => self.sim.set(port.clear.patch, patch),
+                _ => {}
+            }
+            self.sim.set(port.request.valid, matches!(access, Some(Access::Draw(_))));
+            self.sim.set(port.clear.valid, matches!(access, Some(Access::Clear(_))));
+        }
+        let sends = processor.offered();
+        if std::mem::replace(&mut self.ports[number].sends, sends) != sends {
+            self.offer(port.sends.valid, port.sends.word, port.sends.last, sends);
+        }
+        let receives = processor.receives();
+        if std::mem::replace(&mut self.ports[number].receives, receives) != receives {
+            self.sim.set(self.sim.o.processors[number].received.ready, receives);
+        }
+        let done = processor.done();
+        if std::mem::replace(&mut self.ports[number].done, done) != done {
+            self.sim.set(port.done, done);
+        }
+    }
+
+    fn offer(&mut self, valid: Port, word: Port, last: Port, offered: Option<Word>) {
+        if let Some(offered) = offered {
+            self.sim.set(word, offered.word);
+            self.sim.set(last, offered.last);
+        }
+        self.sim.set(valid, offered.is_some());
     }
 
     /// Whether the local frame buffer takes the access at its port at the coming edge.
-    pub fn takes(&mut self, processor: usize) -> bool {
+    fn takes(&mut self, processor: usize) -> bool {
         let port = self.sim.i.processors[processor];
-        match self.at_port[processor] {
+        match self.ports[processor].access {
             Some(Access::Draw(_)) => self.flag(port.request.ready),
             Some(Access::Clear(_)) => self.flag(port.clear.ready),
-            None => false,
+            _ => false,
         }
     }
 
-    /// What a processing element may do.
-    pub fn state(&mut self, processor: usize) -> SwapState {
-        SwapState::of_code(self.sim.get_u64(self.sim.o.processors[processor].state))
+    /// Whether the bus takes the word that a processing element offers at the coming edge.
+    fn sends(&mut self, processor: usize) -> bool {
+        self.ports[processor].sends.is_some() && self.flag(self.sim.i.processors[processor].sends.ready)
     }
 
-    /// Says to the swap control whether a processing element has drawn its frame.
-    pub fn set_done(&mut self, processor: usize, done: bool) {
-        if std::mem::replace(&mut self.done[processor], done) != done {
-            self.sim.set(self.sim.i.processors[processor].done, done);
+    /// Whether the host's word has gone to the bus, so that there is room for another one.
+    pub fn takes_command(&self) -> bool {
+        self.command.is_none()
+    }
+
+    /// Offers a word of the host to the bus, or none; the host holds the line low until its words have gone.
+    pub fn command(&mut self, word: Option<Word>) {
+        let port = self.sim.i.command;
+        self.command = word;
+        self.offer(port.valid, port.word, port.last, word);
+        if std::mem::replace(&mut self.line_is_held, word.is_some()) != word.is_some() {
+            self.sim.set(self.sim.i.ready, word.is_none());
         }
     }
 
@@ -99,37 +216,38 @@ impl Hardware {
         self.sim.get_u64(self.sim.o.processors[processor].pages_used) as u32
     }
 
-    /// Whether the global frame buffer shows the frame that was drawn.
+    /// Whether a frame is stored in the global frame buffer, and waits for the blanking.
+    pub fn is_merged(&mut self) -> bool {
+        self.flag(self.sim.o.is_merged)
+    }
+
+    /// Turns with each frame that is shown.
     pub fn shown(&mut self) -> bool {
         self.flag(self.sim.o.shown)
     }
 
-    /// A word of the displayed bank; takes a clock of the merger.
-    pub fn read_displayed(&mut self, address: u64) -> Result<u64, Error> {
-        self.sim.set(self.sim.i.host.read_address, address);
-        self.tick(MERGE)?;
-        Ok(self.sim.get_u64(self.sim.o.view.read_word))
+    /// The words of the bank on display, row by row from the upper left.
+    pub fn displayed(&mut self) -> Vec<u64> {
+        let bank = usize::from(!self.shown());
+        let words = self.sim.peek_words(BANKS).expect("the banks have that name");
+        words.iter().skip(bank).step_by(2).map(|word| word.to_u64().expect("a word has 48 bits")).collect()
     }
 
-    /// Goes through the next edge of a clock, and through those of the other before it.
-    pub fn tick(&mut self, clock: impl AsRef<str>) -> Result<(), Error> {
-        let clock = clock.as_ref();
-        let end = self.cycles(clock) + 1;
-        while self.cycles(clock) < end {
-            self.sim.try_step()?;
-        }
-        Ok(())
+    /// Simulated picoseconds.
+    pub fn time(&self) -> u64 {
+        self.sim.time()
     }
 
-    pub fn now(&self) -> Moment {
-        Moment { pe_clocks: self.cycles(PE), merge_clocks: self.cycles(MERGE), time: self.sim.time() }
+    /// The refresh that the display is in; each begins with its blanking.
+    pub fn refresh(&self) -> u64 {
+        self.cycles(CRT) / self.refresh_clocks
     }
 
     fn cycles(&self, clock: impl AsRef<str>) -> u64 {
-        self.sim.cycles(clock).expect("the VC-1 has both clocks")
+        self.sim.cycles(clock).expect("the VC-1 has that clock")
     }
 
-    fn flag(&mut self, port: tilewright_sim::Port) -> bool {
+    fn flag(&mut self, port: Port) -> bool {
         self.sim.get_u64(port) != 0
     }
 }

@@ -1,44 +1,37 @@
-//! A frame to draw: its polygons dealt to the processing elements.
+//! A frame to draw: a view of the scene, its polygons dealt to the processing elements.
 
-use tilewright_rtl::lfb::Patches;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_scenes::{Projection, Triangle};
+use tilewright_scenes::{Projection, ScreenVertex, Triangle};
 
-use super::assignment::Assignment;
+use super::assignment::{Assignment, Polygon};
 use super::config::Config;
-use super::cost::CostTable;
 use super::demand::demand;
-use super::processor::Processor;
-use super::program::Program;
 
-/// What the host loads into the processing elements.
-pub(crate) struct Job<'a> {
+/// What the geometry of the processing elements makes of the scene in a view.
+#[derive(Debug)]
+pub(crate) struct View {
     pub assignment: Assignment,
-    packets: &'a [Triangle],
-    costs: CostTable,
-    patches: Patches,
+    pub packets: Vec<Triangle>,
+    /// The three vertices of each packet.
+    pub vertices: Vec<[ScreenVertex; 3]>,
+    /// Polygons of the scene.
+    pub count: u32,
 }
 
-impl<'a> Job<'a> {
-    pub fn new(config: &Config, projection: &'a Projection) -> Result<Job<'a>, ParameterError> {
-        Ok(Job {
-            assignment: config.assignment(projection, None)?,
-            packets: &projection.triangles,
-            costs: config.costs,
-            patches: config.patches()?,
-        })
+impl View {
+    /// `first` is the assignment of the first view, unless this is it.
+    pub fn new(config: &Config, view: Projection, first: Option<&Assignment>) -> Result<View, ParameterError> {
+        let assignment = config.assignment(&view, first)?;
+        Ok(View { assignment, packets: view.triangles, vertices: view.vertices, count: view.counts.polygons })
     }
 
-    /// The processing elements, loaded.
-    pub fn processors(&self) -> Vec<Processor<'_>> {
-        let program = |polygons| Program::new(self.costs, self.packets, polygons, self.patches.count());
-        self.assignment.polygons.iter().map(|polygons| Processor::new(program(polygons))).collect()
-    }
-
-    /// Pages with which no processing element finds none.
-    fn sufficient_pages(&self) -> u32 {
-        let demand = demand(&self.assignment, self.packets, &self.patches);
-        demand.iter().map(|it| it.pages).max().unwrap_or_default()
+    /// The polygons of a processing element.
+    pub fn polygons(&self, processor: u32) -> &[Polygon] {
+        &self.assignment.polygons[processor as usize]
     }
 }
 
@@ -58,6 +51,29 @@ impl Config {
     /// # Errors
     /// As [`Config::patches`].
     pub fn sufficient_pages(&self, projection: &Projection) -> Result<u32, ParameterError> {
-        Ok(Job::new(self, projection)?.sufficient_pages())
+        let assignment = self.assignment(projection, None)?;
+        let demand = demand(&assignment, &projection.triangles, &self.patches()?, self.apr);
+        Ok(demand.iter().map(|it| it.pages).max().unwrap_or_default())
+    }
+}
+
+/// The views that are drawn, by frame, as all processing elements know them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Views(Rc<RefCell<BTreeMap<u32, Rc<View>>>>);
+
+impl Views {
+    /// The view of a frame that the host has commanded.
+    pub fn of(&self, frame: u32) -> Rc<View> {
+        self.0.borrow()[&frame].clone()
+    }
+
+    pub fn insert(&self, frame: u32, view: View) -> Rc<View> {
+        let view = Rc::new(view);
+        self.0.borrow_mut().insert(frame, view.clone());
+        view
+    }
+
+    pub fn remove(&self, frame: u32) {
+        self.0.borrow_mut().remove(&frame);
     }
 }

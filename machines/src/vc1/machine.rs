@@ -1,17 +1,16 @@
-//! A VC-1 as a whole: built for a configuration, it renders a frame and reports.
+//! A VC-1 as a whole: built for a configuration, it renders frames and reports.
 
-use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::vc1::{Vc1In, Vc1Out};
 use tilewright_scenes::{Frame, Projection};
 use tilewright_sim::{EngineKind, Simulation};
 
-use super::assignment::Assignment;
 use super::config::Config;
 use super::hardware::Hardware;
 use super::host::Host;
-use super::job::Job;
+use super::job::Views;
 use super::processor::Processor;
-use super::report::{ProcessorReport, Report};
+use super::program::Settings;
+use super::report::{Report, Shown};
 use crate::error::Error;
 use crate::run::Watch;
 
@@ -46,70 +45,111 @@ impl Machine {
         &mut self.hardware.sim
     }
 
-    /// Renders a frame: the picture in the global frame buffer's memory, and the report.
+    /// Renders a frame: the picture that the display gets with the depths of the global frame buffer, and the report.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the projection is for another
-    /// screen; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
+    /// As [`Machine::render_frames`].
     pub fn render(
-        mut self,
+        self,
         projection: &Projection,
         background: [u8; 3],
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
-        let rendered = self.run(projection, background, watch);
+        let (mut view, mut frame) = (Some(projection.clone()), None);
+        let report =
+            self.render_frames(background, watch, || view.take(), |shown| frame.replace(shown.frame).is_none())?;
+        Ok((frame.expect("a view has a frame"), report))
+    }
+
+    /// Renders a frame of each of those views, all of one scene. `seen` gets each frame after its first refresh, and says whether to go
+    /// on. At least one view has to come.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if a projection is for another screen, or of another scene than the first one;
+    /// [`Error::Displayed`]; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
+    ///
+    /// # Panics
+    /// There is no view.
+    pub fn render_frames(
+        mut self,
+        background: [u8; 3],
+        watch: &mut Watch,
+        views: impl FnMut() -> Option<Projection>,
+        seen: impl FnMut(Shown) -> bool,
+    ) -> Result<Report, Error> {
+        let rendered = self.run(background, watch, views, seen);
         Error::of_both(rendered, self.hardware.sim.finish())
     }
 
     fn run(
         &mut self,
-        projection: &Projection,
         background: [u8; 3],
         watch: &mut Watch,
-    ) -> Result<(Frame, Report), Error> {
-        let (asked, size) = (projection.size, self.config.size);
-        if asked != size {
-            let problem = format!("a projection of {asked} pixels on a machine of {size}: project the scene again");
-            return Err(ParameterError(problem).into());
-        }
-        let job = Job::new(&self.config, projection)?;
-        let mut processors = job.processors();
+        mut views: impl FnMut() -> Option<Projection>,
+        mut seen: impl FnMut(Shown) -> bool,
+    ) -> Result<Report, Error> {
+        let Config { size, processors, costs, apr, .. } = self.config;
+        let patches = self.config.patches()?.count();
+        let known = Views::default();
+        let of = |number| Settings { number, processors, size, patches, costs, apr };
+        let mut processors: Vec<_> = (0..processors).map(|number| Processor::new(of(number), known.clone())).collect();
         self.hardware.reset(background)?;
-        let mut host = Host::new(&mut self.hardware, watch);
-        host.draw(&mut processors)?;
-        let pages = host.pages_used();
-        host.compose(&mut processors)?;
-        let words = host.read_out(size.pixels() as u64)?;
-        let phases = host.phases;
-
-        let frame = Frame::from_words(size, words).expect("a word of 48 bits was read for each pixel");
-        let processors = each_report(&job.assignment, &processors, &pages);
-        let report = Report {
+        let mut report = Report {
             machine: self.config.built()?,
-            polygons: projection.counts.polygons,
-            packets: projection.triangles.len() as u64,
-            pixels: processors.iter().map(|it| it.pixels).sum(),
-            processors,
-            phases,
+            polygons: 0,
+            load_words: 0,
             merge_clocks: self.hardware.merge_clocks,
+            frames: Vec::new(),
         };
-        Ok((frame, report))
+        let mut scene = None;
+        let mut host = Host::new(self.config, &mut self.hardware, watch, known);
+        host.run(
+            &mut processors,
+            &mut || {
+                let view = views();
+                scene = scene.or(view.as_ref().map(|view| (view.counts.polygons, load_words(view))));
+                view
+            },
+            &mut |shown| {
+                report.frames.push(shown.report.clone());
+                seen(shown)
+            },
+        )?;
+        (report.polygons, report.load_words) = scene.expect("there is a view");
+        Ok(report)
     }
 }
 
-/// What each processing element did, now that all have ended.
-fn each_report(assignment: &Assignment, processors: &[Processor], pages: &[u32]) -> Vec<ProcessorReport> {
-    let last = processors.iter().map(|it| it.tally().ended_at).max().unwrap_or_default();
-    let report = |(k, it): (usize, &Processor)| ProcessorReport {
-        polygons: assignment.polygons[k].len() as u32,
-        expected: assignment.loads[k],
-        pixels: it.tally().requests,
-        pages: pages[k],
-        work: it.work(),
-        stalls: it.tally().stalls,
-        overflows: it.tally().overflows,
-        overflow_waits: it.tally().overflow_waits,
-        waiting: last - it.tally().ended_at,
-    };
-    processors.iter().enumerate().map(report).collect()
+/// The words with which a scene is loaded: 24 bytes a vertex, 12 a triangle.
+fn load_words(view: &Projection) -> u64 {
+    let vertices: std::collections::HashSet<_> = view.corners.iter().flatten().collect();
+    6 * vertices.len() as u64 + 3 * view.corners.len() as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tilewright_scenes::{Scene, Size, compare, golden, project};
+
+    /// The last word of a packet is the colour of its third vertex: a flipped bit of it is seen in the frame (VC1-APR).
+    #[test]
+    fn what_is_drawn_is_what_came_over_the_bus() {
+        let scene = Scene::builtin("table").unwrap();
+        let projection = project(&scene, Size::new(64, 48).unwrap()).unwrap();
+        let golden = golden::render(projection.size, &projection.triangles, [0; 3]);
+        let differing = |apr, flips| {
+            let config = Config { processors: 3, apr, refresh: 5000.0, ..Config::new(projection.size) };
+            let mut machine = Machine::new(config).unwrap();
+            machine.hardware.flips = flips;
+            let (frame, _) = machine.render(&projection, [0; 3], &mut Watch::default()).unwrap();
+            compare(&frame, &golden).differing
+        };
+        assert_eq!(differing(Some(20), 0), 0);
+        assert!(differing(Some(20), 0x80_0000) > 100);
+        assert_eq!(
+            differing(None, 0x80_0000),
+            0,
+            "without polygons on the bus nothing is flipped but a command's view"
+        );
+    }
 }

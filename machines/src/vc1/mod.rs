@@ -1,9 +1,12 @@
 //! The VC-1: processing elements that draw into virtual local frame buffers, whose contents are merged by depth.
 //!
 //! ```text
-//! polygons -> clusters -> PE 0 -> local frame buffer -> merging unit --.
+//! host ---- commands ---- broadcast bus ---- large polygons ----.
+//!                                                               |
+//! polygons -> clusters -> PE 0 <--------------------------------+
+//!                         PE 0 -> local frame buffer -> merging unit --.
 //!                         PE 1 -> local frame buffer -> merging unit <-'
-//!                          ...                                       --> global frame buffer -> frame
+//!                          ...                                       --> global frame buffer -> display
 //! ```
 //!
 //! Source: Nishimura and Kunii, "VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers", facts A1. The processing
@@ -24,6 +27,7 @@
 //! ```
 
 mod assignment;
+mod clocks;
 mod config;
 mod cost;
 mod demand;
@@ -35,11 +39,12 @@ mod processor;
 mod program;
 mod report;
 mod scan_conversion;
+mod words;
 
 pub use assignment::{Assign, Assignment, Polygon};
+pub use clocks::Clocks;
 pub use config::{Built, Config};
 pub use cost::CostTable;
 pub use demand::{Demand, demand};
 pub use machine::Machine;
-pub use program::Work;
-pub use report::{Phase, ProcessorReport, Report};
+pub use report::{FrameReport, ProcessorReport, Report, Shown, Times};

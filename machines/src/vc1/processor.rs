@@ -1,222 +1,292 @@
-//! A processing element: runs its program clock by clock against the ports of its local frame buffer unit.
+//! A processing element: runs its program clock by clock against the ports of its local frame buffer unit and of the bus.
 //!
-//! Source: VC1-PE, VC1-ACC. The i860 goes on computing as soon as the local frame buffer has taken an access, and stalls as long as
-//! it has not.
+//! Source: VC1-PE, VC1-ACC, VC1-NET. The i860 goes on computing as soon as a port has taken an access, and waits as long as it has
+//! not. While it waits for the bus it takes packets from its queue and draws them, so that no bus waits for a queue whose
+//! processing element waits for the bus. While it waits for a swap it does nothing at all.
 
-use super::program::{Access, Program, Step, Work};
 use tilewright_rtl::swap::SwapState;
 
+use super::clocks::{Class, Clocks};
+use super::job::Views;
+use super::program::{Access, Next, Phase, Settings, Sight, Task};
+use super::words::{Message, Word};
+
 /// A processing element in the middle of a frame.
-pub(crate) struct Processor<'a> {
-    program: Program<'a>,
-    state: State,
-    /// What it goes on with when it has cleared its patch table after an overflow.
-    suspended: Option<State>,
+pub(crate) struct Processor {
+    settings: Settings,
+    /// What geometry makes of the scene in each view.
+    views: Views,
+    /// Its program: each task has begun the next one, and the last one runs.
+    tasks: Vec<Task>,
+    now: Now,
+    /// What it goes on with, for each task that it began in the middle of a step.
+    suspended: Vec<(usize, Now)>,
     /// What the swap control says in the coming clock.
     may: SwapState,
-    /// Clocks since the frame's beginning.
-    clock: u64,
+    /// The word that it offers to the bus.
+    offered: Option<Word>,
+    /// The word at the front of its queue.
+    front: Option<Word>,
+    /// Polygons that it has sent and not yet received.
+    unseen: u32,
     tally: Tally,
+    /// The frames that are over.
+    frames: Vec<Tally>,
 }
 
-/// What a processing element did in a frame so far.
+/// What a processing element did in a frame so far, from swap to swap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
+    /// Its clocks.
+    pub clocks: Clocks,
     /// Pixels that the local frame buffer took.
-    pub requests: u64,
-    /// Clocks for which it did not take what stood at its ports.
-    pub stalls: u64,
+    pub pixels: u64,
     /// Swaps for want of a page.
     pub overflows: u64,
-    /// Clocks for which it waited for these.
-    pub overflow_waits: u64,
-    /// The clock at whose edge the program ended.
-    pub ended_at: u64,
+    /// Polygons that it sent to all.
+    pub broadcast: u64,
 }
 
+/// What it does in a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum State {
-    /// Computing for so many clocks more, at least 1, before an access or the end.
-    Computing(u64, Option<Access>),
-    /// At the port.
+enum Now {
+    /// Computing for so many clocks more, at least 1, before an access or the next step.
+    Computing(u64, Class, Option<Access>),
+    /// At a port.
     Accessing(Access),
-    Ended,
+    Waiting,
 }
 
-impl<'a> Processor<'a> {
-    pub fn new(program: Program<'a>) -> Processor<'a> {
+/// What a processing element sees at an edge of its clock.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Edge {
+    /// Its local frame buffer takes the access.
+    pub taken: bool,
+    /// The bus takes the word that it offers.
+    pub sent: bool,
+    /// What the swap control says from then on.
+    pub may: SwapState,
+    /// The word at the front of its queue from then on.
+    pub front: Option<Word>,
+}
+
+impl Processor {
+    pub fn new(settings: Settings, views: Views) -> Processor {
         let mut processor = Processor {
-            program,
-            state: State::Ended,
-            suspended: None,
+            settings,
+            views,
+            tasks: vec![Task::Frames(Phase::Swapped)],
+            now: Now::Waiting,
+            suspended: Vec::new(),
             may: SwapState::Clear,
-            clock: 0,
+            offered: None,
+            front: None,
+            unseen: 0,
             tally: Tally::default(),
+            frames: Vec::new(),
         };
-        processor.fetch();
+        processor.go_on();
         processor
     }
 
-    /// What stands at its ports in the coming clock.
+    /// What stands at the ports of its local frame buffer in the coming clock.
     pub fn access(&self) -> Option<Access> {
-        match self.state {
-            State::Accessing(access) if !self.waits() => Some(access),
+        match self.now {
+            Now::Accessing(access @ (Access::Clear(_) | Access::Draw(_))) if !self.is_halted() => Some(access),
             _ => None,
         }
     }
 
+    /// What it offers to the bus in the coming clock.
+    pub fn offered(&self) -> Option<Word> {
+        self.offered
+    }
+
+    /// Whether it takes a word from its queue in the coming clock, if there is one.
+    pub fn receives(&self) -> bool {
+        self.now == Now::Accessing(Access::Receive) && !self.is_halted()
+    }
+
     /// Whether it has drawn its frame, and says so: its contribution to the sync line.
     pub fn done(&self) -> bool {
-        self.state == State::Ended && self.may == SwapState::Draw
+        let is_drawn = matches!(self.tasks[..], [Task::Frames(Phase::Drawn)]);
+        is_drawn && self.now == Now::Waiting && self.may == SwapState::Draw && self.offered.is_none()
     }
 
-    /// Whether its program has ended.
-    pub fn ended(&self) -> bool {
-        self.state == State::Ended
+    /// Polygons of its frame that it has not begun, of so many.
+    pub fn polygons_left(&self, all: usize) -> usize {
+        match &self.tasks[..] {
+            [Task::Frames(Phase::Swapped | Phase::Cleared), ..] => all,
+            [_, Task::Polygons(polygons), ..] => polygons.left(self.settings.number),
+            _ => 0,
+        }
     }
 
-    /// Whether its frame is over: its local frame buffer has swapped.
-    pub fn swapped(&self) -> bool {
-        self.state == State::Ended && self.may == SwapState::Clear
+    /// What it did in the frames that are over.
+    pub fn frames(&self) -> &[Tally] {
+        &self.frames
     }
 
     /// Whether it waits for a swap of its local frame buffer.
-    fn waits(&self) -> bool {
+    fn is_halted(&self) -> bool {
         matches!(self.may, SwapState::Due | SwapState::Overflow)
     }
 
-    /// An edge of its clock; `taken` says whether its local frame buffer took the access, `may` what the swap control says from then on.
-    pub fn edge(&mut self, taken: bool, may: SwapState) {
-        self.clock += 1;
-        let before = std::mem::replace(&mut self.may, may);
-        match (before, self.state) {
-            (SwapState::Overflow, _) => self.tally.overflow_waits += 1,
-            (SwapState::Due, _) | (_, State::Ended) => {}
-            (_, State::Computing(left, then)) => self.compute(left - 1, then),
-            (_, State::Accessing(_)) if !taken => self.tally.stalls += 1,
-            (_, State::Accessing(access)) => {
-                self.tally.requests += u64::from(matches!(access, Access::Draw(_)));
-                self.fetch();
+    /// Whether it has cleared its table, and nothing happens until a command comes.
+    pub fn is_idle(&self) -> bool {
+        let is_cleared = matches!(self.tasks[..], [Task::Frames(Phase::Cleared)]);
+        is_cleared && self.now == Now::Waiting && self.may == SwapState::Draw && self.front.is_none()
+    }
+
+    /// An edge of its clock, while all are idle.
+    pub fn idle(&mut self) {
+        self.tally.clocks.sync += 1;
+    }
+
+    /// An edge of its clock.
+    pub fn edge(&mut self, edge: Edge) {
+        let before = std::mem::replace(&mut self.may, edge.may);
+        let arrived = std::mem::replace(&mut self.front, edge.front);
+        let port_is_free = self.offered.is_none();
+        if edge.sent {
+            self.offered = None;
+        }
+        let class = match before {
+            SwapState::Overflow => Class::Overflow,
+            SwapState::Due => Class::Swap,
+            SwapState::Clear | SwapState::Draw => self.clock(edge.taken, port_is_free, arrived),
+        };
+        *self.tally.clocks.of(class) += 1;
+        match (before, edge.may) {
+            (SwapState::Overflow, SwapState::Clear) => {
+                self.tally.overflows += 1;
+                self.interrupt(Task::Clear { patch: 0 });
+            }
+            (SwapState::Due, SwapState::Clear) => {
+                self.frames.push(std::mem::take(&mut self.tally));
+                self.tasks = vec![Task::Frames(Phase::Swapped)];
+                self.go_on();
+            }
+            _ => {}
+        }
+    }
+
+    /// A clock in which it does not wait for a swap; says what it did.
+    fn clock(&mut self, taken: bool, port_is_free: bool, arrived: Option<Word>) -> Class {
+        match self.now {
+            Now::Waiting => {
+                self.go_on();
+                Class::Sync
+            }
+            Now::Computing(left, class, access) => {
+                self.compute(left - 1, class, access);
+                class
+            }
+            Now::Accessing(Access::Clear(_) | Access::Draw(_)) if !taken => Class::Stalled,
+            Now::Accessing(Access::Clear(_)) => {
+                self.go_on();
+                Class::Clearing
+            }
+            Now::Accessing(Access::Draw(_)) => {
+                self.tally.pixels += 1;
+                self.go_on();
+                Class::Rasterization
+            }
+            Now::Accessing(Access::Send(word)) if port_is_free => {
+                self.offered = Some(word);
+                self.unseen += u32::from(word.last);
+                self.tally.broadcast += u64::from(word.last);
+                self.go_on();
+                Class::Sending
+            }
+            Now::Accessing(Access::Send(_)) => {
+                if self.may_serve() {
+                    self.interrupt(Task::Receive { words: Vec::new() });
+                }
+                Class::Bus
+            }
+            Now::Accessing(Access::Receive) => match arrived {
+                Some(word) => {
+                    self.receive(word);
+                    Class::Receiving
+                }
+                None => Class::Bus,
+            },
+        }
+    }
+
+    /// Whether it may receive a packet while its own one waits for the bus: that may not be the one which it is sending.
+    fn may_serve(&self) -> bool {
+        let is_begun = matches!(self.tasks.last(), Some(Task::Send { at: 2.., .. }));
+        self.front.is_some_and(|word| {
+            let is_own = Message::is_of(word.word, self.settings.number);
+            !(is_own && is_begun && self.unseen == 0)
+        })
+    }
+
+    fn receive(&mut self, word: Word) {
+        let Some(Task::Receive { words }) = self.tasks.last_mut() else { unreachable!("a word is received by a task") };
+        words.push(word.word);
+        if word.last {
+            let message = Message::of_words(words);
+            self.tasks.pop();
+            match message {
+                Some(Message::Command { frame }) => {
+                    if let [Task::Frames(phase @ Phase::Cleared)] = &mut self.tasks[..] {
+                        *phase = Phase::Commanded(self.views.of(frame));
+                    }
+                }
+                Some(Message::Polygon { sender, vertices }) => {
+                    self.unseen -= u32::from(sender == self.settings.number && self.unseen > 0);
+                    self.tasks.extend(Task::share(&vertices, &self.settings));
+                }
+                None => {}
             }
         }
-        if (before, may) == (SwapState::Overflow, SwapState::Clear) {
-            self.tally.overflows += 1;
-            self.suspended = Some(self.state);
-            self.program.clear_again();
-            self.fetch();
-        }
+        self.go_on();
     }
 
-    fn fetch(&mut self) {
-        if self.program.entries_left() == 0
-            && let Some(suspended) = self.suspended.take()
-        {
-            self.state = suspended;
-            return;
-        }
-        let Step { clocks, access } = self.program.step();
-        // The last clock of an access is the one at the port.
-        self.compute(clocks - u64::from(access.is_some()), access);
+    /// Begins a task in the middle of a step, which it goes on with afterwards.
+    fn interrupt(&mut self, task: Task) {
+        self.suspended.push((self.tasks.len(), self.now));
+        self.tasks.push(task);
+        self.go_on();
     }
 
-    fn compute(&mut self, clocks: u64, then: Option<Access>) {
-        self.state = match (clocks, then) {
-            (1.., _) => State::Computing(clocks, then),
-            (0, Some(access)) => State::Accessing(access),
-            (0, None) => {
-                self.tally.ended_at = self.clock;
-                State::Ended
+    /// Goes on with the task that runs, to its next step.
+    fn go_on(&mut self) {
+        loop {
+            if let Some((_, now)) = self.suspended.pop_if(|(tasks, _)| *tasks == self.tasks.len()) {
+                self.now = now;
+                return;
             }
-        };
+            let sight = Sight { word: self.front.is_some(), may: self.may };
+            let task = self.tasks.last_mut().expect("the first task is never over");
+            match task.next(&sight, &self.settings) {
+                Next::Step { clocks: 0, access: None, .. } => {}
+                Next::Step { clocks, class, access } => {
+                    // The last clock of an access is the one at the port.
+                    self.compute(clocks - u64::from(access.is_some()), class, access);
+                    return;
+                }
+                Next::Begin(task) => self.tasks.push(task),
+                Next::End => drop(self.tasks.pop()),
+                Next::Wait => {
+                    self.now = Now::Waiting;
+                    return;
+                }
+            }
+        }
     }
 
-    pub fn tally(&self) -> Tally {
-        self.tally
-    }
-
-    pub fn work(&self) -> Work {
-        self.program.work
-    }
-
-    /// Polygons that it has not begun.
-    pub fn polygons_left(&self) -> usize {
-        self.program.polygons_left()
-    }
-
-    /// Entries of the patch table that are not yet cleared.
-    pub fn entries_left(&self) -> usize {
-        let in_hand = match self.state {
-            State::Computing(_, Some(Access::Clear(_))) | State::Accessing(Access::Clear(_)) => 1,
-            _ => 0,
-        };
-        in_hand + self.program.entries_left()
+    fn compute(&mut self, clocks: u64, class: Class, access: Option<Access>) {
+        match (clocks, access) {
+            (1.., _) => self.now = Now::Computing(clocks, class, access),
+            (0, Some(access)) => self.now = Now::Accessing(access),
+            (0, None) => self.go_on(),
+        }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::vc1::assignment::Polygon;
-    use crate::vc1::cost::CostTable;
-    use tilewright_scenes::{ScreenVertex, Size, set_up};
-
-    /// A row of two pixels, then a polygon without packets; the local frame buffer is busy for two clocks at the second pixel.
-    #[test]
-    fn it_computes_waits_for_its_local_frame_buffer_and_ends() {
-        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
-        let packet = set_up(&[at(0, 0), at(30, 0), at(0, 100)], Size::new(4, 1).expect("in range"));
-        let packets = [packet.expect("covers pixels")];
-        let polygons =
-            [(7, 0..1), (8, 1..1)].map(|(number, packets)| Polygon { number, packets, vertices: 1, clipped: 0 });
-        let costs = CostTable { vertex: 1, polygon: 2, area: 0, clip: 0, set_up: 0, row: 0, pixel: 2, clear: 1 };
-        let mut processor = Processor::new(Program::new(costs, &packets, &polygons, 1));
-        let mut wave = String::new();
-        let busy = [7, 8];
-        for clock in 0..14 {
-            let access = processor.access();
-            let taken = access.is_some() && !busy.contains(&clock);
-            wave.push(match access {
-                Some(Access::Clear(_)) => 'c',
-                Some(Access::Draw(_)) if taken => 'd',
-                Some(Access::Draw(_)) => 'w',
-                None if processor.ended() => ' ',
-                None => '.',
-            });
-            processor.edge(taken, SwapState::Draw);
-        }
-        assert_eq!(wave, "c....d.wwd... ");
-        assert_eq!(processor.tally(), Tally { requests: 2, stalls: 2, ended_at: 13, ..Tally::default() });
-    }
-
-    /// The first pixel finds no page: the program waits where it is, clears its table of two entries, and goes on.
-    #[test]
-    fn it_waits_clears_and_goes_on_after_an_overflow() {
-        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
-        let packet = set_up(&[at(0, 0), at(30, 0), at(0, 100)], Size::new(4, 1).expect("in range"));
-        let packets = [packet.expect("covers pixels")];
-        let polygons = [Polygon { number: 7, packets: 0..1, vertices: 0, clipped: 0 }];
-        let costs = CostTable { vertex: 0, polygon: 1, area: 0, clip: 0, set_up: 0, row: 0, pixel: 3, clear: 2 };
-        let mut processor = Processor::new(Program::new(costs, &packets, &polygons, 2));
-        let mut wave = String::new();
-        for clock in 0..22 {
-            let access = processor.access();
-            wave.push(match access {
-                Some(Access::Clear(patch)) => char::from(b'0' + patch as u8),
-                Some(Access::Draw(_)) => 'd',
-                None if processor.done() => 'D',
-                None if processor.ended() => ' ',
-                None => '.',
-            });
-            // What the swap control says from the next clock on.
-            let may = match clock {
-                0..3 | 14..18 => SwapState::Clear,
-                9..14 => SwapState::Overflow,
-                _ => SwapState::Draw,
-            };
-            processor.edge(access.is_some(), may);
-        }
-        assert_eq!(wave, ".0.1...d........0.1dDD");
-        let tally = processor.tally();
-        assert_eq!((tally.requests, tally.stalls, tally.overflows, tally.overflow_waits), (2, 0, 1, 5));
-    }
-}
+mod tests;

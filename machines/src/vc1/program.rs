@@ -1,264 +1,238 @@
-//! The rendering program of a processing element: a sequence of accesses to its local frame buffer, each after so many clocks of
-//! computation.
+//! The rendering program of a processing element, as tasks that begin one another: steps of computation, each before an access to its
+//! local frame buffer or to the bus.
 //!
-//! Source: section 4 and VC1-SW1 of the paper. After a swap the program clears its patch table, entry by entry (VC1-CLR2), then
-//! takes its polygons in order of submission: geometry, area, clipping, and for each packet set-up and scan conversion. It knows nothing of
-//! time: [`super::processor`] runs it.
+//! Source: section 4, VC1-SW1 and VC1-APR of the paper. After a swap the program clears its patch table, entry by entry (VC1-CLR2), and
+//! waits for the host's command. Then it takes its polygons in order of submission: geometry, area, clipping, and for each packet
+//! set-up and scan conversion. A packet whose area is above a threshold it sends to all, itself too, and each draws its own rows of it
+//! (Figure 12). Between polygons it looks at its queue. It knows nothing of time: [`super::processor`] runs it.
 
-use super::assignment::Polygon;
-use super::cost::{CostTable, rows};
-use super::scan_conversion::{Pixel, Pixels};
-use serde::Serialize;
-use std::ops::Range;
-use tilewright_scenes::Triangle;
+use std::rc::Rc;
 
-/// What a program does next, and for how long it computes before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Step {
-    /// Clocks of the step, the access's own included if the local frame buffer takes it at once.
-    pub clocks: u64,
-    /// `None` ends the program.
-    pub access: Option<Access>,
+use tilewright_rtl::swap::SwapState;
+use tilewright_scenes::{ScreenVertex, Size, Triangle, set_up};
+
+use super::clocks::Class;
+use super::cost::CostTable;
+use super::job::View;
+use super::scan_conversion::{Pixel, Pixels, Rows};
+use super::words::{Message, Word};
+
+/// What holds for all frames of a processing element.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Settings {
+    /// Its number.
+    pub number: u32,
+    /// How many there are.
+    pub processors: u32,
+    pub size: Size,
+    /// Entries of its patch table.
+    pub patches: u32,
+    pub costs: CostTable,
+    /// The area in pixels above which packets are sent to all (VC1-APR).
+    pub apr: Option<u32>,
 }
 
-/// An access to the local frame buffer.
+impl Settings {
+    /// Whether a packet is drawn by all.
+    pub fn is_large(apr: Option<u32>, packet: &Triangle) -> bool {
+        apr.is_some_and(|threshold| packet.area() > f64::from(threshold))
+    }
+
+    /// Its rows of a packet that all draw (Figure 12).
+    pub fn rows(&self) -> Rows {
+        Rows { first: self.number, every: self.processors }
+    }
+}
+
+/// An access at one of its ports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Access {
     /// Clears the patch-table entry of a patch.
     Clear(u32),
     /// Draws a pixel.
     Draw(Pixel),
+    /// Puts a word into the port to the bus.
+    Send(Word),
+    /// Takes a word from its queue.
+    Receive,
 }
 
-/// Where the clocks of a program go, stalls apart.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Work {
-    /// Clocks of clearing the patch table.
-    pub clear: u64,
-    /// Clocks of geometry.
-    pub geometry: u64,
-    /// Clocks of areas, clipping, set-up, rows and pixels (VC1-CLIP).
-    pub rasterization: u64,
+/// What a task does next.
+pub(crate) enum Next {
+    /// Computes for so many clocks, the access's own included if it is taken at once.
+    Step { clocks: u64, class: Class, access: Option<Access> },
+    /// Another task, before it goes on.
+    Begin(Task),
+    /// Nothing, for a clock.
+    Wait,
+    /// It is over.
+    End,
 }
 
-impl Work {
-    /// All clocks.
-    pub fn total(&self) -> u64 {
-        self.clear + self.geometry + self.rasterization
-    }
+/// What the program sees when a task goes on.
+pub(crate) struct Sight {
+    /// A word waits in the queue.
+    pub word: bool,
+    /// What the swap control says.
+    pub may: SwapState,
 }
 
-/// A program at some point of its execution.
-pub(crate) struct Program<'a> {
-    costs: CostTable,
-    packets: &'a [Triangle],
-    /// Entries of the patch table, and those that are still to be cleared.
-    entries: u32,
-    patches: Range<u32>,
-    /// Polygons that are still to be drawn.
-    polygons: std::slice::Iter<'a, Polygon>,
-    /// Packets of it that are still to be drawn.
-    rest: Range<usize>,
-    span: Option<Spans<'a>>,
-    /// What has been worked so far, the step just given out included.
-    pub work: Work,
+/// A part of the program.
+pub(crate) enum Task {
+    /// From swap to swap; never over.
+    Frames(Phase),
+    /// Clears the patch table, from that entry on.
+    Clear { patch: u32 },
+    /// The polygons of a frame.
+    Polygons(Polygons),
+    /// Draws a packet.
+    Scan(Scan),
+    /// Sends a packet.
+    Send { words: Vec<Word>, at: usize },
+    /// Receives a packet, of which these words have come.
+    Receive { words: Vec<u32> },
+}
+
+/// Where a program is in its frame.
+pub(crate) enum Phase {
+    /// Its table has to be cleared.
+    Swapped,
+    /// The command has to come.
+    Cleared,
+    /// It has come.
+    Commanded(Rc<View>),
+    /// All polygons of its own are drawn or sent.
+    Drawn,
+}
+
+/// The polygons of a frame.
+pub(crate) struct Polygons {
+    view: Rc<View>,
+    /// The next polygon, by index.
+    polygon: usize,
+    /// The geometry of that polygon is over.
+    is_transformed: bool,
+    /// The packets of the polygon before that are still to be drawn.
+    rest: std::ops::Range<usize>,
 }
 
 /// A packet being drawn.
-struct Spans<'a> {
-    pixels: Pixels<'a>,
-    /// The row after the last one that was charged.
+pub(crate) struct Scan {
+    pixels: Pixels,
+    rows: Rows,
+    /// The row from which on rows are still to be charged.
     row: u32,
     bottom: u32,
+    /// Clocks of set-up that are still to be spent.
+    set_up: u64,
 }
 
-impl<'a> Program<'a> {
-    /// The program that clears the table of `patches` patches and draws `polygons`, whose packets are among `packets`.
-    pub fn new(costs: CostTable, packets: &'a [Triangle], polygons: &'a [Polygon], patches: u32) -> Program<'a> {
-        Program {
-            costs,
-            packets,
-            entries: patches,
-            patches: 0..patches,
-            polygons: polygons.iter(),
-            rest: 0..0,
-            span: None,
-            work: Work::default(),
-        }
+impl Task {
+    /// Draws a packet in those rows.
+    fn scan(packet: &Triangle, rows: Rows, costs: &CostTable) -> Task {
+        let pixels = Pixels::of(packet, rows);
+        Task::Scan(Scan { pixels, rows, row: packet.bounds.top, bottom: packet.bounds.bottom, set_up: costs.set_up })
     }
 
-    /// Has it clear the whole table before it goes on.
-    pub fn clear_again(&mut self) {
-        self.patches = 0..self.entries;
+    /// Draws its rows of a polygon that all draw; nothing, if it has no pixel.
+    pub fn share(vertices: &[ScreenVertex; 3], settings: &Settings) -> Option<Task> {
+        let packet = set_up(vertices, settings.size)?;
+        Some(Task::scan(&packet, settings.rows(), &settings.costs))
     }
 
-    /// Entries of the patch table that it has not begun to clear.
-    pub fn entries_left(&self) -> usize {
-        self.patches.len()
-    }
-
-    /// Polygons that it has not begun.
-    pub fn polygons_left(&self) -> usize {
-        self.polygons.len()
-    }
-
-    /// The next step. After the end it ends again, in 0 clocks.
-    pub fn step(&mut self) -> Step {
-        if let Some(patch) = self.patches.next() {
-            self.work.clear += self.costs.clear;
-            return Step { clocks: self.costs.clear, access: Some(Access::Clear(patch)) };
-        }
-        let before = self.work.total();
-        let access = self.next_pixel().map(Access::Draw);
-        Step { clocks: self.work.total() - before, access }
-    }
-
-    /// Works up to the next pixel, through polygons that have none; `None` at the end.
-    fn next_pixel(&mut self) -> Option<Pixel> {
-        loop {
-            if let Some(span) = &mut self.span {
-                let pixel = span.pixels.next();
-                let end = pixel.map_or(span.bottom, |pixel| pixel.y) + 1;
-                self.work.rasterization += u64::from(end - span.row) * self.costs.row;
-                span.row = end;
-                if pixel.is_some() {
-                    self.work.rasterization += self.costs.pixel;
-                    return pixel;
+    /// The next step.
+    pub fn next(&mut self, sight: &Sight, settings: &Settings) -> Next {
+        let costs = &settings.costs;
+        match self {
+            Task::Frames(phase) => phase.next(sight),
+            Task::Clear { patch } if *patch == settings.patches => Next::End,
+            Task::Clear { patch } => {
+                *patch += 1;
+                let access = Some(Access::Clear(*patch - 1));
+                Next::Step { clocks: costs.clear, class: Class::Clearing, access }
+            }
+            Task::Polygons(polygons) => polygons.next(sight, settings),
+            Task::Scan(scan) => scan.next(costs),
+            Task::Send { words, at } => match words.get(*at) {
+                Some(word) => {
+                    *at += 1;
+                    Next::Step { clocks: costs.send, class: Class::Sending, access: Some(Access::Send(*word)) }
                 }
-                self.span = None;
-            } else if let Some(packet) = self.rest.next() {
-                let packet = &self.packets[packet];
-                let bottom = packet.bounds.bottom;
-                self.work.rasterization += self.costs.set_up;
-                self.span = Some(Spans { pixels: Pixels::of(packet), row: bottom + 1 - rows(packet), bottom });
-            } else {
-                let polygon = self.polygons.next()?;
-                self.work.geometry += self.costs.geometry(polygon);
-                self.work.rasterization += self.costs.preparation(polygon);
-                self.rest = polygon.packets.clone();
+                None => Next::End,
+            },
+            Task::Receive { .. } => {
+                Next::Step { clocks: costs.receive, class: Class::Receiving, access: Some(Access::Receive) }
             }
         }
+    }
+}
+
+impl Phase {
+    fn next(&mut self, sight: &Sight) -> Next {
+        match self {
+            Phase::Swapped if sight.may == SwapState::Clear => {
+                *self = Phase::Cleared;
+                Next::Begin(Task::Clear { patch: 0 })
+            }
+            Phase::Cleared | Phase::Drawn if sight.word => Next::Begin(Task::Receive { words: Vec::new() }),
+            Phase::Commanded(view) => {
+                let view = view.clone();
+                *self = Phase::Drawn;
+                Next::Begin(Task::Polygons(Polygons { view, polygon: 0, is_transformed: false, rest: 0..0 }))
+            }
+            _ => Next::Wait,
+        }
+    }
+}
+
+impl Polygons {
+    /// Polygons that are not begun.
+    pub fn left(&self, number: u32) -> usize {
+        self.view.polygons(number).len() - self.polygon
+    }
+
+    fn next(&mut self, sight: &Sight, settings: &Settings) -> Next {
+        if let Some(index) = self.rest.next() {
+            let packet = &self.view.packets[index];
+            if Settings::is_large(settings.apr, packet) {
+                let vertices = self.view.vertices[index];
+                let words = Message::Polygon { sender: settings.number, vertices }.words();
+                return Next::Begin(Task::Send { words, at: 0 });
+            }
+            return Next::Begin(Task::scan(packet, Rows::ALL, &settings.costs));
+        }
+        if sight.word && !self.is_transformed {
+            return Next::Begin(Task::Receive { words: Vec::new() });
+        }
+        let view = self.view.clone();
+        let Some(polygon) = view.polygons(settings.number).get(self.polygon) else { return Next::End };
+        let (clocks, class) = match self.is_transformed {
+            false => (settings.costs.geometry(polygon), Class::Geometry),
+            true => {
+                self.polygon += 1;
+                self.rest = polygon.packets.clone();
+                (settings.costs.preparation(polygon), Class::Rasterization)
+            }
+        };
+        self.is_transformed = !self.is_transformed;
+        Next::Step { clocks, class, access: None }
+    }
+}
+
+impl Scan {
+    fn next(&mut self, costs: &CostTable) -> Next {
+        let set_up = std::mem::take(&mut self.set_up);
+        let pixel = self.pixels.next();
+        if pixel.is_none() && self.row > self.bottom && set_up == 0 {
+            return Next::End;
+        }
+        let end = pixel.map_or(self.bottom, |pixel| pixel.y);
+        let rows = if self.row > end { 0 } else { self.rows.count(self.row, end) };
+        self.row = self.row.max(end + 1);
+        let clocks = set_up + u64::from(rows) * costs.row + if pixel.is_some() { costs.pixel } else { 0 };
+        Next::Step { clocks, class: Class::Rasterization, access: pixel.map(Access::Draw) }
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::vc1::assignment::{Assign, Assignment};
-    use crate::vc1::config::Config;
-    use tilewright_scenes::{Projection, Scene, ScreenVertex, Size, project, set_up};
-
-    /// A triangle of 3 pixels, in a box of 3 rows of which the last has none; a polygon without packets; a triangle of 1 pixel.
-    #[test]
-    fn every_clock_of_the_cost_table_is_charged_once() {
-        let at = |x, y| ScreenVertex { x, y, z: 1, rgb: [0; 3] };
-        let size = Size::new(8, 8).expect("in range");
-        let packets = [
-            set_up(&[at(0, 0), at(40, 0), at(0, 40)], size).expect("covers pixels"),
-            set_up(&[at(0, 48), at(20, 48), at(0, 68)], size).expect("covers a pixel"),
-        ];
-        // The first has three vertices, the last one more and a packet that crosses the border.
-        let polygons = [(0, 0..1, 3, 0), (1, 1..1, 0, 0), (2, 1..2, 1, 1)]
-            .map(|(number, packets, vertices, clipped)| Polygon { number, packets, vertices, clipped });
-        let costs = CostTable {
-            vertex: 1_000_000,
-            polygon: 20_000_000,
-            area: 10_000,
-            clip: 500_000,
-            set_up: 1000,
-            row: 100,
-            pixel: 5,
-            clear: 3,
-        };
-        let mut program = Program::new(costs, &packets, &polygons, 2);
-        let mut steps = Vec::new();
-        while steps.last().is_none_or(|(_, access)| *access != "end") {
-            let Step { clocks, access } = program.step();
-            steps.push((
-                clocks,
-                match access {
-                    Some(Access::Clear(_)) => "clear",
-                    Some(Access::Draw(_)) => "draw",
-                    None => "end",
-                },
-            ));
-        }
-        let expected = [
-            (3, "clear"),
-            (3, "clear"),
-            (23_011_105, "draw"),
-            (5, "draw"),
-            (105, "draw"),
-            (41_521_205, "draw"),
-            (0, "end"),
-        ];
-        assert_eq!(steps, expected);
-        assert_eq!(program.work, Work { clear: 6, geometry: 64_000_000, rasterization: 532_420 });
-        assert_eq!(program.step(), Step { clocks: 0, access: None });
-    }
-
-    /// The views of ter1k that Table 1 averages, 7.5 degrees apart (VC1-T1).
-    fn views() -> Vec<Projection> {
-        let mut scene = Scene::builtin("ter1k").expect("a built-in scene");
-        let camera = scene.camera;
-        let view = |number: u32| {
-            scene.camera = camera.orbited(7.5 * f64::from(number));
-            project(&scene, scene.size).expect("the terrain is in sight")
-        };
-        (0..48).map(view).collect()
-    }
-
-    /// What the program of each processing element takes, cleared tables apart.
-    fn works(config: &Config, assignment: &Assignment, view: &Projection) -> Vec<Work> {
-        let work = |polygons: &Vec<Polygon>| {
-            let mut program = Program::new(config.costs, &view.triangles, polygons, 0);
-            while program.step().access.is_some() {}
-            program.work
-        };
-        assignment.polygons.iter().map(work).collect()
-    }
-
-    /// Milliseconds at 40 MHz for which a processing element waits for the last one, as a mean over all of them and all views.
-    fn waiting(config: &Config, views: &[Projection], first: usize) -> f64 {
-        let first = config.assignment(&views[first], None).expect("the first");
-        let clocks = |view: &Projection| {
-            let assignment = config.assignment(view, Some(&first)).expect("of the same scene");
-            let each: Vec<u64> = works(config, &assignment, view).iter().map(Work::total).collect();
-            let last = each.iter().max().copied().unwrap_or_default();
-            each.iter().map(|clocks| last - clocks).sum::<u64>()
-        };
-        let all = views.iter().map(clocks).sum::<u64>() as f64;
-        all / (views.len() * config.processors as usize) as f64 / 40_000.0
-    }
-
-    #[test]
-    fn ter1k_takes_the_clocks_of_table_1() {
-        let (mut work, mut polygons) = (Work::default(), 0);
-        for view in views() {
-            let config = Config::new(view.size);
-            for of in works(&config, &config.assignment(&view, None).expect("the first"), &view) {
-                work.geometry += of.geometry;
-                work.rasterization += of.rasterization;
-            }
-            polygons += view.counts.polygons;
-        }
-        let each = [work.geometry, work.rasterization].map(|clocks| clocks as f64 / f64::from(polygons));
-        assert_eq!(each.map(f64::round), [631.0, 754.0], "{each:?}");
-    }
-
-    /// The figures of [`crate::vc1::assignment`].
-    #[test]
-    #[ignore = "50 times 48 views of a terrain"]
-    fn each_way_of_dealing_has_its_waiting_time() {
-        let views = views();
-        let of = |assign, first| waiting(&Config { assign, ..Config::new(views[0].size) }, &views, first);
-        let (each, count) = (of(Assign::Each, 0), of(Assign::Count, 0));
-        let mut once: Vec<f64> = (0..views.len()).map(|first| of(Assign::Once, first)).collect();
-        print!("each {each:.2} ms, count {count:.2} ms, once {:.2} ms from the first view, ", once[0]);
-        once.sort_by(f64::total_cmp);
-        let mean = once.iter().sum::<f64>() / once.len() as f64;
-        println!("from any view {:.2} to {:.2} ms, {mean:.2} ms as a mean", once[0], once[once.len() - 1]);
-        let shown = [each, count, once[0], mean, once[once.len() - 1]].map(|it| format!("{it:.2}"));
-        assert_eq!(shown, ["0.62", "1.01", "1.17", "1.68", "2.46"]);
-    }
-}
+mod tests;

@@ -4,7 +4,7 @@
 //! very words that direct evaluation gives (DES-EDGE, DES-Z).
 
 use tilewright_scenes::packet::{COLOUR_PLANE_BITS, DEPTH_PLANE_BITS, FRACTION_BITS};
-use tilewright_scenes::{Edge, Plane, Triangle};
+use tilewright_scenes::{Edge, PixelBox, Plane, Triangle};
 
 /// A covered pixel and its visibility word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,9 +58,10 @@ impl Interpolants {
     }
 }
 
-/// The covered pixels of a packet, row by row from the upper left.
-pub(crate) struct Pixels<'a> {
-    packet: &'a Triangle,
+/// The covered pixels of a packet, row by row from the upper left, in all rows of the screen or in every n-th.
+pub(crate) struct Pixels {
+    bounds: PixelBox,
+    rows: Rows,
     x: u32,
     y: u32,
     here: Interpolants,
@@ -70,30 +71,52 @@ pub(crate) struct Pixels<'a> {
     down_step: Interpolants,
 }
 
-impl<'a> Pixels<'a> {
-    pub fn of(packet: &'a Triangle) -> Pixels<'a> {
-        let (x, y) = (packet.bounds.left, packet.bounds.top);
+/// The rows `y` of the screen with `y mod every = first`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Rows {
+    pub first: u32,
+    pub every: u32,
+}
+
+impl Rows {
+    pub const ALL: Rows = Rows { first: 0, every: 1 };
+
+    /// The first of them that is not above that row.
+    pub fn from(self, y: u32) -> u32 {
+        y + (self.first + self.every - y % self.every) % self.every
+    }
+
+    /// How many there are from one row to another, both included.
+    pub fn count(self, top: u32, bottom: u32) -> u32 {
+        let first = self.from(top);
+        if first > bottom { 0 } else { (bottom - first) / self.every + 1 }
+    }
+}
+
+impl Pixels {
+    pub fn of(packet: &Triangle, rows: Rows) -> Pixels {
+        let (x, y) = (packet.bounds.left, rows.from(packet.bounds.top));
         let mut left = Interpolants::origin(packet);
         left.step(&Interpolants::change(packet, x, y));
         let right_step = Interpolants::change(packet, 1, 0);
-        let down_step = Interpolants::change(packet, 0, 1);
-        Pixels { packet, x, y, here: left, left, right_step, down_step }
+        let down_step = Interpolants::change(packet, 0, rows.every);
+        Pixels { bounds: packet.bounds, rows, x, y, here: left, left, right_step, down_step }
     }
 
     fn next_row(&mut self) {
-        self.y += 1;
-        self.x = self.packet.bounds.left;
+        self.y += self.rows.every;
+        self.x = self.bounds.left;
         self.left.step(&self.down_step);
         self.here = self.left;
     }
 }
 
-impl Iterator for Pixels<'_> {
+impl Iterator for Pixels {
     type Item = Pixel;
 
     fn next(&mut self) -> Option<Pixel> {
-        while self.y <= self.packet.bounds.bottom {
-            while self.x <= self.packet.bounds.right {
+        while self.y <= self.bounds.bottom {
+            while self.x <= self.bounds.right {
                 let found = self.here.inside().then(|| Pixel { x: self.x, y: self.y, word: self.here.word() });
                 self.x += 1;
                 self.here.step(&self.right_step);
@@ -125,12 +148,18 @@ mod tests {
 
     proptest! {
         #[test]
-        fn increments_give_what_direct_evaluation_gives(vertices in [vertex(), vertex(), vertex()]) {
+        fn increments_give_what_direct_evaluation_gives(
+            vertices in [vertex(), vertex(), vertex()], (every, first) in (1..9_u32).prop_flat_map(|n| (Just(n), 0..n)),
+        ) {
             let size = Size::new(120, 90).expect("in range");
             if let Some(packet) = set_up(&vertices, size) {
-                let covered = (0..90).flat_map(|y| (0..120).map(move |x| (x, y))).filter(|&(x, y)| packet.covers(x, y));
+                let rows = (0..90).filter(|y| y % every == first);
+                let covered = rows.flat_map(|y| (0..120).map(move |x| (x, y))).filter(|&(x, y)| packet.covers(x, y));
                 let direct: Vec<Pixel> = covered.map(|(x, y)| Pixel { x, y, word: packet.word(x, y) }).collect();
-                prop_assert_eq!(Pixels::of(&packet).collect::<Vec<_>>(), direct);
+                let rows = Rows { first, every };
+                prop_assert_eq!(Pixels::of(&packet, rows).collect::<Vec<_>>(), direct);
+                let touched = (packet.bounds.top..=packet.bounds.bottom).filter(|y| y % every == first).count();
+                prop_assert_eq!(rows.count(packet.bounds.top, packet.bounds.bottom) as usize, touched);
             }
         }
     }

@@ -51,6 +51,23 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.peek_word(path, 0, address)
     }
 
+    /// All words of a memory, that of address 0 first.
+    ///
+    /// ```
+    /// # use tilewright_sim::{Simulation, for_examples::Counter};
+    /// let sim = Simulation::of(&Counter)?;
+    /// let squares = sim.peek_words("squares")?;
+    /// assert!((0..).zip(&squares).all(|(number, square)| *square == number * number));
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// There is no such memory.
+    pub fn peek_words(&self, path: &str) -> Result<Vec<Bits>, UnknownName> {
+        self.circuit.peek_words(path, 0)
+    }
+
     /// Replaces a word of a memory at once.
     ///
     /// ```
@@ -95,6 +112,14 @@ impl Running {
     pub fn peek_word(&self, path: &str, run: u32, address: u32) -> Result<Bits, UnknownName> {
         let (memory, lane) = self.memory(path, run, address)?;
         Ok(Bits::from_limbs(self.program.memories[memory as usize].width, &self.engine.word(memory, lane, address)))
+    }
+
+    /// All words of a memory in one run.
+    pub fn peek_words(&self, path: &str, run: u32) -> Result<Vec<Bits>, UnknownName> {
+        let (memory, lane) = self.memory(path, run, 0)?;
+        let layout = &self.program.memories[memory as usize];
+        let word = |address| Bits::from_limbs(layout.width, &self.engine.word(memory, lane, address));
+        Ok((0..layout.depth).map(word).collect())
     }
 
     /// Replaces a word of a memory in one run.

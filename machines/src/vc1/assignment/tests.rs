@@ -25,7 +25,7 @@ fn numbers(assignment: &Assignment) -> Vec<Vec<u32>> {
 
 /// Costs of nothing but polygons.
 const ONE_EACH: CostTable =
-    CostTable { vertex: 0, polygon: 1, area: 0, clip: 0, set_up: 0, row: 0, pixel: 0, clear: 1 };
+    CostTable { vertex: 0, polygon: 1, area: 0, clip: 0, set_up: 0, row: 0, pixel: 0, clear: 1, send: 1, receive: 1 };
 
 #[test]
 fn every_polygon_is_dealt_once_in_whole_clusters() {

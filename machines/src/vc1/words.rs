@@ -1,0 +1,121 @@
+//! What goes over the broadcast bus: packets of words of 32 bits.
+//!
+//! Source: VC1-APR, VC1-NET. The paper names what is sent, and no format; this one is ours.
+//!
+//! | packet | words |
+//! |---|---|
+//! | command of the host | kind and frame, 19 of the view |
+//! | polygon | kind and sender; of each vertex x above y, z, and r, g, b |
+//!
+//! The view's words take their time on the bus and are not looked at: what a view makes of the scene is computed beforehand.
+
+use tilewright_scenes::ScreenVertex;
+
+/// Words of a command.
+pub(crate) const COMMAND_WORDS: usize = 20;
+/// Words of a polygon.
+pub(crate) const POLYGON_WORDS: usize = 10;
+
+const COMMAND: u32 = 1 << 24;
+const POLYGON: u32 = 2 << 24;
+const NUMBER: u32 = (1 << 24) - 1;
+
+/// A word on the bus.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Word {
+    pub word: u32,
+    /// It is the last of its packet.
+    pub last: bool,
+}
+
+/// What a packet says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Message {
+    /// Draw that frame.
+    Command { frame: u32 },
+    /// Draw your rows of that polygon.
+    Polygon { sender: u32, vertices: [ScreenVertex; 3] },
+}
+
+impl Message {
+    /// The packet.
+    pub fn words(&self) -> Vec<Word> {
+        let words: Vec<u32> = match self {
+            Message::Command { frame } => {
+                let mut words = vec![0; COMMAND_WORDS];
+                words[0] = COMMAND | frame & NUMBER;
+                words
+            }
+            Message::Polygon { sender, vertices } => {
+                let of_vertex = |vertex: &ScreenVertex| {
+                    let [x, y] = [vertex.x, vertex.y].map(|position| position as u32 & 0xffff);
+                    let [r, g, b] = vertex.rgb.map(u32::from);
+                    [x << 16 | y, vertex.z, r << 16 | g << 8 | b]
+                };
+                [POLYGON | sender & NUMBER].into_iter().chain(vertices.iter().flat_map(of_vertex)).collect()
+            }
+        };
+        let last = words.len() - 1;
+        words.into_iter().enumerate().map(|(at, word)| Word { word, last: at == last }).collect()
+    }
+
+    /// What these words say, of which the last one has come; nothing, if they are no packet.
+    pub fn of_words(words: &[u32]) -> Option<Message> {
+        let number = words[0] & NUMBER;
+        match (words[0] & !NUMBER, words.len()) {
+            (COMMAND, COMMAND_WORDS) => Some(Message::Command { frame: number }),
+            (POLYGON, POLYGON_WORDS) => {
+                let vertex = |at: usize| {
+                    let [position, z, colour] = [words[at], words[at + 1], words[at + 2]];
+                    let signed = |half: u32| i32::from(half as u16 as i16);
+                    let [_, r, g, b] = colour.to_be_bytes();
+                    ScreenVertex { x: signed(position >> 16), y: signed(position), z, rgb: [r, g, b] }
+                };
+                Some(Message::Polygon { sender: number, vertices: [1, 4, 7].map(vertex) })
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a packet that begins with that word is a polygon of that sender.
+    pub fn is_of(first: u32, sender: u32) -> bool {
+        first == POLYGON | sender & NUMBER
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vertex() -> impl Strategy<Value = ScreenVertex> {
+        (any::<i16>(), any::<i16>(), 0..1u32 << 24, any::<[u8; 3]>()).prop_map(|(x, y, z, rgb)| ScreenVertex {
+            x: x.into(),
+            y: y.into(),
+            z,
+            rgb,
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_sent_is_received(vertices in [vertex(), vertex(), vertex()], number in 0..256_u32) {
+            let polygon = Message::Polygon { sender: number, vertices };
+            for (message, length) in [(polygon, POLYGON_WORDS), (Message::Command { frame: number }, COMMAND_WORDS)] {
+                let words = message.words();
+                prop_assert_eq!(words.len(), length);
+                prop_assert!(words.iter().enumerate().all(|(at, word)| word.last == (at + 1 == length)));
+                let words: Vec<u32> = words.iter().map(|it| it.word).collect();
+                prop_assert_eq!(Message::of_words(&words), Some(message));
+                prop_assert_eq!(Message::is_of(words[0], number), message == polygon);
+                prop_assert!(!Message::is_of(words[0], number + 1));
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_packet_says_nothing() {
+        assert_eq!(Message::of_words(&[COMMAND]), None);
+        assert_eq!(Message::of_words(&[3 << 24; POLYGON_WORDS]), None);
+    }
+}

@@ -1,0 +1,112 @@
+//! Several frames of one run, each a file and each compared.
+
+use std::path::{Path, PathBuf};
+
+use super::{Render, Report};
+use crate::machine::{Run, Turn};
+use crate::shell::output::{Output, Waveform};
+use crate::shell::place::{beside, check_distinct, is_standard_output};
+use crate::shell::text::legible;
+use crate::shell::{Exit, Failure, terminal};
+use crate::verdict::{DIFFERENCE, Golden, Verdict, leave_difference};
+use serde::Serialize;
+use tilewright_scenes::Scene;
+
+/// What the comparisons of all frames gave.
+#[derive(Serialize)]
+struct Verdicts {
+    /// Whether all are identical.
+    identical: bool,
+    frames: Vec<Verdict>,
+}
+
+impl Render {
+    /// Renders the frames of a turn, compares, writes the files and reports. A run that is broken off leaves those shown so far.
+    pub(super) fn render_turn(&self, scene: &Scene, turn: &Turn) -> Result<Exit, Failure> {
+        self.check_turn()?;
+        let paths: Vec<PathBuf> = self
+            .output
+            .iter()
+            .flat_map(|path| (1..=turn.frames).map(|number| numbered(path, number, turn.frames)))
+            .collect();
+        let differences: Vec<PathBuf> = paths.iter().filter_map(|path| beside(path, DIFFERENCE)).collect();
+        let written = paths.iter().chain(&differences).chain(&self.vcd).map(PathBuf::as_path);
+        let read: Vec<&Path> = scene.files.iter().map(PathBuf::as_path).collect();
+        check_distinct(&Vec::from_iter(written), &read)?;
+        let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
+        // That the folder can be written to is seen before the machine is built.
+        let _ = paths.first().map(|path| Output::at(path)).transpose()?;
+        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref() };
+        let mut frames = Vec::new();
+        let report = turn.render(&run, |shown, golden| {
+            let verdict = Golden::Rendered(golden).judge(&shown.frame);
+            if let Some(path) = paths.get(shown.number as usize) {
+                Output::at(path)?.write(&shown.frame.to_png())?;
+                leave_difference(path, verdict.picture.as_ref());
+            }
+            frames.push(verdict);
+            Ok(())
+        })?;
+        let verdicts = Verdicts { identical: frames.iter().all(|it| it.identical), frames };
+        match self.json {
+            true => terminal::print_json(&Report {
+                format: 1,
+                scene: &scene.name,
+                machine: self.machine.name(),
+                report: &report,
+                golden: &verdicts,
+            })?,
+            false => {
+                let text = format!("{}: {report}\n\n{}\n", scene.name, verdicts.sentence());
+                if verdicts.identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
+            }
+        }
+        Ok(if verdicts.identical { Exit::Done } else { Exit::CheckFailed })
+    }
+
+    /// That each frame has a file of its own, and its own golden image.
+    fn check_turn(&self) -> Result<(), Failure> {
+        let sentence = if self.golden.is_some() {
+            "--golden has one picture, and --frames makes several: leave one of them out"
+        } else if self.output.as_deref().is_some_and(is_standard_output) {
+            "standard output takes one picture, and --frames makes several: name a file with -o, such as turn.png"
+        } else {
+            return Ok(());
+        };
+        Err(Failure::new(Exit::BadInput, sentence))
+    }
+}
+
+impl Verdicts {
+    fn sentence(&self) -> String {
+        if self.identical {
+            return format!("all {} frames are identical to their golden images", self.frames.len());
+        }
+        let differing = (1..).zip(&self.frames).filter(|(_, it)| !it.identical);
+        differing.map(|(number, verdict)| format!("frame {number}: {verdict}")).collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// `turn.png` of frame 7 of 24 is `turn-007.png`.
+fn numbered(path: &Path, number: u32, of: u32) -> PathBuf {
+    let digits = of.to_string().len().max(3);
+    let mut name = path.file_stem().unwrap_or_default().to_owned();
+    name.push(format!("-{number:0digits$}"));
+    if let Some(extension) = path.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    path.with_file_name(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_numbered_in_the_file_name() {
+        let named = |path: &str, number, of| numbered(Path::new(path), number, of).display().to_string();
+        assert_eq!(named("out/turn.png", 7, 24), "out/turn-007.png");
+        assert_eq!(named("turn", 1000, 1000), "turn-1000");
+    }
+}
