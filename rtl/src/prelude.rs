@@ -2,7 +2,7 @@
 
 pub use tilewright_hdl::*;
 
-pub use crate::clocks::{CRT, MERGE, PE};
+pub use crate::clocks::{MERGE, PE};
 pub use crate::parameter::{ParameterError, Screen};
 pub use crate::scan::{Position, ScanControl};
 pub use crate::word::{WORD, empty};

@@ -92,9 +92,25 @@ fn the_bus_and_the_sums_show_what_their_scenarios_say() {
 }
 
 #[test]
+fn the_global_frame_buffer_shows_what_its_scenario_says() {
+    for set in [&[][..], &[("width", 40), ("height", 24), ("units", 16)]] {
+        let shown = play(find("gfb-unit").unwrap(), set, Some("view_read_word"));
+        // The pixel that is written is the third, of each of the frames.
+        assert_eq!(shown, [0, 21, 63, 21, 42, 63, 42]);
+        // Two passes, in each of which the host has changed a pixel, and their average.
+        let mut shown = play(find("accumulating-gfb-unit").unwrap(), set, Some("pixel_rgb"));
+        // In the blanking there is nothing.
+        shown.retain(|rgb| *rgb != 0);
+        shown.dedup();
+        assert!(shown.starts_with(&[21, 63, 21, 42, 63, 42]) && shown.ends_with(&[32, 63, 32]), "{shown:?}");
+    }
+    assert_eq!(play(find("multipass-control").unwrap(), &[], Some("averages")), [0, 1, 0, 1]);
+}
+
+#[test]
 fn the_machine_shows_what_its_scenario_says() {
     const BLANK: u64 = 0xffffff_102030;
-    for set in [&[][..], &[("processors", 16), ("patch", 8), ("width", 40), ("height", 20)]] {
+    for set in [&[][..], &[("processors", 16), ("patch", 8), ("width", 40), ("height", 20), ("accumulation", 1)]] {
         let nearest =
             40 - set.iter().find(|(name, _)| *name == "processors").map_or(1, |(_, processors)| processors - 1);
         assert_eq!(play(find("vc1").unwrap(), set, Some("view_read_word")), [0, 20, BLANK, nearest]);

@@ -92,7 +92,7 @@ impl Config {
         let lfb = LfbUnit { patches: self.patches()?, pages: self.pages()? }.checked()?;
         let display = Display::of_rate(lfb.patches.screen(), self.refresh, self.blanking)?;
         let Config { processors, queue, word_clocks, .. } = *self;
-        Ok(Vc1 { lfb, processors, queue, word_clocks, display }.checked()?)
+        Ok(Vc1 { lfb, processors, queue, word_clocks, display, accumulation: false }.checked()?)
     }
 
     /// As a report shows it.

@@ -228,9 +228,9 @@ impl Hardware {
 
     /// The words of the bank on display, row by row from the upper left.
     pub fn displayed(&mut self) -> Vec<u64> {
-        let bank = usize::from(!self.shown());
-        let words = self.sim.peek_words(BANKS).expect("the banks have that name");
-        words.iter().skip(bank).step_by(2).map(|word| word.to_u64().expect("a word has 48 bits")).collect()
+        let bank = u8::from(!self.shown());
+        let words = self.sim.peek_words(&format!("{BANKS}[{bank}]")).expect("the banks have that name");
+        words.iter().map(|word| word.to_u64().expect("a word has 48 bits")).collect()
     }
 
     /// Simulated picoseconds.

@@ -1,13 +1,13 @@
 //! The entries of the global frame buffer and its parts, and of the accumulation buffer.
 
-use tilewright_hdl::{Codes, Scenario, Script, elaborate, elaborate_at};
+use tilewright_hdl::{Codes, Scenario, Script, Stream, elaborate, elaborate_at};
 
-use super::shared::{HEIGHT, PIXEL_CLOCK, UNITS, WIDTH, display};
+use super::shared::{HEIGHT, PIXEL_CLOCK, UNITS, WIDTH, display, two_passes};
 use super::{CatalogError, Entry, Parameter, Values};
-use crate::clocks::{CRT, MERGE};
+use crate::clocks::MERGE;
 use crate::gfb::{
-    Accumulation, AccumulationIn, CrtReadOut, CrtReadOutIn, GfbSequencer, GfbSequencerIn, GfbUnit, GfbUnitIn, Host,
-    Passes, SCAN_LATENCY,
+    Access, Accumulation, AccumulationIn, CrtReadOut, CrtReadOutIn, GfbSequencer, GfbSequencerIn, GfbUnit, GfbUnitIn,
+    Host, MultipassControl, MultipassControlIn, Passes, SCAN_LATENCY,
 };
 use crate::parameter::Screen;
 
@@ -18,8 +18,24 @@ pub(super) const GFB_UNIT: Entry = Entry {
     name: "gfb-unit",
     summary: "leads the scan, feeds the merger, keeps the frame and shows it",
     parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD, PIXEL_CLOCK],
-    design: |values| Ok(elaborate(&gfb_unit(values)?)?),
-    scenario: |values| Ok(two_frames(&gfb_unit(values)?)),
+    design: |values| Ok(elaborate(&gfb_unit(values, false)?)?),
+    scenario: |values| Ok(two_frames(&gfb_unit(values, false)?)),
+};
+
+pub(super) const ACCUMULATING_GFB_UNIT: Entry = Entry {
+    name: "accumulating-gfb-unit",
+    summary: "a global frame buffer unit with an accumulation buffer, which shows the average of several passes",
+    parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD, PIXEL_CLOCK],
+    design: |values| Ok(elaborate(&gfb_unit(values, true)?)?),
+    scenario: |values| Ok(two_frames(&gfb_unit(values, true)?)),
+};
+
+pub(super) const MULTIPASS_CONTROL: Entry = Entry {
+    name: "multipass-control",
+    summary: "says when a pass is added up, when the average is shown, and when the banks may change",
+    parameters: &[],
+    design: |_| Ok(elaborate_at(&MultipassControl, MERGE.period)?),
+    scenario: |_| Ok(two_pictures()),
 };
 
 pub(super) const GFB_SEQUENCER: Entry = Entry {
@@ -41,26 +57,30 @@ pub(super) const CRT_READ_OUT: Entry = Entry {
 pub(super) const ACCUMULATION: Entry = Entry {
     name: "accumulation",
     summary: "adds up the pictures of several passes, and shows their average",
-    parameters: &[WIDTH, HEIGHT],
+    parameters: &[WIDTH, HEIGHT, PIXEL_CLOCK],
     design: |values| Ok(elaborate(&accumulation(values)?)?),
-    scenario: |values| Ok(two_passes(&accumulation(values)?)),
+    scenario: |values| Ok(two_sums(&accumulation(values)?)),
 };
 
 fn screen(values: &Values) -> Result<Screen, CatalogError> {
     Ok(Screen::new(values.get_u32("width"), values.get_u32("height"))?)
 }
 
-fn gfb_unit(values: &Values) -> Result<GfbUnit, CatalogError> {
+fn gfb_unit(values: &Values, accumulation: bool) -> Result<GfbUnit, CatalogError> {
     let (units, overhead) = (values.get_u32("units"), values.get_u32("overhead"));
-    Ok(GfbUnit { screen: screen(values)?, units, overhead, display: display(values) }.checked()?)
+    Ok(GfbUnit { screen: screen(values)?, units, overhead, display: display(values), accumulation }.checked()?)
 }
 
 fn two_frames(gfb: &GfbUnit) -> Scenario {
     let sequencer = gfb.sequencer();
-    let idle = |merged, read_address| {
-        let host = Host { read_address, background: 0xffffff_102030 };
+    let background = 0xffffff_102030;
+    let access = |address, writes, word| Stream::of(1, Access { address, writes, word });
+    let no_access = Stream::of(0, Access { address: 0, writes: 0, word: 0 });
+    let with = |accesses, merged| {
+        let host = Host { accesses, background, multipass: two_passes(gfb.accumulation) };
         GfbUnitIn { swap: 0, host, merged }
     };
+    let idle = |merged| with(no_access, merged);
     // A swap comes in a blanking of the display, which begins with one.
     let [line, refresh] = [gfb.read_out().line_clocks(), gfb.read_out().refresh_clocks()]
         .map(|clocks| clocks * gfb.display.period.picoseconds() / MERGE.period.picoseconds());
@@ -73,14 +93,38 @@ fn two_frames(gfb: &GfbUnit) -> Scenario {
     for merged in [21, 42] {
         let merges = sequencer.stored_clocks() + 4;
         let merges = merges + until_dark(clock + merges);
-        script.hold(&idle(merged, 0), merges);
-        script.clock(&GfbUnitIn { swap: 1, ..idle(merged, 0) });
-        (0..4).for_each(|pixel| script.clock(&idle(merged, pixel)));
+        script.hold(&idle(merged), merges);
+        // What the host writes in the clock of the swap is in the frame before.
+        script.clock(&GfbUnitIn { swap: 1, ..with(access(1, 1, 99), merged) });
+        script.clock(&with(access(2, 1, 63), merged));
+        (0..4).for_each(|pixel| script.clock(&with(access(pixel, 0, 0), merged)));
         // What entered before the swap comes out of the chain as it is.
-        script.hold(&idle(merged, 0), stale);
-        clock += merges + 5 + stale;
+        script.hold(&idle(merged), stale);
+        clock += merges + 6 + stale;
     }
-    script.finish("two frames: rounds of merging, a swap of the banks in a blanking, and a look at the first pixels")
+    if gfb.accumulation {
+        script.hold(&idle(42), 3 * refresh);
+        return script
+            .finish("a picture of two passes, each of several rounds of merging; then its average is on display");
+    }
+    script.finish("two frames: rounds of merging, a swap of the banks in a blanking; then the host writes a pixel, and looks at the first four")
+}
+
+fn two_pictures() -> Scenario {
+    let [host] = two_passes(true).try_into().expect("there is a buffer");
+    let mut script = Script::new(&MultipassControl, MERGE.period);
+    let idle = MultipassControlIn { swap: 0, host, busy: 0, blanking: 0 };
+    for _picture in 0..2 {
+        for _pass in 0..2 {
+            script.clock(&MultipassControlIn { swap: 1, blanking: 1, ..idle });
+            script.hold(&MultipassControlIn { busy: 1, ..idle }, 6);
+            script.hold(&idle, 2);
+        }
+        // The average, until the blanking after the one in which it begins.
+        script.hold(&MultipassControlIn { blanking: 1, ..idle }, 2);
+        script.hold(&idle, 4);
+    }
+    script.finish("two pictures of two passes: each pass is added up, and the average of both is shown")
 }
 
 fn sequencer(values: &Values) -> Result<GfbSequencer, CatalogError> {
@@ -107,11 +151,11 @@ fn a_refresh(crt: &CrtReadOut, values: &Values) -> Scenario {
 }
 
 fn accumulation(values: &Values) -> Result<Accumulation, CatalogError> {
-    Ok(Accumulation { screen: screen(values)? })
+    Ok(Accumulation { screen: screen(values)?, crt: display(values).clock() })
 }
 
-fn two_passes(accumulation: &Accumulation) -> Scenario {
-    let mut script = Script::new(accumulation, CRT.period);
+fn two_sums(accumulation: &Accumulation) -> Scenario {
+    let mut script = Script::new(accumulation, accumulation.crt.period);
     script.in_clocks_of(MERGE.period);
     let passes = Passes::Two.code();
     let idle = AccumulationIn { start: 0, first: 0, word: 0, passes, read_address: 0 };

@@ -25,6 +25,8 @@ pub const ENTRIES: &[Entry] = &[
     merger::MERGING_UNIT,
     merger::IMAGE_MERGER,
     gfb::GFB_UNIT,
+    gfb::ACCUMULATING_GFB_UNIT,
+    gfb::MULTIPASS_CONTROL,
     gfb::GFB_SEQUENCER,
     gfb::CRT_READ_OUT,
     gfb::ACCUMULATION,

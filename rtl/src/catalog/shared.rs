@@ -1,9 +1,9 @@
 //! What several entries share.
 
-use tilewright_hdl::{Bits, Block, Bundle, Period, Width};
+use tilewright_hdl::{Bits, Block, Bundle, Codes, Period, Width};
 
 use super::{Parameter, Values};
-use crate::gfb::Display;
+use crate::gfb::{Display, Multipass, Passes};
 
 /// The word that is behind every other: an empty pixel.
 pub(super) const EMPTY: u64 = (1 << 48) - 1;
@@ -29,12 +29,19 @@ pub(super) const RECEIVE_QUEUE: Parameter =
     Parameter { name: "queue", default: 4, min: 2, max: 4096, meaning: "words that each receive queue holds" };
 pub(super) const WORD_CLOCKS: Parameter =
     Parameter { name: "clocks", default: 6, min: 1, max: 255, meaning: "clocks that a word is on the bus" };
+pub(super) const ACCUMULATION_BUFFER: Parameter =
+    Parameter { name: "accumulation", default: 0, min: 0, max: 1, meaning: "1 with an accumulation buffer, 0 without" };
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
 
 /// A display of that pixel clock.
 pub(super) fn display(values: &Values) -> Display {
     Display { period: Period::ps(values.get("pixel-clock")), ..Display::VGA }
+}
+
+/// What the host says of pictures of two passes, where there is an accumulation buffer.
+pub(super) fn two_passes(accumulation: bool) -> Vec<Multipass<u64>> {
+    vec![Multipass { accumulates: 1, passes: Passes::Two.code() }; accumulation.into()]
 }
 
 /// Inputs of a block that are all 0.

@@ -2,11 +2,14 @@
 
 use tilewright_hdl::{Scenario, Script, Stream, elaborate};
 
-use super::shared::{HEIGHT, PAGES, PATCH, PIXEL_CLOCK, PROCESSORS, RECEIVE_QUEUE, WIDTH, WORD_CLOCKS, display};
+use super::shared::{
+    ACCUMULATION_BUFFER, HEIGHT, PAGES, PATCH, PIXEL_CLOCK, PROCESSORS, RECEIVE_QUEUE, WIDTH, WORD_CLOCKS, display,
+    two_passes,
+};
 use super::{CatalogError, Entry, Values};
 use crate::bus::BusWord;
 use crate::clocks::{MERGE, PE};
-use crate::gfb::Host;
+use crate::gfb::{Access, Host};
 use crate::lfb::{LfbUnit, Patches, Request, Wanted};
 use crate::parameter::Screen;
 use crate::vc1::{ProcessorIn, Vc1, Vc1In};
@@ -14,7 +17,17 @@ use crate::vc1::{ProcessorIn, Vc1, Vc1In};
 pub(super) const VC1: Entry = Entry {
     name: "vc1",
     summary: "the frame buffer subsystem of a VC-1: local frame buffers, image merger, global frame buffer, swap control",
-    parameters: &[WIDTH, HEIGHT, PATCH, PAGES, PROCESSORS, RECEIVE_QUEUE, WORD_CLOCKS, PIXEL_CLOCK],
+    parameters: &[
+        WIDTH,
+        HEIGHT,
+        PATCH,
+        PAGES,
+        PROCESSORS,
+        RECEIVE_QUEUE,
+        WORD_CLOCKS,
+        PIXEL_CLOCK,
+        ACCUMULATION_BUFFER,
+    ],
     design: |values| Ok(elaborate(&vc1(values)?)?),
     scenario: |values| Ok(a_frame(&vc1(values)?)),
 };
@@ -29,6 +42,7 @@ fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
         queue: values.get_u32("queue"),
         word_clocks: values.get_u32("clocks"),
         display: display(values),
+        accumulation: values.get("accumulation") == 1,
     }
     .checked()?)
 }
@@ -45,12 +59,14 @@ fn a_frame(vc1: &Vc1) -> Scenario {
         sends: silent,
         done: 0,
     };
-    let host = Host { read_address: 0, background: 0xffffff_102030 };
+    let access = |valid, address| Stream::of(valid, Access { address, writes: 0, word: 0 });
+    let multipass = two_passes(vc1.accumulation);
+    let host = Host { accesses: access(0, 0), background: 0xffffff_102030, multipass };
     let all = |of: &dyn Fn(u64) -> ProcessorIn<u64>| Vc1In {
         processors: (0..vc1.processors.into()).map(of).collect(),
         command: silent,
         ready: 1,
-        host,
+        host: host.clone(),
     };
     let idle = all(&|_| processor);
     let draw = |x: u64, y: u64, word: u64| ProcessorIn { request: Stream::of(1, Request { x, y, word }), ..processor };
@@ -72,8 +88,9 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     script.in_clocks_of(MERGE.period);
     let refresh = vc1.gfb().read_out().refresh_clocks() * vc1.display.period.picoseconds();
     script.hold(&idle, vc1.gfb().sequencer().stored_clocks() + 60 + refresh.div_ceil(MERGE.period.picoseconds()));
-    for read_address in [0, 1, u64::from(screen.pixels()) - 1] {
-        script.hold(&Vc1In { host: Host { read_address, ..host }, ..idle.clone() }, 2);
+    for address in [0, 1, u64::from(screen.pixels()) - 1] {
+        script.clock(&Vc1In { host: Host { accesses: access(1, address), ..host.clone() }, ..idle.clone() });
+        script.clock(&idle);
     }
     script.finish(
         "every processor clears its table, and draws the first and the last pixel; they swap, the merger keeps the nearest, the display shows them",

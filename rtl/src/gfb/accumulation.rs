@@ -28,10 +28,10 @@
 //!
 //! | who | does | when |
 //! |---|---|---|
-//! | host | starts the `first` pass | not busy |
-//! | host | starts another pass | not busy, and at most 15 times after a `first` one |
+//! | multipass control | starts the `first` pass | not busy |
+//! | multipass control | starts another pass | not busy, and at most 15 times after a `first` one |
 //! | global frame buffer | reads at `address`, and keeps its banks where they are | busy |
-//! | host | says of how many passes the average is | before a picture is shown that is of as many |
+//! | multipass control | says of how many passes the average is | before a picture is shown that is of as many |
 //!
 //! Of more passes than `passes` says, a component of the average is only right modulo 256; of fewer, the picture is dark.
 
@@ -74,6 +74,8 @@ block! {
     pub struct Accumulation {
         /// The screen.
         pub screen: Screen,
+        /// The clock of the display.
+        pub crt: Clock,
     }
     latency(self) = format!("a pass of {} clocks of the merger; 1 clock of the display to read", self.pass_clocks());
     source = "VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)";
@@ -87,7 +89,7 @@ block! {
         /// Of how many passes the average is.
         passes: one_of::<Passes>().on(MERGE),
         /// A pixel to show, in raster order.
-        read_address: below(self.screen.pixels()).on(CRT),
+        read_address: below(self.screen.pixels()).on(self.crt),
     }
     out(self) AccumulationOut {
         /// A pass is under way.
@@ -106,7 +108,7 @@ impl Accumulation {
     }
 
     fn build(&self, m: Module, i: AccumulationIn) -> AccumulationOut {
-        let (merge, crt) = (m.on(MERGE), m.on(CRT));
+        let (merge, crt) = (m.on(MERGE), m.on(self.crt));
         let pixels = self.screen.pixels();
 
         // The pass: a pixel that is read, and the one before, which is stored.
@@ -155,7 +157,7 @@ impl Accumulation {
         // The display.
         let passes = i.passes.quasi_static("the average means something when it has been so for a picture");
         def!(read_odd = crt.pipe(i.read_address.bit(0)));
-        def!(read = sums.on(CRT).read(place(i.read_address)));
+        def!(read = sums.on(self.crt).read(place(i.read_address)));
         let shown = read.pick(read_odd).unpack(row(COMPONENTS));
         // The bit below the quotient is the half, which is rounded up.
         let quotient: Signal = passes.choose(|passes: Passes| shown.part(passes.shift() - 1, COMPONENT + 1));

@@ -3,10 +3,14 @@
 
 mod accumulation;
 mod crt;
+mod multipass;
 mod sequencer;
+#[cfg(test)]
+pub(crate) mod testing;
 mod unit;
 
 pub use accumulation::{Accumulation, AccumulationIn, AccumulationOut, Passes};
 pub use crt::{BLANK_COLUMNS, BLANK_LINES, Blanking, CrtPixel, CrtReadOut, CrtReadOutIn, CrtReadOutOut, Display};
+pub use multipass::{Multipass, MultipassControl, MultipassControlIn, MultipassControlOut};
 pub use sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut, SCAN_LATENCY};
-pub use unit::{GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};
+pub use unit::{Access, GfbUnit, GfbUnitIn, GfbUnitOut, Host, View};

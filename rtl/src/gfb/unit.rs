@@ -9,13 +9,15 @@
 //!           | two banks |  blank >|round|
 //!           |           |<----------------------- merged, out of the chain
 //!           '-----------'
-//!            |  ^    |  ^
-//!  read_word v  |    v  | address: the bank on display
-//!     read_address  [ CRT read-out ]--> pixel
+//!            |  ^   |  |
+//!  read_word v  |   |  '--> [ accumulation ]-- average -->|shows  |
+//!        accesses   |             ^                       |average|--> [ CRT read-out ]--> pixel
+//!                   '-------------|---------------------->|       |           |
+//!     bank on display             '-- start -- [ multipass control ]<---------' blanking
 //! ```
 //!
-//! Latency: a pixel enters the chain 2 clocks with `enable` after its address; `read_word` comes 1 clock after `read_address`. A frame is
-//! stored T_m after the restart (VC1-TM), see [`GfbSequencer::stored_clocks`].
+//! Latency: a pixel enters the chain 2 clocks with `enable` after its address. A frame is stored T_m after the restart (VC1-TM), see
+//! [`GfbSequencer::stored_clocks`].
 //!
 //! One bank is filled while the other is on display. `swap` exchanges them and restarts the scan. In the round after it blank
 //! pixels enter the chain, so that the bank's old contents are replaced. In later rounds they enter it themselves, so that the bank is
@@ -25,10 +27,66 @@
 //! pixel is the word that its bank already has, which an assertion holds.
 //!
 //! The display reads with a clock of its own, of any rate. It learns of a swap through a synchronizer, within the vertical blanking.
+//!
+//! # The host's port
+//!
+//! A bank has the three ports of a triple-port DRAM: one for the chain, one for the display, and one for the host. So the host waits for
+//! nobody: the unit takes an access in every clock. The word of a read is there 1 clock after the access is taken, while `read_valid` is
+//! high. A read has what was written in the clocks before it.
+//!
+//! An access goes to the bank on display (VC1-HOSTP). In the clock of a swap it goes to the bank that is on display until then: a read has
+//! a word of the old frame, and what is written is never shown.
+//!
+//! The refreshes that follow show what is written. Of a pixel that is written as the display reads it, that refresh may show
+//! anything. The next frame has nothing of it, as the bank is filled anew after the next swap.
+//!
+//! # Pictures of several passes
+//!
+//! With an accumulation buffer the unit shows the average of several frames, the passes of a picture (VC1-ACB). MUACC adds the bank on
+//! display into the sums, a pixel in each clock, while the next pass is merged into the other bank. It reads through the port of that bank
+//! that the chain has no use for. Until the last sum is over the display shows the passes. From the blanking after that on it shows the
+//! average, for a refresh or more: see [`MultipassControl`], which keeps `blanking` low where the banks may not change.
+//!
+//! What the host writes into a pass is added if it is written before MUACC reads that pixel: pixel `k` in the clock k + 1 after the swap. While
+//! the average is shown, the host reads and writes the last pass, which is not on display.
 
-use super::crt::{CrtPixel, CrtReadOut, CrtReadOutIn, Display};
-use super::sequencer::{GfbSequencer, GfbSequencerIn};
+use super::accumulation::{Accumulation, AccumulationIn};
+use super::crt::{CrtPixel, CrtReadOut, CrtReadOutIn, CrtReadOutOut, Display};
+use super::multipass::{Multipass, MultipassControl, MultipassControlIn, MultipassControlOut};
+use super::sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut};
 use crate::prelude::*;
+
+bundle! {
+    /// What the host says to the global frame buffer.
+    pub struct Host<T> {
+        /// Reads and writes of the bank on display, one in every clock.
+        pub accesses: Stream<Access<T>, T>,
+        /// The word of a blank pixel: the greatest depth above the background's colour.
+        pub background: T,
+        /// Where there is an accumulation buffer: what a picture is.
+        pub multipass: Vec<Multipass<T>>,
+    }
+
+    /// An access of the host to the bank on display.
+    pub struct Access<T> {
+        /// A pixel, in raster order.
+        pub address: T,
+        /// Whether it is written; else it is read.
+        pub writes: T,
+        /// What is written there: depth above colour.
+        pub word: T,
+    }
+}
+
+bundle! {
+    /// What the accumulation buffer asks for.
+    struct Adding<T> {
+        /// A sum is under way.
+        busy: T,
+        /// The pixel of the bank on display that it needs.
+        address: T,
+    }
+}
 
 block! {
     /// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units and keeps what comes out of it.
@@ -39,6 +97,8 @@ block! {
         pub units: u32,
         /// Clocks of overhead after each scan line: beta.
         pub overhead: u32,
+        /// Whether there is an accumulation buffer.
+        pub accumulation: bool,
         /// What shows it.
         pub display: Display,
     }
@@ -53,19 +113,16 @@ block! {
         /// For one clock: exchange the banks.
         swap: bit().on(MERGE),
         /// What the host says.
-        host: pub struct Host {
-            /// A pixel of the bank on display, in raster order.
-            read_address: below(self.screen.pixels()),
-            /// The word of a blank pixel: the greatest depth above the background's colour.
-            background: bits(WORD),
-        }.on(MERGE),
+        host: Host = self.host(),
         /// From the right end of the chain.
         merged: bits(WORD).on(MERGE),
     }
     out(self) GfbUnitOut {
         /// What the host sees.
         view: pub struct View {
-            /// The pixel at the address of the last clock.
+            /// The access of the last clock was a read.
+            read_valid: bit(),
+            /// The pixel that the last read asked for.
             read_word: bits(WORD),
             /// Blank pixels enter the chain: the round is the first since the banks were swapped.
             first_round: bit(),
@@ -92,50 +149,128 @@ impl GfbUnit {
         CrtReadOut { screen: self.screen, blanking: self.display.blanking }
     }
 
+    /// Its accumulation buffer, if it has one.
+    pub fn sums(&self) -> Accumulation {
+        Accumulation { screen: self.screen, crt: self.display.clock() }
+    }
+
+    /// The widths of what the accumulation buffer asks for.
+    fn adding(&self) -> Adding<Width> {
+        Adding { busy: bit(), address: below(self.screen.pixels()) }
+    }
+
+    /// The widths of what the host says.
+    fn host(&self) -> Host<Width> {
+        let access = Access { address: below(self.screen.pixels()), writes: bit(), word: bits(WORD) };
+        let multipass = vec![Multipass::widths(); self.accumulation.into()];
+        Host { accesses: stream(access), background: bits(WORD), multipass }.on(MERGE)
+    }
+
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
         let (merge, crt) = (m.on(MERGE), m.on(self.display.clock()));
-        let Host { read_address, background } = i.host;
+        let Host { accesses, background, multipass } = i.host;
+        let access = accesses.take_when(1);
         let round = merge.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { restart: i.swap });
         let enable = round.scan.enable;
 
-        // The lowest bit of an address tells the banks apart. No read meets a write: what is on display is not filled, and a
-        // pixel is stored long before it is fed again.
+        // Two banks: the chain has its port of the one that is filled, the host has its port of the one on display. A pixel is stored
+        // long before it is fed again. Only a sum may meet a write, that of the host.
+        let policy = if self.accumulation { ReadUnderWrite::Old } else { ReadUnderWrite::Any };
         def!(filled_bank = merge.toggle(i.swap));
-        def!(banks = m.memory(2 * self.screen.pixels(), WORD, ReadUnderWrite::Any));
-        banks.on(MERGE).write(round.stores, cat![round.store, filled_bank], i.merged);
-        def!(read_word = banks.on(MERGE).read(cat![read_address, !filled_bank]));
-
-        def!(old = banks.on(MERGE).read_when(enable, cat![round.feed, filled_bank]));
-        def!(old_is_blank = merge.pipe_when(enable, round.blank));
-        def!(left = merge.pipe_when(enable, mux(old_is_blank, background, old)));
-
-        // What entered the chain comes out of it unchanged, if it entered before the swap.
-        let chain = self.sequencer().chain();
-        def!(entered = m.memory(chain, WORD, ReadUnderWrite::Any));
-        def!(place = merge.reg(below(chain)).reset(0));
-        def!(is_full = merge.reg(bit()).reset(0));
-        place.when(enable & place.eq(chain - 1), 0).when(enable, place + 1);
-        is_full.when(enable & place.eq(chain - 1), 1);
-        def!(was_full = merge.reg(bit()).reset(0));
-        was_full.when(i.swap, is_full);
-        entered.on(MERGE).write(enable, place, left);
-        def!(entered_word = entered.read_async(place));
-        merge.assert(
-            (round.stale & was_full).implies(i.merged.eq(entered_word)),
-            "a pixel that entered the chain before a swap is the word that its bank has",
+        def!(is_filled = constants(bit().of(row(2)), |bank| bank).eq(filled_bank));
+        def!(banks = m.memory(self.screen.pixels(), bits(WORD).of(row(2)), policy));
+        def!(writes = access.taken & access.writes);
+        def!(reads = access.taken & !access.writes);
+        banks.on(MERGE).write(
+            mux(is_filled, round.stores, writes),
+            mux(is_filled, round.store, access.address),
+            mux(is_filled, i.merged, access.word),
         );
+
+        // A word is in the bank that it was asked of, also behind a swap.
+        def!(read_bank = merge.pipe_when(reads, !filled_bank));
+        def!(read_words = banks.on(MERGE).read_when(reads & !is_filled, access.address));
+        def!(read_valid = merge.reg(bit()).reset(0));
+        read_valid.next(reads);
+        merge.cover("the host reads right behind a write", reads & merge.past(writes));
+        merge.cover("the host writes in the clock of a swap", writes & i.swap);
+
+        // Of the bank on display, the chain's port is that of the accumulation buffer.
+        let adds = self.accumulation.then(|| merge.wire("adds", self.adding()));
+        let (reads_old, old_address) = match &adds {
+            Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, round.feed, adds.address)),
+            None => (enable & is_filled, round.feed),
+        };
+        def!(fed_bank = merge.pipe_when(enable, filled_bank));
+        def!(old = banks.on(MERGE).read_when(reads_old, old_address));
+        def!(old_is_blank = merge.pipe_when(enable, round.blank));
+        def!(left = merge.pipe_when(enable, mux(old_is_blank, background, old.pick(fed_bank))));
+
+        self.state_what_is_stale(m, (&round, i.swap), left, i.merged);
 
         // The display.
         def!(shown_bank = crt.synchronize_from(true, !filled_bank));
         def!(word = crt.wire(WORD));
         let read_out = crt.instance("u_crt", &self.read_out(), CrtReadOutIn { word: *word });
-        word.drive(banks.on(self.display.clock()).read(cat![read_out.address, shown_bank]));
         crt.assert(crt.stable(shown_bank) | read_out.dark, "no refresh shows two frames");
-        def!(blanking = merge.synchronize(read_out.window));
+        let shown = banks.on(self.display.clock()).read(read_out.address).pick(shown_bank);
+        def!(window = merge.synchronize(read_out.window));
+        let (word_shown, blanking) = match (adds, multipass.first()) {
+            (Some(adds), Some(host)) => {
+                let control = MultipassControlIn { swap: i.swap, host: *host, busy: adds.busy, blanking: window };
+                let average = self.average(m, control, old.pick(!filled_bank), &read_out);
+                adds.drive(average.adds);
+                (mux(average.shows, average.colour.zext(WORD), shown), average.may_swap)
+            }
+            _ => (shown, window),
+        };
+        word.drive(word_shown);
 
-        let view = View { read_word, first_round: round.blank };
+        let view = View { read_valid: *read_valid, read_word: read_words.pick(read_bank), first_round: round.blank };
         GfbUnitOut { view, scan: round.scan, left, blanking, pixel: read_out.pixel }
     }
+
+    /// That what entered the chain before the swap comes out of it unchanged.
+    fn state_what_is_stale(&self, m: Module, (round, swap): (&GfbSequencerOut, Signal), left: Signal, merged: Signal) {
+        let (merge, chain) = (m.on(MERGE), self.sequencer().chain());
+        def!(entered = m.memory(chain, WORD, ReadUnderWrite::Any));
+        def!(place = merge.reg(below(chain)).reset(0));
+        def!(is_full = merge.reg(bit()).reset(0));
+        def!(is_last = round.scan.enable & place.eq(chain - 1));
+        place.when(is_last, 0).when(round.scan.enable, place + 1);
+        is_full.when(is_last, 1);
+        def!(was_full = merge.reg(bit()).reset(0));
+        was_full.when(swap, is_full);
+        entered.on(MERGE).write(round.scan.enable, place, left);
+        def!(entered_word = entered.read_async(place));
+        merge.assert(
+            (round.stale & was_full).implies(merged.eq(entered_word)),
+            "a pixel that entered the chain before a swap is the word that its bank has",
+        );
+    }
+
+    /// The accumulation buffer and its control.
+    fn average(&self, m: Module, control: MultipassControlIn, added: Signal, read_out: &CrtReadOutOut) -> Average {
+        let crt = m.on(self.display.clock());
+        let control = m.on(MERGE).instance("u_multipass", &MultipassControl, control);
+        let MultipassControlOut { start, first, passes, averages, may_swap } = control;
+        let sums = AccumulationIn { start, first, word: added, passes, read_address: read_out.address };
+        let sums = m.instance("u_accumulation", &self.sums(), sums);
+        def!(shows_average = crt.synchronize(averages));
+        crt.assert(crt.stable(shows_average) | read_out.dark, "no refresh shows both an average and a pass");
+        let adds = Adding { busy: sums.busy, address: sums.address };
+        Average { adds, shows: shows_average, colour: sums.colour, may_swap }
+    }
+}
+
+/// What the accumulation buffer gives.
+struct Average {
+    adds: Adding,
+    /// The display shows `colour`.
+    shows: Signal,
+    colour: Signal,
+    /// The banks may change.
+    may_swap: Signal,
 }
 
 #[cfg(test)]

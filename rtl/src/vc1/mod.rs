@@ -28,10 +28,14 @@
 //! | processor | waits | its state is `Due`, as its frame ends, or `Overflow`, as all pages are taken; the hardware tries the held request again |
 //! | host | sends commands over the bus | at any time |
 //! | host | holds the line low | it takes part in the synchronization, and is not ready (VC1-SW1) |
-//! | host | reads the picture | at any time |
+//! | host | reads and writes the picture on display | at any time |
+//! | host | says whether a picture is the average of several frames, and of how many | before the frame is shown with which the picture begins; it needs an accumulation buffer |
 //!
 //! A processor that swaps in an overflow loses nothing (VC1-SW4): the merger runs freely, and sends what the scan has passed already in
 //! the next round.
+//!
+//! With an accumulation buffer a picture may be the average of 2, 4, 8 or 16 frames, its passes (VC1-ACB). With the T_m of the paper and 60 refreshes a second,
+//! a picture of n passes takes 2 n + 1 refreshes at the least: two for each pass, and one for the average.
 
 use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
@@ -83,6 +87,8 @@ block! {
         pub queue: u32,
         /// Clocks of the processors that a word is on the bus.
         pub word_clocks: u32,
+        /// Whether there is an accumulation buffer; the machine without one has no memory for it.
+        pub accumulation: bool,
         /// What shows the picture.
         pub display: Display,
     }
@@ -100,7 +106,7 @@ block! {
         /// The host lets the sync line go.
         ready: bit().on(PE),
         /// Of the host.
-        host: Host = self.gfb().inputs().host.on(MERGE),
+        host: Host = self.gfb().inputs().host,
     }
     out(self) Vc1Out {
         /// To each processor.
@@ -122,7 +128,7 @@ impl Vc1 {
     /// Its global frame buffer unit.
     pub fn gfb(&self) -> GfbUnit {
         let (screen, display) = (self.lfb.patches.screen(), self.display);
-        GfbUnit { screen, units: self.processors, overhead: OVERHEAD, display }
+        GfbUnit { screen, units: self.processors, overhead: OVERHEAD, display, accumulation: self.accumulation }
     }
 
     /// Its bus.

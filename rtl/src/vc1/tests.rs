@@ -1,12 +1,14 @@
 //! Whole machines: frames of small screens, drawn by programs in software, swapped, merged and shown by the hardware.
 
+mod multipass;
+
 use std::cell::RefCell;
 
 use proptest::prelude::*;
 use tilewright_sim::{Port, Simulation, Testbench, monitor};
 
 use super::*;
-use crate::gfb::Blanking;
+use crate::gfb::{Access, Blanking};
 use crate::lfb::Patches;
 use crate::parameter::Screen;
 use crate::swap::SwapState;
@@ -22,7 +24,7 @@ fn vc1(screen: Screen, edge: u32, pages: u32, processors: u32) -> Vc1 {
     let patches = Patches::new(screen, edge).unwrap();
     let display = Display { period: Period::ps(6_002), blanking: Blanking::AtStart };
     let lfb = LfbUnit { patches, pages: pages.min(patches.count()) };
-    Vc1 { lfb, processors, queue: 4, word_clocks: 6, display }
+    Vc1 { lfb, processors, queue: 4, word_clocks: 6, display, accumulation: false }
 }
 
 fn running(vc1: &Vc1, seed: u64) -> Sim {
@@ -82,7 +84,7 @@ async fn clear(t: &Testbench<'_>, i: ProcessorIn<Port>, patches: u32) {
 /// The host: reads the bank on display after each of its swaps.
 async fn host(
     t: &Testbench<'_>,
-    (read, i): (View<Port>, Host<Port>),
+    (read, i): (View<Port>, Stream<Access<Port>, Port>),
     shown: Port,
     screen: Screen,
     frames: usize,
@@ -95,8 +97,9 @@ async fn host(
         }
         let mut picture = Vec::new();
         for address in 0..u64::from(screen.pixels()) {
-            t.set(i.read_address, address);
-            t.wait(2).await;
+            t.send(i, Access { address, writes: 0, word: 0 }).await;
+            t.wait(1).await;
+            assert_eq!(t.get_u64(read.read_valid), 1);
             picture.push(t.get_u64(read.read_word));
         }
         pictures.push(picture);
@@ -132,7 +135,7 @@ fn run(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], seed: u64) -> Run {
     let mut sim = running(vc1, seed);
     let (screen, patches) = (vc1.lfb.patches.screen(), vc1.lfb.patches.count());
     let ports: Vec<_> = sim.i.processors.iter().copied().zip(sim.o.processors.iter().copied()).collect();
-    let (view, host_in, shown, pixel) = (sim.o.view, sim.i.host, sim.o.shown, sim.o.pixel);
+    let (view, host_in, shown, pixel) = (sim.o.view, sim.i.host.accesses, sim.o.shown, sim.o.pixel);
     let refreshes = RefCell::new(vec![Vec::new()]);
     let t = sim.testbench();
     t.limit(4_000_000);
@@ -239,6 +242,27 @@ fn each_processor_sees_its_own_buffer() {
         assert_eq!(sim.get_u64(sim.o.processors[processor].pages_used), pages);
         assert_eq!(sim.get_u64(sim.o.processors[processor].idle), 1);
     }
+}
+
+#[test]
+fn the_host_reads_what_it_writes() {
+    let mut sim = running(&vc1(SMALL, 4, 8, 3), 7);
+    let (i, view) = (sim.i.host.accesses, sim.o.view);
+    let t = sim.testbench();
+    let seen = t.run((async {
+        let t = t.on(MERGE);
+        for address in [3, 127] {
+            t.send(i, Access { address, writes: 1, word: 0xabc000 + address }).await;
+        }
+        let mut seen = Vec::new();
+        for address in [127, 3] {
+            t.send(i, Access { address, writes: 0, word: 0 }).await;
+            t.wait(1).await;
+            seen.push((t.get_u64(view.read_valid), t.get_u64(view.read_word)));
+        }
+        seen
+    },));
+    assert_eq!(seen.0, [(1, 0xabc07f), (1, 0xabc003)]);
 }
 
 #[test]

@@ -3,10 +3,10 @@
 // A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging
 // units and keeps what comes out of it.
 //
-// Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20, display: Display { period: Period(7934), blanking: AtStart } }
+// Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     rounds with a period of 288 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-FREE, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:33
+// Described   rtl/src/gfb/unit.rs:91
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
@@ -14,55 +14,91 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     input  wire        merge_rst,
     input  wire        crt_clk,
     input  wire        crt_rst,
-    input  wire        swap,                              // For one clock: exchange the banks.
+    input  wire        swap,                  // For one clock: exchange the banks.
     // What the host says.
-    input  wire [6:0]  host_read_address,                 // A pixel of the bank on display, in raster order.
+    // Reads and writes of the bank on display, one in every clock.
+    input  wire        host_accesses_valid,
+    input  wire [6:0]  host_accesses_address, // A pixel, in raster order.
+    input  wire        host_accesses_writes,  // Whether it is written; else it is read.
+    input  wire [47:0] host_accesses_word,    // What is written there: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
-    input  wire [47:0] merged,                            // From the right end of the chain.
+    input  wire [47:0] merged,                // From the right end of the chain.
     // What the host sees.
-    output wire [47:0] view_read_word,                    // The pixel at the address of the last clock.
+    output wire        view_read_valid,       // The access of the last clock was a read.
+    output wire [47:0] view_read_word,        // The pixel that the last read asked for.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.
     output wire        view_first_round,
     // To every unit of the chain.
-    output wire        scan_restart,                      // For one clock: every scan counter takes its preset.
+    output wire        scan_restart,          // For one clock: every scan counter takes its preset.
     // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
     output wire        scan_enable,
-    output reg  [47:0] left,                              // To the left end of the chain.
-    // The banks may change: the display is in its vertical blanking.
-    (* ASYNC_REG = "TRUE" *) output reg         blanking,
+    output reg  [47:0] left,                  // To the left end of the chain.
+    output wire        blanking,              // The banks may change: the display is in its vertical blanking.
     // To the display.
-    output wire        pixel_valid,                       // There is a pixel.
-    output wire [23:0] pixel_rgb                          // Its colour.
+    output wire        pixel_valid,           // There is a pixel.
+    output wire [23:0] pixel_rgb,             // Its colour.
+    output wire        host_accesses_ready
 );
 
-    reg filled_bank;                                             // rtl/src/gfb/unit.rs:103
-    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:109
-    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:115
-    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:129
-    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:129
-    (* ASYNC_REG = "TRUE" *) reg blanking_meta;                  // rtl/src/gfb/unit.rs:134
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:179
+    reg read_bank;                                               // rtl/src/gfb/unit.rs:191
+    reg read_valid;                                              // rtl/src/gfb/unit.rs:193
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:204
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:206
+    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:237
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:212
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:212
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:217
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:217
 
     (* no_rw_check *)
-    reg [47:0] banks [0:255];                                    // rtl/src/gfb/unit.rs:104
-    reg [47:0] read_word;                                        // rtl/src/gfb/unit.rs:106
-    reg [47:0] old;                                              // rtl/src/gfb/unit.rs:108
-    reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:132
-    (* no_rw_check *)
-    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:114
+    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:236
 
-    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:98
-    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:98
-    wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:98
-    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:98
-    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:131
-    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:131
-    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:131
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:173
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:173
+    wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:173
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:173
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:214
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:214
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:214
 
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:122
-    wire [47:0] word = banks_read2;                              // rtl/src/gfb/unit.rs:130
+    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:207
+    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:213
+    assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:172
+    wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:182
+    wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:183
+    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:239
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:245
 
-    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:98
+    genvar i;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : row
+            (* no_rw_check *)
+            reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:181
+            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:192
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:205
+            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:216
+            localparam [31:0] is_filled_listed = i;
+            wire is_filled = is_filled_listed[0] == filled_bank;
+            wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
+
+            always @(posedge merge_clk) begin
+                if (is_filled ? u_sequencer_stores : writes) begin
+                    banks[banks_write_address] <= is_filled ? merged : host_accesses_word;
+                end
+                if (reads & !is_filled) read_words <= banks[host_accesses_address];
+                if (scan_enable & is_filled) old <= banks[u_sequencer_feed];
+            end
+
+            always @(posedge crt_clk) begin
+                banks_read2 <= banks[u_crt_address];
+            end
+        end
+    endgenerate
+
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:173
         .clk          (merge_clk),
         .rst          (merge_rst),
         .restart      (swap),
@@ -75,7 +111,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         .store        (u_sequencer_store)
     );
 
-    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:131
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:214
         .clk         (crt_clk),
         .rst         (crt_rst),
         .word        (word),
@@ -86,40 +122,59 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         .window      (u_crt_window)
     );
 
-    always @(posedge merge_clk) begin
-        if (u_sequencer_stores) banks[{u_sequencer_store, filled_bank}] <= merged;
-        read_word <= banks[{host_read_address, !filled_bank}];
-        if (scan_enable) old <= banks[{u_sequencer_feed, filled_bank}];
-    end
-
-    always @(posedge crt_clk) begin
-        banks_read2 <= banks[{u_crt_address, shown_bank}];
-    end
+    wire [47:0] left_picked_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : left_picked_of
+            assign left_picked_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:207
+    wire [47:0] word_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : word_of
+            assign word_lanes[i] = row[i].banks_read2;
+        end
+    endgenerate
+    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:213
+    wire [47:0] view_read_word_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
+            assign view_read_word_lanes[i] = row[i].read_words;
+        end
+    endgenerate
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:229
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
     end
 
     always @(posedge merge_clk) begin
+        if (reads) read_bank <= !filled_bank;
+    end
+
+    always @(posedge merge_clk) begin
         if (scan_enable) begin
+            fed_bank <= filled_bank;
             old_is_blank <= view_first_round;
             if (old_is_blank) left <= host_background;
-            else left <= old;
+            else left <= left_picked;
         end
     end
 
     always @(posedge merge_clk) begin
         if (merge_rst) begin
             filled_bank <= 1'b0;
+            read_valid <= 1'b0;
             place <= 4'd0;
-            blanking_meta <= 1'b0;
-            blanking <= 1'b0;
+            window_meta <= 1'b0;
+            window <= 1'b0;
         end else begin
             if (swap) filled_bank <= !filled_bank;
-            if (scan_enable & (place == 4'd15)) place <= 4'd0;
+            read_valid <= reads;
+            if (is_last) place <= 4'd0;
             else if (scan_enable) place <= place + 4'd1;
-            blanking_meta <= u_crt_window;
-            blanking <= blanking_meta;
+            window_meta <= u_crt_window;
+            window <= window_meta;
         end
     end
 
@@ -133,7 +188,8 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         end
     end
 
-    assign view_read_word = read_word;
+    assign view_read_valid = read_valid;
+    assign blanking = window;
 
 `ifndef SYNTHESIS
 `ifndef FORMAL
@@ -150,12 +206,19 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
 `endif
 
 `ifndef SYNTHESIS
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:116
-    reg was_full;                                                // rtl/src/gfb/unit.rs:119
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:133
-    reg has_past;                                                // rtl/src/gfb/unit.rs:133
+    reg writes_past;                                             // rtl/src/gfb/unit.rs:195
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:238
+    reg was_full;                                                // rtl/src/gfb/unit.rs:242
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:215
+    reg has_past;                                                // rtl/src/gfb/unit.rs:195
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:215
 
     initial has_past = 1'b0;
+    initial has_past_2 = 1'b0;
+
+    always @(posedge merge_clk) begin
+        writes_past <= writes;
+    end
 
     always @(posedge crt_clk) begin
         shown_bank_past <= shown_bank;
@@ -165,33 +228,53 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         if (merge_rst) begin
             is_full <= 1'b0;
             was_full <= 1'b0;
+            has_past <= 1'b0;
         end else begin
-            if (scan_enable & (place == 4'd15)) is_full <= 1'b1;
+            if (is_last) is_full <= 1'b1;
             if (swap) was_full <= is_full;
+            has_past <= 1'b1;
         end
     end
 
     always @(posedge crt_clk) begin
-        if (crt_rst) has_past <= 1'b0;
-        else has_past <= 1'b1;
+        if (crt_rst) has_past_2 <= 1'b0;
+        else has_past_2 <= 1'b1;
     end
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:123
+        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:195
+        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:196
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:246
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst) assert (!has_past | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:133
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:215
     end
 `else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:123
+        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:195
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the host reads right behind a write", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:196
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the host writes in the clock of a swap", $time);
+            `endif
+            is_covered_2 <= 1'b1;
+        end
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:246
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
             stop;
         end
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst && !(!has_past | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:133
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:215
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end

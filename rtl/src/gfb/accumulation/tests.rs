@@ -5,11 +5,12 @@ mod model;
 use tilewright_sim::Simulation;
 
 use super::*;
+use crate::clocks::CRT;
 
 type Sim = Simulation<AccumulationIn, AccumulationOut>;
 
 fn accumulation(width: u32, height: u32) -> Sim {
-    let mut sim = Simulation::of(&Accumulation { screen: Screen { width, height } }).unwrap().seeded(7);
+    let mut sim = Simulation::of(&Accumulation { screen: Screen { width, height }, crt: CRT }).unwrap().seeded(7);
     sim.reset();
     sim
 }

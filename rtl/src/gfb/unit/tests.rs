@@ -1,4 +1,6 @@
-//! Frames of several rounds, with a chain in software.
+//! Frames of several rounds, with a chain in software, and the host's accesses beside them.
+
+mod accumulation;
 
 use std::collections::VecDeque;
 
@@ -9,6 +11,18 @@ use super::*;
 use crate::gfb::{Blanking, SCAN_LATENCY};
 
 const BLANK: u64 = 0xffffff << 24;
+
+/// What the host does in each clock: nothing, or an access to a pixel, which is a write if there is a word.
+type Accesses = Vec<Option<(usize, Option<u64>)>>;
+
+/// A host at work beside the frames, and the bank on display by its rules.
+struct HostModel {
+    /// Over and over.
+    accesses: Accesses,
+    next: usize,
+    /// Nothing is known of a pixel before it is written or the first frame is on display.
+    bank: Vec<Option<u64>>,
+}
 
 /// A global frame buffer with a chain in software, which merges what enters it with an image.
 struct Bench {
@@ -28,7 +42,7 @@ struct Bench {
 
 fn unit(width: u32, height: u32, units: u32, overhead: u32) -> GfbUnit {
     let display = Display { period: Period::ps(12_002), blanking: Blanking::AtStart };
-    GfbUnit { screen: Screen { width, height }, units, overhead, display }
+    GfbUnit { screen: Screen { width, height }, units, overhead, display, accumulation: false }
 }
 
 impl Bench {
@@ -45,6 +59,26 @@ impl Bench {
 
     fn pixels(&self) -> usize {
         self.unit.screen.pixels() as usize
+    }
+
+    /// Clocks of the merger, in each of which the host does what its model says, until there is an end.
+    fn with_host(&mut self, model: &mut HostModel, mut ends: impl FnMut(&mut Bench) -> bool) {
+        while !ends(self) {
+            let access = model.accesses[model.next % model.accesses.len()];
+            model.next += 1;
+            let Some((pixel, word)) = access else {
+                self.clock();
+                assert_eq!(self.sim.get_u64(self.sim.o.view.read_valid), 0);
+                continue;
+            };
+            let pixel = pixel % self.pixels();
+            let read = self.access(pixel, word);
+            assert_eq!(read.is_some(), word.is_none());
+            match word {
+                Some(_) => model.bank[pixel] = word,
+                None => assert!(model.bank[pixel].is_none_or(|word| read == Some(word)), "pixel {pixel}"),
+            }
+        }
     }
 
     /// A clock of the merger, with those of the display in it.
@@ -79,26 +113,63 @@ impl Bench {
 
     /// Merges with the images, one in each round that is still to come, and swaps at the next blanking after them.
     fn frame(&mut self, images: &[Vec<u64>]) {
-        self.images = images.to_vec();
-        self.first = self.advanced.div_ceil(self.pixels());
-        let chain = self.unit.sequencer().chain() as usize;
-        let end = SCAN_LATENCY as usize + (self.first + images.len()) * self.pixels() + chain;
-        while self.advanced <= end || self.sim.get_u64(self.sim.o.blanking) == 0 {
-            self.clock();
-        }
-        self.images.clear();
+        self.merge(images);
         self.sim.set(self.sim.i.swap, 1);
         self.clock();
         self.sim.set(self.sim.i.swap, 0);
+    }
+
+    /// The same up to the swap.
+    fn merge(&mut self, images: &[Vec<u64>]) {
+        let end = self.begin(images);
+        while !self.may_swap(end) {
+            self.clock();
+        }
+        self.images.clear();
+    }
+
+    /// Begins to merge with the images; gives how far the scan is when all is stored.
+    fn begin(&mut self, images: &[Vec<u64>]) -> usize {
+        self.images = images.to_vec();
+        self.first = self.advanced.div_ceil(self.pixels());
+        let chain = self.unit.sequencer().chain() as usize;
+        SCAN_LATENCY as usize + (self.first + images.len()) * self.pixels() + chain
+    }
+
+    fn may_swap(&mut self, end: usize) -> bool {
+        self.advanced > end && self.sim.get_u64(self.sim.o.blanking) == 1
+    }
+
+    /// One access of the host, a write if there is a word; gives what is read, if the unit says that it has read.
+    fn access(&mut self, address: usize, word: Option<u64>) -> Option<u64> {
+        let accesses = self.sim.i.host.accesses;
+        assert_eq!(self.sim.get_u64(accesses.ready), 1, "an access is taken in every clock");
+        self.sim.set(accesses.valid, 1);
+        self.sim.set(accesses.address, address as u64);
+        self.sim.set(accesses.writes, word.is_some());
+        self.sim.set(accesses.word, word.unwrap_or(0));
+        self.clock();
+        // It is there while the next access may be at the port.
+        let view = self.sim.o.view;
+        let read = (self.sim.get_u64(view.read_valid) == 1).then(|| self.sim.get_u64(view.read_word));
+        self.sim.set(accesses.valid, 0);
+        read
+    }
+
+    /// The next refresh that begins from now on.
+    fn next_refresh(&mut self) -> Vec<u64> {
+        let next = self.refreshes.len() + 1 + usize::from(!self.refresh.is_empty());
+        while self.refreshes.len() < next {
+            self.clock();
+        }
+        self.refreshes[next - 1].clone()
     }
 
     /// The bank on display, through the host's port.
     fn picture(&mut self) -> Vec<u64> {
         let mut picture = Vec::new();
         for pixel in 0..self.pixels() {
-            self.sim.set(self.sim.i.host.read_address, pixel as u64);
-            self.clock();
-            picture.push(self.sim.get_u64(self.sim.o.view.read_word));
+            picture.push(self.access(pixel, None).unwrap());
         }
         picture
     }
@@ -118,6 +189,107 @@ fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
     assert_eq!(left[..7], [BLANK; 7]);
     assert_eq!(left[7..14], [5, 6, 7, 5, 6, 7, 8]);
     assert_eq!(left[14..21], [5, 1, 7, 5, 6, 2, 8]);
+}
+
+/// A bit that crosses from a clock to another is there two clocks of that one later, and begins with its reset.
+#[test]
+fn the_display_and_the_swap_know_of_each_other_two_clocks_later() {
+    let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+    let peek = |bench: &mut Bench, name| bench.sim.peek(name).unwrap().to_u64().unwrap();
+    // A chain that changes nothing, of pixels that are 0; then a reset while both bits are other than behind one.
+    bench.sim.set(bench.sim.i.host.background, 0);
+    bench.frame(&[vec![0; 14]]);
+    while bench.sim.get_u64(bench.sim.o.blanking) == 0 || peek(&mut bench, "shown_bank") == 1 {
+        bench.clock();
+    }
+    bench.sim.set(bench.sim.i.merged, 0);
+    bench.sim.reset();
+    bench.advanced = 0;
+    let (mut windows, mut banks) = ([0, 0], [1, 1]);
+    assert_eq!(peek(&mut bench, "filled_bank"), 0);
+    let mut swaps = 0;
+    while swaps < 3 {
+        let [merge, crt] = [MERGE.name, "crt"].map(|clock| bench.sim.cycles(clock).unwrap());
+        let blanking = bench.sim.get_u64(bench.sim.o.blanking);
+        assert_eq!((blanking, peek(&mut bench, "shown_bank")), (windows[0], banks[0]));
+        let swap = bench.advanced > 40 && blanking == 1;
+        bench.sim.set(bench.sim.i.swap, swap);
+        let (window, bank) = (peek(&mut bench, "u_crt.window"), 1 - peek(&mut bench, "filled_bank"));
+        bench.sim.step();
+        if bench.sim.cycles(MERGE).unwrap() > merge {
+            windows = [windows[1], window];
+            swaps += u32::from(swap);
+            bench.advanced = if swap { 0 } else { bench.advanced + 1 };
+        }
+        if bench.sim.cycles("crt").unwrap() > crt {
+            banks = [banks[1], bank];
+        }
+    }
+}
+
+#[test]
+fn a_reset_leaves_no_answer_and_begins_a_first_round() {
+    let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+    bench.sim.set(bench.sim.i.host.accesses.valid, 1);
+    bench.sim.reset();
+    let view = bench.sim.o.view;
+    assert_eq!((bench.sim.get_u64(view.read_valid), bench.sim.get_u64(view.first_round)), (0, 1));
+    while bench.advanced < 2 * bench.pixels() {
+        assert_eq!(bench.sim.get_u64(view.first_round) == 1, bench.advanced < bench.pixels());
+        bench.clock();
+    }
+}
+
+#[test]
+fn the_host_writes_and_reads_in_every_clock() {
+    let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+    bench.frame(&[(10..24).collect()]);
+    assert_eq!(bench.access(3, None), Some(13));
+    assert_eq!(bench.access(4, Some(99)), None);
+    assert_eq!(bench.access(4, None), Some(99));
+    assert_eq!(bench.access(5, None), Some(15));
+    bench.access(6, Some(98));
+    bench.clock();
+    assert_eq!(bench.sim.get_u64(bench.sim.o.view.read_valid), 0);
+    // The word stays until the next read, also over a swap.
+    bench.frame(&[vec![50; 14]]);
+    (0..3).for_each(|_| bench.clock());
+    assert_eq!(bench.sim.get_u64(bench.sim.o.view.read_word), 15);
+    assert_eq!(bench.sim.covered("the host reads right behind a write").unwrap(), 1);
+}
+
+#[test]
+fn the_display_shows_what_the_host_writes_until_the_next_frame() {
+    let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+    bench.frame(&[(10..24).collect()]);
+    bench.access(4, Some(99));
+    bench.access(13, Some(98));
+    let mut written: Vec<u64> = (10..24).collect();
+    (written[4], written[13]) = (99, 98);
+    assert_eq!(bench.next_refresh(), written);
+    bench.frame(&[vec![50; 14]]);
+    assert_eq!(bench.next_refresh(), [50; 14]);
+    // Nor is it there when the bank is on display again.
+    bench.frame(&[vec![60; 14]]);
+    assert_eq!((bench.next_refresh(), bench.picture()), (vec![60; 14], vec![60; 14]));
+}
+
+#[test]
+fn an_access_in_the_clock_of_a_swap_goes_to_the_frame_before() {
+    for writes in [false, true] {
+        let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+        bench.frame(&[(10..24).collect()]);
+        bench.merge(&[(30..44).collect()]);
+        bench.sim.set(bench.sim.i.swap, 1);
+        let read = bench.access(5, writes.then_some(99));
+        bench.sim.set(bench.sim.i.swap, 0);
+        assert_eq!(read, (!writes).then_some(15));
+        assert_eq!(bench.access(5, None), Some(35));
+        assert_eq!(bench.picture(), (30..44).collect::<Vec<u64>>());
+        bench.access(5, Some(98));
+        let written = bench.sim.covered("the host writes in the clock of a swap").unwrap();
+        assert_eq!(written, u64::from(writes));
+    }
 }
 
 #[test]
@@ -191,5 +363,35 @@ proptest! {
         }
         let shown: Vec<u64> = filled.iter().map(|word| word & 0xffffff).collect();
         prop_assert!(bench.refreshes.len() > 1 && bench.refreshes[1..].iter().all(|refresh| *refresh == shown));
+    }
+
+    /// A host that reads and writes at all times, also in the clock of a swap (VC1-HOSTP). What it leaves is on display, and its words
+    /// are not in the frames.
+    #[test]
+    fn the_host_has_a_port_of_the_picture_on_display(
+        (width, height, units, overhead) in (4..9u32, 2..6u32, 1..2u32, 1..4u32),
+        frames in prop::collection::vec(prop::collection::vec(0..2 * BLANK, 48), 1..4),
+        accesses in prop::collection::vec(prop::option::weighted(0.8, (0..6usize, prop::option::of(0..1u64 << 48))), 1..200),
+        spread in 1..11usize,
+        seed in any::<u64>(),
+    ) {
+        let mut bench = Bench::new(unit(width, height, units, overhead), seed);
+        let accesses = accesses.into_iter().map(|it| it.map(|(pixel, word)| (spread * pixel, word))).collect();
+        let mut model = HostModel { accesses, next: 0, bank: vec![None; bench.pixels()] };
+        for image in &frames {
+            let image = image[..bench.pixels()].to_vec();
+            let end = bench.begin(std::slice::from_ref(&image));
+            bench.with_host(&mut model, |bench| bench.may_swap(end));
+            bench.images.clear();
+            bench.sim.set(bench.sim.i.swap, 1);
+            let mut swaps = 0..=1;
+            bench.with_host(&mut model, |_| swaps.next() == Some(1));
+            bench.sim.set(bench.sim.i.swap, 0);
+            model.bank = image.iter().map(|word| Some(*word.min(&BLANK))).collect();
+            let end = bench.refreshes.len() + 2;
+            bench.with_host(&mut model, |bench| bench.refreshes.len() == end);
+            let colours: Vec<u64> = model.bank.iter().map(|word| word.unwrap() & 0xffffff).collect();
+            prop_assert_eq!(bench.next_refresh(), colours);
+        }
     }
 }

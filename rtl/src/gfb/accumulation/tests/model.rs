@@ -85,7 +85,7 @@ proptest! {
     #[test]
     fn the_average_is_that_of_the_sums(case in case(), seed in any::<u64>()) {
         let Case { screen, passes, frames, addresses } = case;
-        let mut sim = Simulation::of(&Accumulation { screen }).unwrap().seeded(seed);
+        let mut sim = Simulation::of(&Accumulation { screen, crt: CRT }).unwrap().seeded(seed);
         sim.reset();
         let pixels = screen.pixels() as usize;
         let plain = RefCell::new(Plain { sums: vec![None; pixels], first: false, reads: None, stores: None });

@@ -1,7 +1,7 @@
 //! Stands for the host: reads each frame that is shown, for a checksum.
 
 use tilewright_hdl::{Module, below, bit, bits, block, def, lit, mux};
-use tilewright_rtl::gfb::Host as GfbHost;
+use tilewright_rtl::gfb::{Access, Host as GfbHost};
 use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::word::WORD;
 
@@ -15,7 +15,7 @@ block! {
         shown: bit(),
         /// Of all painters, for the frame that is shown; steady while it is read.
         hash: bits(32),
-        /// The pixel at the address of the clock before.
+        /// The pixel that the host has asked for, 1 clock later.
         read_word: bits(WORD),
     }
     out HostOut {
@@ -42,6 +42,11 @@ impl Host {
         def!(csum = m.reg(32).reset(0));
         let pixel = i.read_word.slice(0..32) ^ i.read_word.slice(16..48);
         csum.enable(reading | begins).next(csum.rotate_left(1) + mux(reading, pixel, i.hash));
-        HostOut { gfb: GfbHost { read_address: *address, background: lit(WORD, 0xffff_ff10_2030_u64) }, csum: *csum }
+        let access = Access { address: *address, writes: lit(1, 0), word: lit(WORD, 0) };
+        let (accesses, _) = m.offer(*reads, access);
+        HostOut {
+            gfb: GfbHost { accesses, background: lit(WORD, 0xffff_ff10_2030_u64), multipass: Vec::new() },
+            csum: *csum,
+        }
     }
 }

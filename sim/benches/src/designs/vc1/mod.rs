@@ -67,6 +67,7 @@ impl Vc1Frames {
             queue: BroadcastBus::QUEUE,
             word_clocks: BroadcastBus::WORD_CLOCKS,
             display,
+            accumulation: false,
         };
         let t_m = of(Display::VGA).gfb().sequencer().merge_clocks() * MERGE.period.picoseconds();
         let display = Display::of_rate(screen, 1.52e12 / t_m as f64, Blanking::AtStart)?;

@@ -1,15 +1,15 @@
-// vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
+// vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 //
 // The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger,
 // global frame buffer, swap control.
 //
-// Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, display: Display { period: Period(7934), blanking: AtStart } }
+// Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     a frame is merged in 296 clocks of the merger
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)
-// Described   rtl/src/vc1/mod.rs:75
+// Described   rtl/src/vc1/mod.rs:79
 `default_nettype none
 
-module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817 (
+module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     input  wire        crt_clk,
@@ -46,7 +46,11 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
     input  wire        command_last,                // The packet ends with it.
     input  wire        ready,                       // The host lets the sync line go.
     // Of the host.
-    input  wire [6:0]  host_read_address,           // A pixel of the bank on display, in raster order.
+    // Reads and writes of the bank on display, one in every clock.
+    input  wire        host_accesses_valid,
+    input  wire [6:0]  host_accesses_address,       // A pixel, in raster order.
+    input  wire        host_accesses_writes,        // Whether it is written; else it is read.
+    input  wire [47:0] host_accesses_word,          // What is written there: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
     input  wire        processors_0_received_ready,
@@ -67,7 +71,8 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
     output wire        processors_1_received_last,
     output wire        line,                        // The sync line: all processors have drawn the frame.
     // To the host.
-    output wire [47:0] view_read_word,              // The pixel at the address of the last clock.
+    output wire        view_read_valid,             // The access of the last clock was a read.
+    output wire [47:0] view_read_word,              // The pixel that the last read asked for.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.
     output wire        view_first_round,
     // A frame is stored in the global frame buffer, and waits for the blanking.
@@ -82,20 +87,21 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
     output wire        processors_1_request_ready,
     output wire        processors_1_clear_ready,
     output wire        processors_1_sends_ready,
-    output wire        command_ready
+    output wire        command_ready,
+    output wire        host_accesses_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:171
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:171
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:171
-    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:171
-    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:177
-    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:177
-    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:169
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:168
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:177
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:177
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:177
+    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:177
+    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:183
+    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:183
+    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:175
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:174
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:212
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:212
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:218
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:218
 
     genvar i;
 
@@ -186,26 +192,31 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:171
-        .merge_clk         (merge_clk),
-        .merge_rst         (merge_rst),
-        .crt_clk           (crt_clk),
-        .crt_rst           (crt_rst),
-        .swap              (gfb_swap),
-        .host_read_address (host_read_address),
-        .host_background   (host_background),
-        .merged            (merged),
-        .view_read_word    (view_read_word),
-        .view_first_round  (view_first_round),
-        .scan_restart      (u_gfb_scan_restart),
-        .scan_enable       (u_gfb_scan_enable),
-        .left              (u_gfb_left),
-        .blanking          (u_gfb_blanking),
-        .pixel_valid       (pixel_valid),
-        .pixel_rgb         (pixel_rgb)
+    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:177
+        .merge_clk             (merge_clk),
+        .merge_rst             (merge_rst),
+        .crt_clk               (crt_clk),
+        .crt_rst               (crt_rst),
+        .swap                  (gfb_swap),
+        .host_accesses_valid   (host_accesses_valid),
+        .host_accesses_address (host_accesses_address),
+        .host_accesses_writes  (host_accesses_writes),
+        .host_accesses_word    (host_accesses_word),
+        .host_background       (host_background),
+        .merged                (merged),
+        .view_read_valid       (view_read_valid),
+        .view_read_word        (view_read_word),
+        .view_first_round      (view_first_round),
+        .scan_restart          (u_gfb_scan_restart),
+        .scan_enable           (u_gfb_scan_enable),
+        .left                  (u_gfb_left),
+        .blanking              (u_gfb_blanking),
+        .pixel_valid           (pixel_valid),
+        .pixel_rgb             (pixel_rgb),
+        .host_accesses_ready   (host_accesses_ready)
     );
 
-    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:177
+    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:183
         .clk              (pe_clk),
         .rst              (pe_rst),
         .senders_0_valid  (processors_0_sends_valid),
@@ -232,7 +243,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
         .senders_2_ready  (command_ready)
     );
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/vc1/mod.rs:204
+    sync_line_processors2 u_sync_line (                          // rtl/src/vc1/mod.rs:210
         .clk     (pe_clk),
         .rst     (pe_rst),
         .ready_0 (swap_row[0].u_lfb_swap_ready),
@@ -242,7 +253,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/vc1/mod.rs:215
+    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/vc1/mod.rs:221
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (swap_row[0].u_lfb_swap_frame),
@@ -256,7 +267,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:221
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:227
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (swap_row[0].u_lfb_word),
@@ -265,24 +276,24 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
         .merged    (merged)
     );
 
-    assign processors_0_request_ready = swap_row[0].u_lfb_request_ready; // rtl/src/vc1/mod.rs:175
-    assign processors_0_clear_ready = swap_row[0].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:175
-    assign processors_1_request_ready = swap_row[1].u_lfb_request_ready; // rtl/src/vc1/mod.rs:175
-    assign processors_1_clear_ready = swap_row[1].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:175
+    assign processors_0_request_ready = swap_row[0].u_lfb_request_ready; // rtl/src/vc1/mod.rs:181
+    assign processors_0_clear_ready = swap_row[0].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:181
+    assign processors_1_request_ready = swap_row[1].u_lfb_request_ready; // rtl/src/vc1/mod.rs:181
+    assign processors_1_clear_ready = swap_row[1].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:181
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
             assign asserted_all_lanes[i] = u_bus_empty[i];
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:212
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:218
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
             assign u_lfb_idle_all_lanes[i] = swap_row[i].u_lfb_idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:212
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:218
 
     assign processors_0_state = swap_row[0].u_lfb_swap_state;
     assign processors_0_pages_used = swap_row[0].u_lfb_pages_used;
@@ -308,11 +319,11 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_6eef3817
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (u_bus_idle & asserted_all & u_lfb_idle_all)); // rtl/src/vc1/mod.rs:211
+        if (!pe_rst) assert (!line | (u_bus_idle & asserted_all & u_lfb_idle_all)); // rtl/src/vc1/mod.rs:217
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (u_bus_idle & asserted_all & u_lfb_idle_all))) begin // rtl/src/vc1/mod.rs:211
+        if (!pe_rst && !(!line | (u_bus_idle & asserted_all & u_lfb_idle_all))) begin // rtl/src/vc1/mod.rs:217
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end

@@ -1,0 +1,352 @@
+// gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5cd7
+//
+// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging
+// units and keeps what comes out of it.
+//
+// Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20, accumulation: true, display: Display { period: Period(7934), blanking: AtStart } }
+// Latency     rounds with a period of 288 clocks
+// Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-FREE, VC1-CLR3)
+// Described   rtl/src/gfb/unit.rs:91
+`default_nettype none
+
+module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5cd7 (
+    input  wire        merge_clk,
+    input  wire        merge_rst,
+    input  wire        crt_clk,
+    input  wire        crt_rst,
+    input  wire        swap,                         // For one clock: exchange the banks.
+    // What the host says.
+    // Reads and writes of the bank on display, one in every clock.
+    input  wire        host_accesses_valid,
+    input  wire [6:0]  host_accesses_address,        // A pixel, in raster order.
+    input  wire        host_accesses_writes,         // Whether it is written; else it is read.
+    input  wire [47:0] host_accesses_word,           // What is written there: depth above colour.
+    // The word of a blank pixel: the greatest depth above the background's colour.
+    input  wire [47:0] host_background,
+    // Where there is an accumulation buffer: what a picture is.
+    input  wire        host_multipass_0_accumulates, // The next picture is the average of several passes.
+    input  wire [1:0]  host_multipass_0_passes,      // Of how many: a code of `Passes`.
+    input  wire [47:0] merged,                       // From the right end of the chain.
+    // What the host sees.
+    output wire        view_read_valid,              // The access of the last clock was a read.
+    output wire [47:0] view_read_word,               // The pixel that the last read asked for.
+    // Blank pixels enter the chain: the round is the first since the banks were swapped.
+    output wire        view_first_round,
+    // To every unit of the chain.
+    output wire        scan_restart,                 // For one clock: every scan counter takes its preset.
+    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    output wire        scan_enable,
+    output reg  [47:0] left,                         // To the left end of the chain.
+    output wire        blanking,                     // The banks may change: the display is in its vertical blanking.
+    // To the display.
+    output wire        pixel_valid,                  // There is a pixel.
+    output wire [23:0] pixel_rgb,                    // Its colour.
+    output wire        host_accesses_ready
+);
+
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:179
+    reg read_bank;                                               // rtl/src/gfb/unit.rs:191
+    reg read_valid;                                              // rtl/src/gfb/unit.rs:193
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:204
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:206
+    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:237
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:212
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:212
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:217
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:217
+    (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:259
+    (* ASYNC_REG = "TRUE" *) reg shows_average;                  // rtl/src/gfb/unit.rs:259
+    reg shows_average_past;                                      // rtl/src/gfb/unit.rs:260
+
+    (* no_rw_check *)
+    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:236
+
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:173
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:173
+    wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:173
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:173
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:214
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:214
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:214
+    wire u_multipass_start;                                      // rtl/src/gfb/unit.rs:255
+    wire u_multipass_first;                                      // rtl/src/gfb/unit.rs:255
+    wire [1:0] u_multipass_passes;                               // rtl/src/gfb/unit.rs:255
+    wire u_multipass_averages;                                   // rtl/src/gfb/unit.rs:255
+    wire adds_busy;                                              // rtl/src/gfb/unit.rs:199
+    wire [6:0] adds_address;                                     // rtl/src/gfb/unit.rs:199
+    wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:258
+
+    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:207
+    wire [47:0] word_picked;                                     // rtl/src/gfb/unit.rs:216
+    wire [47:0] u_accumulation_word;                             // rtl/src/gfb/unit.rs:221
+    assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:172
+    wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:182
+    wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:183
+    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:239
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:245
+    wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : word_picked; // rtl/src/gfb/unit.rs:213
+    wire u_accumulation_word_inverse = !filled_bank;             // rtl/src/gfb/unit.rs:221
+    wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:260
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : row
+            reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:181
+            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:192
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:205
+            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:216
+            localparam [31:0] is_filled_listed = i;
+            wire is_filled = is_filled_listed[0] == filled_bank;
+            wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
+            wire [6:0] banks_read_address = is_filled ? u_sequencer_feed : adds_address;
+
+            always @(posedge merge_clk) begin
+                if (is_filled ? u_sequencer_stores : writes) begin
+                    banks[banks_write_address] <= is_filled ? merged : host_accesses_word;
+                end
+                if (reads & !is_filled) read_words <= banks[host_accesses_address];
+                if (is_filled ? scan_enable : adds_busy) old <= banks[banks_read_address];
+            end
+
+            always @(posedge crt_clk) begin
+                banks_read2 <= banks[u_crt_address];
+            end
+        end
+    endgenerate
+
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:173
+        .clk          (merge_clk),
+        .rst          (merge_rst),
+        .restart      (swap),
+        .scan_restart (scan_restart),
+        .scan_enable  (scan_enable),
+        .feed         (u_sequencer_feed),
+        .blank        (view_first_round),
+        .stores       (u_sequencer_stores),
+        .stale        (u_sequencer_stale),
+        .store        (u_sequencer_store)
+    );
+
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:214
+        .clk         (crt_clk),
+        .rst         (crt_rst),
+        .word        (word),
+        .address     (u_crt_address),
+        .pixel_valid (pixel_valid),
+        .pixel_rgb   (pixel_rgb),
+        .dark        (u_crt_dark),
+        .window      (u_crt_window)
+    );
+
+    multipass_control u_multipass (                              // rtl/src/gfb/unit.rs:255
+        .clk              (merge_clk),
+        .rst              (merge_rst),
+        .swap             (swap),
+        .host_accumulates (host_multipass_0_accumulates),
+        .host_passes      (host_multipass_0_passes),
+        .busy             (adds_busy),
+        .blanking         (window),
+        .start            (u_multipass_start),
+        .first            (u_multipass_first),
+        .passes           (u_multipass_passes),
+        .averages         (u_multipass_averages),
+        .may_swap         (blanking)
+    );
+
+    accumulation_width16_height8_crt u_accumulation (            // rtl/src/gfb/unit.rs:258
+        .merge_clk    (merge_clk),
+        .merge_rst    (merge_rst),
+        .crt_clk      (crt_clk),
+        .start        (u_multipass_start),
+        .first        (u_multipass_first),
+        .word         (u_accumulation_word),
+        .passes       (u_multipass_passes),
+        .read_address (u_crt_address),
+        .busy         (adds_busy),
+        .address      (adds_address),
+        .colour       (u_accumulation_colour)
+    );
+
+    wire [47:0] left_picked_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : left_picked_of
+            assign left_picked_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:207
+    wire [47:0] word_picked_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : word_picked_of
+            assign word_picked_lanes[i] = row[i].banks_read2;
+        end
+    endgenerate
+    assign word_picked = word_picked_lanes[shown_bank];          // rtl/src/gfb/unit.rs:216
+    wire [47:0] u_accumulation_word_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_accumulation_word_of
+            assign u_accumulation_word_lanes[i] = row[i].old;
+        end
+    endgenerate
+    assign u_accumulation_word = u_accumulation_word_lanes[u_accumulation_word_inverse]; // rtl/src/gfb/unit.rs:221
+    wire [47:0] view_read_word_lanes [0:1];
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
+            assign view_read_word_lanes[i] = row[i].read_words;
+        end
+    endgenerate
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:229
+
+    always @(posedge merge_clk) begin
+        if (scan_enable) entered[place] <= left;
+    end
+
+    always @(posedge merge_clk) begin
+        if (reads) read_bank <= !filled_bank;
+    end
+
+    always @(posedge merge_clk) begin
+        if (scan_enable) begin
+            fed_bank <= filled_bank;
+            old_is_blank <= view_first_round;
+            if (old_is_blank) left <= host_background;
+            else left <= left_picked;
+        end
+    end
+
+    always @(posedge crt_clk) begin
+        shows_average_past <= shows_average;
+    end
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) begin
+            filled_bank <= 1'b0;
+            read_valid <= 1'b0;
+            place <= 4'd0;
+            window_meta <= 1'b0;
+            window <= 1'b0;
+        end else begin
+            if (swap) filled_bank <= !filled_bank;
+            read_valid <= reads;
+            if (is_last) place <= 4'd0;
+            else if (scan_enable) place <= place + 4'd1;
+            window_meta <= u_crt_window;
+            window <= window_meta;
+        end
+    end
+
+    always @(posedge crt_clk) begin
+        if (crt_rst) begin
+            shown_bank_meta <= 1'b1;
+            shown_bank <= 1'b1;
+            shows_average_meta <= 1'b0;
+            shows_average <= 1'b0;
+        end else begin
+            shown_bank_meta <= !filled_bank;
+            shown_bank <= shown_bank_meta;
+            shows_average_meta <= u_multipass_averages;
+            shows_average <= shows_average_meta;
+        end
+    end
+
+    assign view_read_valid = read_valid;
+
+`ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
+    reg writes_past;                                             // rtl/src/gfb/unit.rs:195
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:238
+    reg was_full;                                                // rtl/src/gfb/unit.rs:242
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:215
+    reg has_past;                                                // rtl/src/gfb/unit.rs:195
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:215
+
+    initial has_past = 1'b0;
+    initial has_past_2 = 1'b0;
+
+    always @(posedge merge_clk) begin
+        writes_past <= writes;
+    end
+
+    always @(posedge crt_clk) begin
+        shown_bank_past <= shown_bank;
+    end
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) begin
+            is_full <= 1'b0;
+            was_full <= 1'b0;
+            has_past <= 1'b0;
+        end else begin
+            if (is_last) is_full <= 1'b1;
+            if (swap) was_full <= is_full;
+            has_past <= 1'b1;
+        end
+    end
+
+    always @(posedge crt_clk) begin
+        if (crt_rst) has_past_2 <= 1'b0;
+        else has_past_2 <= 1'b1;
+    end
+
+`ifdef FORMAL
+    always @(posedge merge_clk) begin
+        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:195
+        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:196
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:246
+    end
+    always @(posedge crt_clk) begin
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:215
+        if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:260
+    end
+`else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
+    always @(posedge merge_clk) begin
+        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:195
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the host reads right behind a write", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:196
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the host writes in the clock of a swap", $time);
+            `endif
+            is_covered_2 <= 1'b1;
+        end
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:246
+            $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
+            stop;
+        end
+    end
+    always @(posedge crt_clk) begin
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:215
+            $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
+            stop;
+        end
+        if (!crt_rst && !(!has_past_2 | asserted_or)) begin          // rtl/src/gfb/unit.rs:260
+            $display("FAIL: time %0t: %m: no refresh shows both an average and a pass", $time);
+            stop;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, asserted_or};
+endmodule
+`default_nettype wire
