@@ -12,7 +12,7 @@ fn each_frame_is_a_file_and_is_compared() {
     let text = folder.stdout(&format!("{TURN} -o turn.png"));
     assert!(text.ends_with("\nall 3 frames are identical to their golden images\n"), "{text}");
     assert_eq!(folder.names(), ["turn-001.png", "turn-002.png", "turn-003.png"]);
-    let frame = |number: u32| Frame::read_png(folder.path(&format!("turn-00{number}.png"))).unwrap();
+    let frame = |number: u32| Frame::read_png(folder.path(format!("turn-00{number}.png"))).unwrap();
     folder.stdout("golden teapot --size 64x48 -o first.png");
     assert_eq!(frame(1), Frame::read_png(folder.path("first.png")).unwrap());
     assert!(frame(1) != frame(2) && frame(2) != frame(3), "the camera turns");

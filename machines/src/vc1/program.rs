@@ -86,7 +86,7 @@ pub(crate) enum Task {
     /// The polygons of a frame.
     Polygons(Polygons),
     /// Draws a packet.
-    Scan(Scan),
+    Scan(Box<Scan>),
     /// Sends a packet.
     Send { words: Vec<Word>, at: usize },
     /// Receives a packet, of which these words have come.
@@ -131,7 +131,13 @@ impl Task {
     /// Draws a packet in those rows.
     fn scan(packet: &Triangle, rows: Rows, costs: &CostTable) -> Task {
         let pixels = Pixels::of(packet, rows);
-        Task::Scan(Scan { pixels, rows, row: packet.bounds.top, bottom: packet.bounds.bottom, set_up: costs.set_up })
+        Task::Scan(Box::new(Scan {
+            pixels,
+            rows,
+            row: packet.bounds.top,
+            bottom: packet.bounds.bottom,
+            set_up: costs.set_up,
+        }))
     }
 
     /// Draws its rows of a polygon that all draw; nothing, if it has no pixel.

@@ -270,7 +270,7 @@ fn frames_follow_each_other_and_nothing_of_one_is_left_in_the_next() {
     let machine = vc1(SMALL, 4, 8, 3);
     let frames = |processor: u64| {
         let frame = |frame: u64| {
-            pixels(SMALL, |x, y| ((x + y + processor) % (frame + 2) == 0).then_some(100 * processor + 16 * y + x))
+            pixels(SMALL, |x, y| (x + y + processor).is_multiple_of(frame + 2).then_some(100 * processor + 16 * y + x))
         };
         vec![frame(0), frame(3), vec![], frame(1)]
     };

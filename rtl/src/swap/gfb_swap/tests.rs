@@ -70,8 +70,8 @@ proptest! {
         let control = GfbSwap { processors: 3, merge_clocks, way, late: 400 };
         let mut sim = Simulation::of(&control).unwrap();
         sim.reset();
-        let blanks = |clock: u64| blanks[clock as usize % 7] || clock % 50 == 0;
-        let enables = |clock: u64| enables[clock as usize % 11] || clock % 4 == 0;
+        let blanks = |clock: u64| blanks[clock as usize % 7] || clock.is_multiple_of(50);
+        let enables = |clock: u64| enables[clock as usize % 11] || clock.is_multiple_of(4);
         let (mut clock, mut parity) = (0u64, 1);
         for (swaps, sent_after) in frames {
             let begun = clock;
