@@ -185,6 +185,22 @@ mod tests {
         }
     }
 
+    /// In the middle of a line, and in the blanking.
+    #[test]
+    fn a_reset_begins_with_a_blanking() {
+        let mut sim = Simulation::of(&read_out(4, 2, Blanking::AtStart)).unwrap().seeded(3);
+        sim.reset();
+        for clocks in [45 * 164 + 2, 45 * 164 + 166, 20] {
+            let [dark, window, valid] = [sim.o.dark, sim.o.window, sim.o.pixel.valid].map(|port| sim.get_u64(port));
+            assert_eq!((sim.get_u64(sim.o.address), dark, window, valid), (0, 1, 0, 0));
+            sim.run(clocks);
+            sim.reset();
+        }
+        // The first pixel comes behind the 45 lines of a blanking.
+        sim.run(45 * 164);
+        assert_eq!((sim.get_u64(sim.o.dark), sim.get_u64(sim.o.address)), (0, 0));
+    }
+
     /// The lines in which the window is open, a clock later as it is a register.
     #[test]
     fn the_banks_may_change_in_the_first_line_or_in_all_but_the_last_two() {

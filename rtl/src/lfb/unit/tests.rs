@@ -60,6 +60,7 @@ impl Bench {
         sim.set(x, preset.x);
         sim.set(y, preset.y);
         sim.set(sim.i.scan.restart, 1);
+        assert_eq!(sim.get_u64(sim.o.sending), 0, "nothing is to be sent after a reset");
         sim.step_clock(MERGE, 1);
         sim.set(sim.i.scan.restart, 0);
         sim.set(sim.i.scan.enable, 1);
@@ -89,6 +90,11 @@ impl Bench {
     /// Lets a clock of the processor pass, and takes what the merger gets meanwhile.
     fn clock(&mut self) {
         let now = self.now();
+        let (i, o) = (&self.sim.i, &self.sim.o);
+        let (request, clear, says) = (i.request, i.clear, [o.draws, o.clears]);
+        let goes = [[request.valid, request.ready], [clear.valid, clear.ready]];
+        let goes = goes.map(|both| both.iter().all(|port| self.sim.get_u64(*port) == 1));
+        assert_eq!(says.map(|port| self.sim.get_u64(port) == 1), goes, "what is accepted is said");
         while self.now() == now {
             let word = self.sim.get_u64(self.sim.o.word);
             let merged = self.sim.cycles(MERGE).unwrap();

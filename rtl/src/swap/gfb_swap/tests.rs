@@ -48,6 +48,25 @@ fn a_frame_that_is_not_stored_soon_after_t_m_is_an_error() {
     assert!(problem.contains("all is stored soon after T_m"), "{problem}");
 }
 
+/// It forgets how long a frame has waited, and which bank was shown.
+#[test]
+fn a_reset_begins_anew() {
+    let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 8 }).unwrap();
+    sim.reset();
+    let waits = |frame| GfbSwapIn { frames: vec![frame], sending: vec![0], enable: 1, blanking: 0 };
+    sim.drive(waits(1));
+    sim.run(6);
+    assert_eq!(sim.get_u64(sim.o.merged), 1);
+    sim.reset();
+    assert_eq!(sim.get_u64(sim.o.merged), 0, "T_m begins again");
+    sim.run(6);
+    sim.drive(GfbSwapIn { blanking: 1, ..waits(1) });
+    sim.step();
+    assert_eq!(sim.get_u64(sim.o.shown), 1);
+    sim.reset();
+    assert_eq!(sim.get_u64(sim.o.shown), 0);
+}
+
 #[test]
 fn a_swap_of_banks_before_all_is_sent_is_an_error() {
     let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 8 }).unwrap();
