@@ -1,10 +1,9 @@
 //! The VC-1: processing elements that draw into virtual local frame buffers, whose contents are merged by depth.
 //!
 //! ```text
-//! host ---- commands ---- broadcast bus ---- large polygons ----.
-//!                                                               |
-//! polygons -> clusters -> PE 0 <--------------------------------+
-//!                         PE 0 -> local frame buffer -> merging unit --.
+//! commands of the host, large polygons of all PEs -> broadcast bus -> all PEs
+//!
+//! polygons -> clusters -> PE 0 -> local frame buffer -> merging unit --.
 //!                         PE 1 -> local frame buffer -> merging unit <-'
 //!                          ...                                       --> global frame buffer -> display
 //! ```

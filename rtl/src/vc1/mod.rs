@@ -1,7 +1,8 @@
 //! The VC-1's frame buffer subsystem: everything of the machine that is hardware here (section 3.3 of the paper).
 //!
 //! ```text
-//!       .------------------.-------- broadcast bus ---.--------- host
+//!        .------------------.----- broadcast bus -----.--------- host
+//!        |                  |                          |
 //!    processor 0        processor 1               processor n-1
 //!        |                  |                          |
 //!   [ LFB unit ]       [ LFB unit ]               [ LFB unit ]
