@@ -52,7 +52,7 @@ fn faces_of_four_corners_are_packets_of_four_edges() {
     assert_eq!(report["golden"]["identical"], true, "{report}");
     assert_eq!([&report["report"]["packets"], &report["report"]["machine"]["edges"]], [2, 4]);
     let triangles = folder.json("render square.toml --processors 1 --json");
-    assert_eq!(triangles["report"]["packets"], 3);
+    assert_eq!(triangles["report"]["frames"][0]["packets"], 3);
 }
 
 #[test]
