@@ -6,7 +6,7 @@
 // Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     a frame is merged in 296 clocks of the merger
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)
-// Described   rtl/src/vc1/mod.rs:79
+// Described   rtl/src/vc1/mod.rs:80
 `default_nettype none
 
 module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35 (
@@ -91,17 +91,17 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
     output wire        host_accesses_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:177
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:177
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:177
-    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:177
-    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:183
-    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:183
-    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:175
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:174
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:178
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:178
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:178
+    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:178
+    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:184
+    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:184
+    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:176
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:175
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:218
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:218
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:219
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:219
 
     genvar i;
 
@@ -192,7 +192,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:177
+    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:178
         .merge_clk             (merge_clk),
         .merge_rst             (merge_rst),
         .crt_clk               (crt_clk),
@@ -216,7 +216,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .host_accesses_ready   (host_accesses_ready)
     );
 
-    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:183
+    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:184
         .clk              (pe_clk),
         .rst              (pe_rst),
         .senders_0_valid  (processors_0_sends_valid),
@@ -243,7 +243,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .senders_2_ready  (command_ready)
     );
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/vc1/mod.rs:210
+    sync_line_processors2 u_sync_line (                          // rtl/src/vc1/mod.rs:211
         .clk     (pe_clk),
         .rst     (pe_rst),
         .ready_0 (swap_row[0].u_lfb_swap_ready),
@@ -253,7 +253,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/vc1/mod.rs:221
+    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/vc1/mod.rs:222
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (swap_row[0].u_lfb_swap_frame),
@@ -267,7 +267,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:227
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:228
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (swap_row[0].u_lfb_word),
@@ -276,24 +276,24 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .merged    (merged)
     );
 
-    assign processors_0_request_ready = swap_row[0].u_lfb_request_ready; // rtl/src/vc1/mod.rs:181
-    assign processors_0_clear_ready = swap_row[0].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:181
-    assign processors_1_request_ready = swap_row[1].u_lfb_request_ready; // rtl/src/vc1/mod.rs:181
-    assign processors_1_clear_ready = swap_row[1].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:181
+    assign processors_0_request_ready = swap_row[0].u_lfb_request_ready; // rtl/src/vc1/mod.rs:182
+    assign processors_0_clear_ready = swap_row[0].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:182
+    assign processors_1_request_ready = swap_row[1].u_lfb_request_ready; // rtl/src/vc1/mod.rs:182
+    assign processors_1_clear_ready = swap_row[1].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:182
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
             assign asserted_all_lanes[i] = u_bus_empty[i];
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:218
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:219
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
             assign u_lfb_idle_all_lanes[i] = swap_row[i].u_lfb_idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:218
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:219
 
     assign processors_0_state = swap_row[0].u_lfb_swap_state;
     assign processors_0_pages_used = swap_row[0].u_lfb_pages_used;
@@ -319,11 +319,11 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (u_bus_idle & asserted_all & u_lfb_idle_all)); // rtl/src/vc1/mod.rs:217
+        if (!pe_rst) assert (!line | (u_bus_idle & asserted_all & u_lfb_idle_all)); // rtl/src/vc1/mod.rs:218
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (u_bus_idle & asserted_all & u_lfb_idle_all))) begin // rtl/src/vc1/mod.rs:217
+        if (!pe_rst && !(!line | (u_bus_idle & asserted_all & u_lfb_idle_all))) begin // rtl/src/vc1/mod.rs:218
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end

@@ -320,7 +320,7 @@ mod tests {
             ("qt1@160x120", "as in vc1x16@160x120"),
             ("vc1x1@160", "as in vc1x16@160x120"),
             ("vc1x9@8x4", "fewer than 2 x 2 patches"),
-            ("vc1x17@8x8", "from 1 to 16"),
+            ("vc1x17@8x8", "from 1 to 15"),
             ("vc1x1@9x8", "multiples of 4"),
         ];
         for (name, part) in wrong {
