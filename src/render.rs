@@ -13,6 +13,7 @@ use crate::trace::TraceOptions;
 use crate::verdict::{DIFFERENCE, Golden, leave_difference};
 use clap::Args;
 use serde::Serialize;
+use std::fmt::Display;
 use std::path::PathBuf;
 use tilewright_scenes::Scene;
 
@@ -92,7 +93,7 @@ impl Render {
     }
 
     fn render(&self, scene: &Scene, job: &impl Job) -> Result<Exit, Failure> {
-        self.check_distinct(&scene.files)?;
+        self.check_distinct(self.output.as_slice(), scene)?;
         let output = self.output.as_deref().map(Output::at).transpose()?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
         let golden = Golden::new(self.golden.as_deref(), job.size(), || job.golden())?;
@@ -103,28 +104,37 @@ impl Render {
             output.write(&frame.to_png())?;
             leave_difference(path, verdict.picture.as_ref());
         }
+        self.tell(scene, &report, &verdict, verdict.identical)
+    }
+
+    /// Prints what the run took and what the comparison gave.
+    fn tell<R, V>(&self, scene: &Scene, report: &R, golden: &V, identical: bool) -> Result<Exit, Failure>
+    where
+        R: Serialize + Display,
+        V: Serialize + Display,
+    {
         match self.json {
             true => terminal::print_json(&Report {
                 format: 1,
                 scene: &scene.name,
                 machine: self.machine.name(),
-                report: &report,
-                golden: &verdict,
+                report,
+                golden,
             })?,
             false => {
-                let text = format!("{}: {report}\n\n{verdict}\n", scene.name);
+                let text = format!("{}: {report}\n\n{golden}\n", scene.name);
                 // Of a failure there is a report in any case.
-                if verdict.identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
+                if identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
             }
         }
-        Ok(if verdict.identical { Exit::Done } else { Exit::CheckFailed })
+        Ok(if identical { Exit::Done } else { Exit::CheckFailed })
     }
 
-    /// That no file which is written is another one, or one that is read.
-    fn check_distinct(&self, scene: &[PathBuf]) -> Result<(), Failure> {
-        let difference = self.output.as_ref().and_then(|path| beside(path, DIFFERENCE));
-        let written = self.output.iter().chain(&difference).chain(&self.vcd).map(PathBuf::as_path);
-        let read = scene.iter().chain(&self.golden).map(PathBuf::as_path);
+    /// That no file which is written, frames among them, is another one, or one that is read.
+    fn check_distinct(&self, frames: &[PathBuf], scene: &Scene) -> Result<(), Failure> {
+        let differences: Vec<PathBuf> = frames.iter().filter_map(|path| beside(path, DIFFERENCE)).collect();
+        let written = frames.iter().chain(&differences).chain(&self.vcd).map(PathBuf::as_path);
+        let read = scene.files.iter().chain(&self.golden).map(PathBuf::as_path);
         check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
     }
 }

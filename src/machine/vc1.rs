@@ -183,6 +183,11 @@ fn threshold(text: &str) -> Result<Threshold, String> {
     }
 }
 
+/// The software rasterizer's frame of a view.
+fn golden_of(view: &Projection, background: [u8; 3]) -> Result<Frame, Failure> {
+    golden::draw(|watch| render_watched(view.size, &view.triangles, background, watch))
+}
+
 /// A scene in triangles, and the machine for it.
 pub struct Vc1Job {
     config: Config,
@@ -198,8 +203,7 @@ impl Job for Vc1Job {
     }
 
     fn golden(&self) -> Result<Frame, Failure> {
-        let Projection { size, triangles, .. } = &self.projection;
-        golden::draw(|watch| render_watched(*size, triangles, self.background, watch))
+        golden_of(&self.projection, self.background)
     }
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {

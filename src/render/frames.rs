@@ -1,14 +1,14 @@
 //! Several frames of one run, each a file and each compared.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::{Render, Report};
+use super::Render;
 use crate::machine::{Run, Turn};
 use crate::shell::output::{Output, Waveform};
-use crate::shell::place::{beside, check_distinct, is_standard_output};
-use crate::shell::text::legible;
-use crate::shell::{Exit, Failure, terminal};
-use crate::verdict::{DIFFERENCE, Golden, Verdict, leave_difference};
+use crate::shell::place::is_standard_output;
+use crate::shell::{Exit, Failure};
+use crate::verdict::{Golden, Verdict, leave_difference};
 use serde::Serialize;
 use tilewright_scenes::Scene;
 
@@ -29,10 +29,7 @@ impl Render {
             .iter()
             .flat_map(|path| (1..=turn.frames).map(|number| numbered(path, number, turn.frames)))
             .collect();
-        let differences: Vec<PathBuf> = paths.iter().filter_map(|path| beside(path, DIFFERENCE)).collect();
-        let written = paths.iter().chain(&differences).chain(&self.vcd).map(PathBuf::as_path);
-        let read: Vec<&Path> = scene.files.iter().map(PathBuf::as_path).collect();
-        check_distinct(&Vec::from_iter(written), &read)?;
+        self.check_distinct(&paths, scene)?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
         // That the folder can be written to is seen before the machine is built.
         let _ = paths.first().map(|path| Output::at(path)).transpose()?;
@@ -48,20 +45,7 @@ impl Render {
             Ok(())
         })?;
         let verdicts = Verdicts { identical: frames.iter().all(|it| it.identical), frames };
-        match self.json {
-            true => terminal::print_json(&Report {
-                format: 1,
-                scene: &scene.name,
-                machine: self.machine.name(),
-                report: &report,
-                golden: &verdicts,
-            })?,
-            false => {
-                let text = format!("{}: {report}\n\n{}\n", scene.name, verdicts.sentence());
-                if verdicts.identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
-            }
-        }
-        Ok(if verdicts.identical { Exit::Done } else { Exit::CheckFailed })
+        self.tell(scene, &report, &verdicts, verdicts.identical)
     }
 
     /// That each frame has a file of its own, and its own golden image.
@@ -77,13 +61,14 @@ impl Render {
     }
 }
 
-impl Verdicts {
-    fn sentence(&self) -> String {
+impl fmt::Display for Verdicts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.identical {
-            return format!("all {} frames are identical to their golden images", self.frames.len());
+            return write!(f, "all {} frames are identical to their golden images", self.frames.len());
         }
         let differing = (1..).zip(&self.frames).filter(|(_, it)| !it.identical);
-        differing.map(|(number, verdict)| format!("frame {number}: {verdict}")).collect::<Vec<_>>().join("\n")
+        let sentences: Vec<String> = differing.map(|(number, verdict)| format!("frame {number}: {verdict}")).collect();
+        f.write_str(&sentences.join("\n"))
     }
 }
 

@@ -3,12 +3,11 @@
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
-use crate::golden;
+use super::golden_of;
 use crate::machine::job::Run;
 use crate::scene::triangles;
 use crate::shell::Failure;
 use tilewright_machines::vc1::{Config, Machine, Report, Shown};
-use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, Projection, Scene};
 
 /// A turn around a scene.
@@ -39,7 +38,14 @@ impl Turn<'_> {
     ) -> Result<Report, Failure> {
         let mut machine = Machine::new(self.config)?.on(run.engine());
         run.attach(machine.simulation())?;
-        let first = self.view(0)?;
+        let mut scene = self.scene.clone();
+        // The scene as the camera sees it in a frame.
+        let mut view_of = |number: u32| {
+            scene.camera = self.scene.camera.orbited(self.degrees * f64::from(number));
+            triangles(&scene)
+        };
+        let first = view_of(0)?;
+        let background = self.scene.background;
         let state = RefCell::new(State { views: [first].into(), ..State::default() });
         let next = || {
             let mut state = state.borrow_mut();
@@ -47,7 +53,7 @@ impl Turn<'_> {
             let view = match number {
                 0 => state.views.front().cloned(),
                 _ if number == self.frames => None,
-                _ => match self.view(number) {
+                _ => match view_of(number) {
                     Ok(view) => {
                         state.views.push_back(view.clone());
                         Some(view)
@@ -63,28 +69,17 @@ impl Turn<'_> {
         };
         let shown = |shown| {
             let view = state.borrow_mut().views.pop_front().expect("each frame has a view");
-            let judged = self.golden(&view).and_then(|golden| seen(shown, golden));
+            let judged = golden_of(&view, background).and_then(|golden| seen(shown, golden));
             let goes_on = judged.is_ok();
             if let Err(failure) = judged {
                 state.borrow_mut().failure = Some(failure);
             }
             goes_on
         };
-        let background = self.scene.background;
         let report = run.watch(|watch| machine.render_frames(background, watch, next, shown), Report::picoseconds)?;
         match state.into_inner().failure {
             Some(failure) => Err(failure),
             None => Ok(report),
         }
-    }
-
-    /// The scene as the camera sees it in a frame.
-    fn view(&self, number: u32) -> Result<Projection, Failure> {
-        let camera = self.scene.camera.orbited(self.degrees * f64::from(number));
-        triangles(&Scene { camera, ..self.scene.clone() })
-    }
-
-    fn golden(&self, view: &Projection) -> Result<Frame, Failure> {
-        golden::draw(|watch| render_watched(view.size, &view.triangles, self.scene.background, watch))
     }
 }
