@@ -5,12 +5,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use proptest::prelude::*;
 use tilewright_machines::vc1::{Assignment, Config, CostTable, Demand, FrameReport, Machine, Report, Shown, demand};
 use tilewright_machines::{Error, Progress, Watch};
-use tilewright_scenes::{
-    Comparison, Counts, Frame, MeshVertex, Projection, Scene, ScreenVertex, Size, compare, golden, project, set_up,
-};
+use tilewright_scenes::{Comparison, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project};
 use tilewright_sim::Vcd;
 
-const BACKGROUND: [u8; 3] = [24, 28, 44];
+use crate::vc1_campaign::{self, BACKGROUND};
 
 /// Programs that compute little, so that the local frame buffers are busy all the time.
 const HASTY: CostTable =
@@ -336,22 +334,7 @@ proptest! {
         soup in soup(), processors in 1..=5_u32, cluster in 1..4_u32, patch in prop::sample::select(vec![4_u32, 8, 16]),
     ) {
         let size = Size::new(37, 29).expect("in range");
-        let mut projection = Projection {
-            size,
-            triangles: Vec::new(),
-            vertices: Vec::new(),
-            corners: Vec::new(),
-            counts: Counts::default(),
-        };
-        for (vertices, first) in soup.into_iter().zip((0..).step_by(3)) {
-            projection.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
-            if let Some(mut packet) = set_up(&vertices, size) {
-                packet.polygon = projection.counts.polygons;
-                projection.triangles.push(packet);
-                projection.vertices.push(vertices);
-            }
-            projection.counts.polygons += 1;
-        }
+        let projection = vc1_campaign::projection(size, &soup);
         let config = Config { processors, cluster, patch, costs: HASTY, ..small(size) };
         let (frame, report) = render(config, &projection).expect("there are pages for all patches");
         let comparison = against_golden(&frame, &projection);

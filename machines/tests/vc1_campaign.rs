@@ -10,7 +10,7 @@ use tilewright_machines::{Error, Watch};
 use tilewright_rtl::gfb::Blanking;
 use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, compare, golden, set_up};
 
-const BACKGROUND: [u8; 3] = [24, 28, 44];
+pub const BACKGROUND: [u8; 3] = [24, 28, 44];
 
 /// A machine, and the triangles of each of its frames.
 type Case = (Config, Vec<Vec<[ScreenVertex; 3]>>);
@@ -71,7 +71,8 @@ fn cases(width: u32, height: u32) -> impl Strategy<Value = Case> {
     )
 }
 
-fn projection(size: Size, triangles: &[[ScreenVertex; 3]]) -> Projection {
+/// The projection of these triangles, each a polygon.
+pub fn projection(size: Size, triangles: &[[ScreenVertex; 3]]) -> Projection {
     let mut projection = Projection {
         size,
         triangles: Vec::new(),

@@ -1,5 +1,6 @@
-//! The hardware of a VC-1 in simulation, as its programs see it: accesses at the ports of the local frame buffer units and of the bus,
-//! what the swap control wants and says, the display, and time.
+//! The hardware of a VC-1 in simulation, as its programs see it.
+//!
+//! They see the ports of the local frame buffer units and of the bus, what the swap control wants and says, the display, and time.
 
 use tilewright_rtl::clocks::{CRT, PE};
 use tilewright_rtl::swap::SwapState;
@@ -20,9 +21,9 @@ pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
     ports: Vec<Ports>,
-    /// What the host offers to the bus.
+    /// What the host offers to the bus, and what stands at its port.
     command: Option<Word>,
-    line_is_held: bool,
+    command_port: Option<Word>,
     /// In the clock before no processing element did anything, so that nothing stands at any port.
     was_idle: bool,
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
@@ -31,7 +32,7 @@ pub(crate) struct Hardware {
     pe: Edges,
     crt: Edges,
     /// The clocks of a refresh.
-    pub refresh_clocks: u64,
+    refresh_clocks: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
 }
@@ -43,6 +44,9 @@ struct Ports {
     sends: Option<Word>,
     receives: bool,
     done: bool,
+    /// At the coming edge the local frame buffer takes the access, and the bus the word.
+    taken: bool,
+    sent: bool,
 }
 
 /// The edges of a clock.
@@ -67,7 +71,7 @@ impl Hardware {
         Ok(Hardware {
             ports: vec![Ports::default(); sim.i.processors.len()],
             command: None,
-            line_is_held: false,
+            command_port: None,
             was_idle: false,
             #[cfg(test)]
             flips: 0,
@@ -98,10 +102,13 @@ impl Hardware {
             processors.iter_mut().for_each(Processor::idle);
             return Ok(false);
         }
+        self.present_command();
         for (k, processor) in processors.iter().enumerate() {
             self.present(k, processor);
         }
-        let taken: Vec<(bool, bool)> = (0..processors.len()).map(|k| (self.takes(k), self.sends(k))).collect();
+        for k in 0..processors.len() {
+            (self.ports[k].taken, self.ports[k].sent) = (self.takes(k), self.sends(k));
+        }
         let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
         let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
         self.advance(display)?;
@@ -117,7 +124,8 @@ impl Hardware {
             });
             #[cfg(test)]
             let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
-            processor.edge(Edge { taken: taken[k].0, sent: taken[k].1, may, front });
+            let Ports { taken, sent, .. } = self.ports[k];
+            processor.edge(Edge { taken, sent, may, front });
         }
         Ok(line)
     }
@@ -201,12 +209,18 @@ impl Hardware {
         self.command.is_none()
     }
 
-    /// Offers a word of the host to the bus, or none; the host holds the line low until its words have gone.
+    /// Offers a word of the host to the bus, or none.
     pub fn command(&mut self, word: Option<Word>) {
-        let port = self.sim.i.command;
         self.command = word;
-        self.offer(port.valid, port.word, port.last, word);
-        if std::mem::replace(&mut self.line_is_held, word.is_some()) != word.is_some() {
+    }
+
+    /// Puts the host's word at its port for the coming clock. The host holds the line low until its words have gone.
+    fn present_command(&mut self) {
+        let word = self.command;
+        let before = std::mem::replace(&mut self.command_port, word);
+        if before != word {
+            let port = self.sim.i.command;
+            self.offer(port.valid, port.word, port.last, word);
             self.sim.set(self.sim.i.ready, word.is_none());
         }
     }

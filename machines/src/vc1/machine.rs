@@ -107,7 +107,9 @@ impl Machine {
             &mut processors,
             &mut || {
                 let view = views();
-                scene = scene.or(view.as_ref().map(|view| (view.counts.polygons, load_words(view))));
+                if let (None, Some(first)) = (scene, &view) {
+                    scene = Some((first.counts.polygons, load_words(first)));
+                }
                 view
             },
             &mut |shown| {

@@ -16,8 +16,10 @@
 //!   crossing into the merger's clock, and by overheads in which the chain holds.
 //!
 //! After a swap the program clears the patch table, entry by entry. The control sees that, and then tries the held request again by
-//! itself (`resume`). The line counts as `ready` only in `Draw`: a fast processing element, whose next frame is drawn
-//! while a slow one still waits with its swap, would else take the line of the old frame for that of the new one.
+//! itself (`resume`).
+//!
+//! It says `ready` in `Draw` alone. A fast processing element may have drawn its next frame while a slow one still waits with its swap. It would
+//! else take the line of the old frame for that of the new one.
 //!
 //! A frame's swap turns `frame`. It crosses to the merger one clock behind the buffers' exchange.
 

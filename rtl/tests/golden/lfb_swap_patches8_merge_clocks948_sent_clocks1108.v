@@ -6,7 +6,7 @@
 // Parameters  LfbSwap { patches: 8, merge_clocks: 948, sent_clocks: 1108 }
 // Latency     1 clock from the line to the swap, if all guards hold
 // Source      VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)
-// Described   rtl/src/swap/lfb_swap.rs:51
+// Described   rtl/src/swap/lfb_swap.rs:53
 `default_nettype none
 
 module lfb_swap_patches8_merge_clocks948_sent_clocks1108 (
@@ -38,32 +38,32 @@ module lfb_swap_patches8_merge_clocks948_sent_clocks1108 (
     localparam [1:0] SWAP_STATE_DUE      = 2'd2;
     localparam [1:0] SWAP_STATE_OVERFLOW = 2'd3;
 
-    reg parity;                                                  // rtl/src/swap/lfb_swap.rs:108
-    (* ASYNC_REG = "TRUE" *) reg shown_here_meta;                // rtl/src/swap/lfb_swap.rs:109
-    (* ASYNC_REG = "TRUE" *) reg shown_here;                     // rtl/src/swap/lfb_swap.rs:109
-    (* ASYNC_REG = "TRUE" *) reg sending_here_meta;              // rtl/src/swap/lfb_swap.rs:110
-    (* ASYNC_REG = "TRUE" *) reg sending_here;                   // rtl/src/swap/lfb_swap.rs:110
-    reg [10:0] since;                                            // rtl/src/swap/lfb_swap.rs:114
-    reg [2:0] entry;                                             // rtl/src/swap/lfb_swap.rs:120
-    reg holds;                                                   // rtl/src/swap/lfb_swap.rs:128
-    (* ASYNC_REG = "TRUE" *) reg frame_here_meta;                // rtl/src/swap/lfb_swap.rs:151
-    (* ASYNC_REG = "TRUE" *) reg frame_here;                     // rtl/src/swap/lfb_swap.rs:151
-    reg frame_late;                                              // rtl/src/swap/lfb_swap.rs:152
+    reg parity;                                                  // rtl/src/swap/lfb_swap.rs:110
+    (* ASYNC_REG = "TRUE" *) reg shown_here_meta;                // rtl/src/swap/lfb_swap.rs:111
+    (* ASYNC_REG = "TRUE" *) reg shown_here;                     // rtl/src/swap/lfb_swap.rs:111
+    (* ASYNC_REG = "TRUE" *) reg sending_here_meta;              // rtl/src/swap/lfb_swap.rs:112
+    (* ASYNC_REG = "TRUE" *) reg sending_here;                   // rtl/src/swap/lfb_swap.rs:112
+    reg [10:0] since;                                            // rtl/src/swap/lfb_swap.rs:116
+    reg [2:0] entry;                                             // rtl/src/swap/lfb_swap.rs:122
+    reg holds;                                                   // rtl/src/swap/lfb_swap.rs:130
+    (* ASYNC_REG = "TRUE" *) reg frame_here_meta;                // rtl/src/swap/lfb_swap.rs:153
+    (* ASYNC_REG = "TRUE" *) reg frame_here;                     // rtl/src/swap/lfb_swap.rs:153
+    reg frame_late;                                              // rtl/src/swap/lfb_swap.rs:154
 
-    wire ready_equal = state == SWAP_STATE_DRAW;                 // rtl/src/swap/lfb_swap.rs:103
-    wire swap_equal = state == SWAP_STATE_DUE;                   // rtl/src/swap/lfb_swap.rs:103
-    wire swap_equal_2 = state == SWAP_STATE_OVERFLOW;            // rtl/src/swap/lfb_swap.rs:103
-    wire is_shown = shown_here == parity;                        // rtl/src/swap/lfb_swap.rs:112
-    wire waited = since >= 11'd948;                              // rtl/src/swap/lfb_swap.rs:116
-    wire swap_and = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:117
-    wire is_sent = !sending_here;                                // rtl/src/swap/lfb_swap.rs:111
-    assign swap = swap_and & is_sent;                            // rtl/src/swap/lfb_swap.rs:106
-    wire frame_end = swap_equal & swap;                          // rtl/src/swap/lfb_swap.rs:107
-    wire last_entry = clears & (entry == 3'd7);                  // rtl/src/swap/lfb_swap.rs:121
-    assign resume = last_entry & holds;                          // rtl/src/swap/lfb_swap.rs:129
-    assign ready = ready_equal & done & idle;                    // rtl/src/swap/lfb_swap.rs:131
-    wire covered_and = (swap_equal | swap_equal_2) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:148
-    wire covered_and_2 = (swap_equal | swap_equal_2) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:149
+    wire ready_equal = state == SWAP_STATE_DRAW;                 // rtl/src/swap/lfb_swap.rs:105
+    wire swap_equal = state == SWAP_STATE_DUE;                   // rtl/src/swap/lfb_swap.rs:105
+    wire swap_equal_2 = state == SWAP_STATE_OVERFLOW;            // rtl/src/swap/lfb_swap.rs:105
+    wire is_shown = shown_here == parity;                        // rtl/src/swap/lfb_swap.rs:114
+    wire waited = since >= 11'd948;                              // rtl/src/swap/lfb_swap.rs:118
+    wire swap_and = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:119
+    wire is_sent = !sending_here;                                // rtl/src/swap/lfb_swap.rs:113
+    assign swap = swap_and & is_sent;                            // rtl/src/swap/lfb_swap.rs:108
+    wire frame_end = swap_equal & swap;                          // rtl/src/swap/lfb_swap.rs:109
+    wire last_entry = clears & (entry == 3'd7);                  // rtl/src/swap/lfb_swap.rs:123
+    assign resume = last_entry & holds;                          // rtl/src/swap/lfb_swap.rs:131
+    assign ready = ready_equal & done & idle;                    // rtl/src/swap/lfb_swap.rs:133
+    wire covered_and = (swap_equal | swap_equal_2) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:150
+    wire covered_and_2 = (swap_equal | swap_equal_2) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:151
 
     always @(posedge pe_clk) begin
         if (pe_rst) begin
@@ -134,17 +134,17 @@ module lfb_swap_patches8_merge_clocks948_sent_clocks1108 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry))); // rtl/src/swap/lfb_swap.rs:133
-        if (!pe_rst) assume (!draws | ready_equal);                  // rtl/src/swap/lfb_swap.rs:137
-        if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:138
-        if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:139
-        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:140
-        if (!pe_rst) assert (!swap | (since >= 11'd948));            // rtl/src/swap/lfb_swap.rs:141
-        if (!pe_rst) assert ((since != 11'd1108) | is_sent);         // rtl/src/swap/lfb_swap.rs:142
-        if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:146
-        if (!pe_rst) cover ((state == SWAP_STATE_DRAW) & overflow);  // rtl/src/swap/lfb_swap.rs:147
-        if (!pe_rst) cover (covered_and & !is_shown);                // rtl/src/swap/lfb_swap.rs:148
-        if (!pe_rst) cover (covered_and_2 & !waited);                // rtl/src/swap/lfb_swap.rs:149
+        if (!pe_rst) assume (!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry))); // rtl/src/swap/lfb_swap.rs:135
+        if (!pe_rst) assume (!draws | ready_equal);                  // rtl/src/swap/lfb_swap.rs:139
+        if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:140
+        if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:141
+        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:142
+        if (!pe_rst) assert (!swap | (since >= 11'd948));            // rtl/src/swap/lfb_swap.rs:143
+        if (!pe_rst) assert ((since != 11'd1108) | is_sent);         // rtl/src/swap/lfb_swap.rs:144
+        if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:148
+        if (!pe_rst) cover ((state == SWAP_STATE_DRAW) & overflow);  // rtl/src/swap/lfb_swap.rs:149
+        if (!pe_rst) cover (covered_and & !is_shown);                // rtl/src/swap/lfb_swap.rs:150
+        if (!pe_rst) cover (covered_and_2 & !waited);                // rtl/src/swap/lfb_swap.rs:151
     end
 `else
     reg is_covered;
@@ -156,53 +156,53 @@ module lfb_swap_patches8_merge_clocks948_sent_clocks1108 (
     reg is_covered_4;
     initial is_covered_4 = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry)))) begin // rtl/src/swap/lfb_swap.rs:133
+        if (!pe_rst && !(!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry)))) begin // rtl/src/swap/lfb_swap.rs:135
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: after a swap the entries are cleared in order, each once", $time);
             stop;
         end
-        if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:137
+        if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:139
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: no pixel is drawn between a swap and the last entry cleared", $time);
             stop;
         end
-        if (!pe_rst && !(!line | ready)) begin                       // rtl/src/swap/lfb_swap.rs:138
+        if (!pe_rst && !(!line | ready)) begin                       // rtl/src/swap/lfb_swap.rs:140
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the line is high only while this processing element lets it go", $time);
             stop;
         end
-        if (!pe_rst && !(!done | (state != SWAP_STATE_CLEAR))) begin // rtl/src/swap/lfb_swap.rs:139
+        if (!pe_rst && !(!done | (state != SWAP_STATE_CLEAR))) begin // rtl/src/swap/lfb_swap.rs:141
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the end of a frame is taken back when its swap is due", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:140
+        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:142
             $display("FAIL: time %0t: %m: the global frame buffer has swapped for the frame before", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (since >= 11'd948))) begin          // rtl/src/swap/lfb_swap.rs:141
+        if (!pe_rst && !(!swap | (since >= 11'd948))) begin          // rtl/src/swap/lfb_swap.rs:143
             $display("FAIL: time %0t: %m: T_m has passed since the last swap", $time);
             stop;
         end
-        if (!pe_rst && !((since != 11'd1108) | is_sent)) begin       // rtl/src/swap/lfb_swap.rs:142
+        if (!pe_rst && !((since != 11'd1108) | is_sent)) begin       // rtl/src/swap/lfb_swap.rs:144
             $display("FAIL: time %0t: %m: the back buffer is sent within a period and its overhead", $time);
             stop;
         end
-        if (!pe_rst && frame_end && !is_covered) begin               // rtl/src/swap/lfb_swap.rs:146
+        if (!pe_rst && frame_end && !is_covered) begin               // rtl/src/swap/lfb_swap.rs:148
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a frame ends", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!pe_rst && ((state == SWAP_STATE_DRAW) & overflow) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:147
+        if (!pe_rst && ((state == SWAP_STATE_DRAW) & overflow) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:149
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a buffer overflows", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!pe_rst && (covered_and & !is_shown) && !is_covered_3) begin // rtl/src/swap/lfb_swap.rs:148
+        if (!pe_rst && (covered_and & !is_shown) && !is_covered_3) begin // rtl/src/swap/lfb_swap.rs:150
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a swap waits for the global frame buffer alone", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!pe_rst && (covered_and_2 & !waited) && !is_covered_4) begin // rtl/src/swap/lfb_swap.rs:149
+        if (!pe_rst && (covered_and_2 & !waited) && !is_covered_4) begin // rtl/src/swap/lfb_swap.rs:151
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a swap waits for T_m alone", $time);
             `endif
