@@ -64,7 +64,7 @@ fn progress_is_a_short_line_that_goes_away() {
             return;
         };
         let (before, report) = text.split_once("teapot: VC-1").unwrap();
-        for phase in ["golden image", "clearing", "drawing", "merging", "reading out"] {
+        for phase in ["golden image", "drawing", "merging", "showing"] {
             assert!(before.contains(phase), "{phase}: {before:?}");
         }
         let drawn: Vec<&str> = before.split('\r').filter(|line| line.contains(" %")).collect();

@@ -18,7 +18,7 @@ fn sound(indices: &[u8]) -> Builder {
 #[test]
 fn bad_json_is_refused_with_its_place() {
     let folder = folder("gltf_json", &[]);
-    let cases: [(&str, &str); 7] = [
+    let cases: [(&str, &str); 8] = [
         ("{", "a.gltf:1:1: EOF while parsing an object: correct the JSON, or export the file again"),
         (
             "{\n\"asset\": 7}",
@@ -33,6 +33,10 @@ fn bad_json_is_refused_with_its_place() {
         (
             "{\"asset\":{\"version\":\"2.0\"},\"nodes\":[{\"mesh\":3}]}",
             "a.gltf: nodes[0].mesh names something that is not there: export it again",
+        ),
+        (
+            &format!("{{\"asset\":{{\"version\":\"2.0\"}},{MESH}}}"),
+            "a.gltf: meshes[0].primitives[0].attributes[\"POSITION\"] names something that is not there: export it again",
         ),
         (
             "{\"asset\":{\"version\":\"2.0\"}}",

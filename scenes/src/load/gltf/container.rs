@@ -2,7 +2,9 @@
 
 use crate::error::SceneError;
 use crate::input::{self, read_bytes};
+use crate::load::gltf::primitive::attribute;
 use crate::quote::{brief, quote, shown};
+use gltf_json::mesh::Semantic;
 use gltf_json::validation::{Error, Validate};
 use gltf_json::{Path as Place, Root};
 use std::path::{Path, PathBuf};
@@ -46,12 +48,15 @@ impl File {
             let problem = format!("needs the extensions {}, which are not read", unknown.join(", "));
             return Err(wrong(&problem, "export it without them"));
         }
-        let mut first = None;
-        root.validate(&root, Place::new, &mut |place, error| {
-            if first.is_none() && !is_harmless(&place(), error, &root) {
-                first = Some((place(), error));
-            }
-        });
+        let mut first = dangling_positions(&root).map(|place| (place, Error::IndexOutOfBounds));
+        // With such an index the crate's own checks panic.
+        if first.is_none() {
+            root.validate(&root, Place::new, &mut |place, error| {
+                if first.is_none() && !is_harmless(&place(), error, &root) {
+                    first = Some((place(), error));
+                }
+            });
+        }
         if let Some((place, error)) = first {
             let place = if place.as_str().is_empty() { "the file".to_owned() } else { brief(place.as_str(), 200) };
             return Err(wrong(&format!("{place} {}", what(error)), "export it again"));
@@ -83,6 +88,18 @@ impl File {
         let given = given.into_iter().filter(|(is_given, _)| *is_given);
         given.map(|(_, sentence)| format!("{}: {sentence}", shown(&self.path))).collect()
     }
+}
+
+/// The first primitive whose positions are an accessor that the file does not have.
+fn dangling_positions(root: &Root) -> Option<Place> {
+    let meshes = root.meshes.iter().enumerate();
+    let mut primitives =
+        meshes.flat_map(|(i, mesh)| (0..).zip(&mesh.primitives).map(move |(j, primitive)| (i, j, primitive)));
+    let (i, j, _) = primitives.find(|(_, _, primitive)| {
+        attribute(primitive, Semantic::Positions).is_some_and(|index| root.get(index).is_none())
+    })?;
+    let primitive = Place::new().field("meshes").index(i).field("primitives").index(j);
+    Some(primitive.field("attributes").key("POSITION"))
 }
 
 fn is_known(extension: &str) -> bool {

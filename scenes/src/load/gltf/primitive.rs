@@ -179,7 +179,7 @@ impl Primitives {
     }
 }
 
-fn attribute(primitive: &Primitive, semantic: Semantic) -> Option<Index<Accessor>> {
+pub(super) fn attribute(primitive: &Primitive, semantic: Semantic) -> Option<Index<Accessor>> {
     primitive.attributes.get(&Checked::Valid(semantic)).copied()
 }
 
