@@ -5,7 +5,7 @@ use clap::Args;
 use std::ffi::OsString;
 use std::sync::{Mutex, PoisonError};
 use tilewright_scenes::deferred::{Deferred, Samples, project_deferred};
-use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, project_samples};
+use tilewright_scenes::{Polygons, Projection, Scene, Size, project_polygons, project_sample, project_samples};
 
 /// A scene on a screen.
 #[derive(Args)]
@@ -33,8 +33,16 @@ impl SceneArguments {
 /// # Errors
 /// The scene's camera or lights are no good, nothing is in front of the camera, or there are spheres.
 pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
+    moved_triangles(scene, [0, 0])
+}
+
+/// As [`triangles`], with every vertex moved by so many 1/16 pixel.
+///
+/// # Errors
+/// As [`triangles`].
+pub fn moved_triangles(scene: &Scene, shift: [i32; 2]) -> Result<Projection, Failure> {
     without_spheres(scene)?;
-    let projection = scene.project()?;
+    let projection = project_sample(scene, scene.size, shift)?;
     warn_without_textures(scene, projection.warning());
     Ok(projection)
 }

@@ -213,7 +213,7 @@ fn the_table_needs_more_pages_than_the_machine_of_the_paper_has() {
 fn overflows_leave_the_golden_frame() {
     let projection = on_screen("teapot", 80, 60);
     let config = Config { processors: 2, costs: HASTY, ..small(projection.size) };
-    assert_eq!(config.sufficient_pages(&projection).expect("4x4 fits"), 120);
+    assert_eq!(config.sufficient_pages([projection.clone()]).expect("4x4 fits"), 120);
     let overflows = |pages| {
         let (frame, report) = render(Config { pages: Some(pages), ..config }, &projection).expect("it swaps");
         let comparison = against_golden(&frame, &projection);

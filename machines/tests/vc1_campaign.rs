@@ -1,13 +1,13 @@
-//! Random machines of the VC-1's kind, with random frames: each frame has to be golden.
+//! Random machines of the VC-1's kind, with random frames: each frame has to be golden, and each refresh what the banks have.
 //!
 //! `cargo test --release -p tilewright-machines --test all vc1_campaign -- --ignored --nocapture` draws with 500 of them.
 
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config as Settings, RngAlgorithm, TestRng, TestRunner};
-use tilewright_machines::vc1::{Assign, Config, CostTable, Machine, Shown};
+use tilewright_machines::vc1::{Assign, Config, CostTable, Cursor, Machine, Shown};
 use tilewright_machines::{Error, Watch};
-use tilewright_rtl::gfb::Blanking;
+use tilewright_rtl::gfb::{Blanking, Passes};
 use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, compare, golden, set_up};
 
 pub const BACKGROUND: [u8; 3] = [24, 28, 44];
@@ -34,13 +34,14 @@ fn cases(width: u32, height: u32) -> impl Strategy<Value = Case> {
     let machine = (1..=9_u32, prop::sample::select(vec![4_u32, 8, 16]), 2..=40_u32, 1..6_u32, 10..70_u32, 1..9_u32);
     let apr = prop_oneof![Just(None), Just(Some(0)), (1..300_u32).prop_map(Some)];
     let assign = prop::sample::select(vec![Assign::Once, Assign::Each, Assign::Count]);
-    let display = (0.2..3.0_f64, any::<bool>());
+    let display = (0.2..3.0_f64, any::<bool>(), 1..=40_u32);
     let screen = (32..=width, 32..=height);
-    (machine, apr, assign, display, screen, costs(), 1..=4_usize, 0..24_usize).prop_flat_map(
+    // A picture of several passes, a cursor, or neither.
+    let host = (any::<bool>(), 0..8_u32, (0..width, 0..height));
+    (machine, (apr, assign, host), display, screen, costs(), 1..=4_usize, 0..24_usize).prop_flat_map(
         |(
             (processors, patch, pages, cluster, queue, word_clocks),
-            apr,
-            assign,
+            (apr, assign, (immediate, extra, (x, y))),
             display,
             screen,
             costs,
@@ -48,10 +49,17 @@ fn cases(width: u32, height: u32) -> impl Strategy<Value = Case> {
             count,
         )| {
             let size = Size::new(screen.0, screen.1).expect("in range");
-            let (refreshes, within) = display;
-            let t_m = 80e-9 * f64::from((screen.0 + 20) * screen.1 + 4 * processors);
+            let (refreshes, within, overhead) = display;
+            let t_m = 80e-9 * f64::from((screen.0 + overhead) * screen.1 + 4 * processors);
+            let least = 330e-9 * f64::from(screen.1 + 45);
             let blanking = if within { Blanking::Within } else { Blanking::AtStart };
+            let accumulate = Passes::of_count(extra);
+            let frames = if accumulate.is_some() { extra as usize } else { frames };
             let config = Config {
+                overhead,
+                immediate,
+                accumulate,
+                cursor: (extra > 5).then_some(Cursor { x: x % screen.0, y: y % screen.1 }),
                 processors,
                 patch,
                 cluster,
@@ -61,7 +69,7 @@ fn cases(width: u32, height: u32) -> impl Strategy<Value = Case> {
                 queue,
                 word_clocks,
                 blanking,
-                refresh: 1.0 / (refreshes * t_m),
+                refresh: 1.0 / (refreshes * t_m).max(least),
                 ..Config::new(size)
             };
             let patches = config.patches().expect("the screen has 2x2").count();
@@ -92,46 +100,69 @@ pub fn projection(size: Size, triangles: &[[ScreenVertex; 3]]) -> Projection {
     projection
 }
 
-/// Draws a case; its overflows, and the polygons that were sent to all.
-fn draw((config, frames): &Case) -> Result<[u64; 2], Error> {
-    let views: Vec<Projection> = frames.iter().map(|triangles| projection(config.size, triangles)).collect();
-    let (mut next, mut seen) = (views.iter().cloned(), 0);
-    let shown = |it: Shown| {
-        let view = &views[it.number as usize];
-        let comparison = compare(&it.frame, &golden::render(view.size, &view.triangles, BACKGROUND));
-        assert!(comparison.is_equal(), "frame {}: {comparison}", it.number);
-        seen += 1;
-        true
-    };
-    let report = Machine::new(*config)?.render_frames(BACKGROUND, &mut Watch::default(), || next.next(), shown)?;
-    assert_eq!(seen, frames.len());
-    let sum = |of: fn(&tilewright_machines::vc1::FrameReport) -> u64| report.frames.iter().map(of).sum();
-    Ok([sum(|frame| frame.overflows()), sum(|frame| frame.broadcast())])
+/// What happened in some runs.
+#[derive(Debug, Default)]
+struct Happened {
+    overflows: u64,
+    /// Polygons that were sent to all.
+    broadcast: u64,
+    averages: u64,
+    refreshes: u64,
 }
 
-/// Draws so many cases on screens of at most that size; all overflows and all polygons that were sent.
-fn campaign(count: u32, width: u32, height: u32) -> [u64; 2] {
+/// Draws a case, and looks at every refresh.
+fn draw((config, frames): &Case) -> Result<Happened, Error> {
+    let views: Vec<Projection> = frames.iter().map(|triangles| projection(config.size, triangles)).collect();
+    let (mut next, mut seen, mut averages) = (views.iter().cloned(), Vec::new(), 0);
+    let mut shown = |it: Shown| {
+        let view = &views[it.number as usize];
+        let mut expected = golden::render(view.size, &view.triangles, BACKGROUND);
+        if let Some(cursor) = config.cursor {
+            cursor.draw(&mut expected);
+        }
+        let comparison = compare(&it.frame, &expected);
+        assert!(comparison.is_equal(), "frame {}: {comparison}", it.number);
+        seen.push(expected);
+        if let Some(average) = it.average {
+            assert_eq!(average, golden::average(&seen));
+            averages += 1;
+        }
+        true
+    };
+    let machine = Machine::new(*config)?.judging_every_refresh();
+    let report = machine.render_frames(BACKGROUND, &mut Watch::default(), || next.next(), &mut shown)?;
+    assert_eq!((seen.len(), averages), (frames.len(), config.accumulate.iter().count() as u64));
+    let sum = |of: fn(&tilewright_machines::vc1::FrameReport) -> u64| report.frames.iter().map(of).sum();
+    let [overflows, broadcast] = [sum(|frame| frame.overflows()), sum(|frame| frame.broadcast())];
+    Ok(Happened { overflows, broadcast, averages, refreshes: report.judged })
+}
+
+/// Draws so many cases on screens of at most that size.
+fn campaign(count: u32, width: u32, height: u32) -> Happened {
     let mut runner = TestRunner::new_with_rng(Settings::default(), TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let cases = cases(width, height);
-    let mut sums = [0; 2];
+    let mut sum = Happened::default();
     for number in 0..count {
         let case = cases.new_tree(&mut runner).expect("a case").current();
-        let counts = draw(&case).unwrap_or_else(|error| panic!("case {number}: {error}\n{case:?}"));
-        sums.iter_mut().zip(counts).for_each(|(sum, count)| *sum += count);
+        let it = draw(&case).unwrap_or_else(|error| panic!("case {number}: {error}\n{case:?}"));
+        sum.overflows += it.overflows;
+        sum.broadcast += it.broadcast;
+        sum.averages += it.averages;
+        sum.refreshes += it.refreshes;
     }
-    sums
+    sum
 }
 
 #[test]
 fn forty_machines_draw_golden_frames() {
-    let [overflows, broadcast] = campaign(40, 40, 36);
-    assert!(overflows > 100 && broadcast > 100, "{overflows} {broadcast}");
+    let it = campaign(40, 40, 36);
+    assert!(it.overflows > 100 && it.broadcast > 100 && it.averages > 5 && it.refreshes > 200, "{it:?}");
 }
 
 #[test]
 #[ignore = "some minutes"]
 fn five_hundred_machines_draw_golden_frames() {
-    let [overflows, broadcast] = campaign(500, 80, 60);
-    println!("{overflows} overflows, {broadcast} polygons sent to all");
-    assert!(overflows >= 2000 && broadcast >= 2000);
+    let it = campaign(500, 80, 60);
+    println!("{it:?}");
+    assert!(it.overflows >= 2000 && it.broadcast >= 2000, "{it:?}");
 }

@@ -4,10 +4,12 @@
 //! no increments and no tree, over each pixel of a polygon's box, so that it can be checked by reading.
 
 mod deferred;
+mod passes;
 mod samples;
 mod spheres;
 
 pub use deferred::{render_deferred, render_deferred_watched, visible};
+pub use passes::{average, pass_shifts};
 pub use samples::{average_eight, render_samples, render_samples_watched};
 pub use spheres::{Rule, fragments_of, render_polygons, render_polygons_watched};
 

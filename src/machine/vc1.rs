@@ -1,25 +1,21 @@
 //! `--machine vc1`.
 
 mod cost;
+mod job;
 mod turn;
 
+pub use job::Vc1Job;
 pub use turn::Turn;
 
-use super::figures::{Compared, Figures, state};
 use super::first_given;
-use super::job::{Job, Run};
-use crate::golden;
 use crate::number::number;
-use crate::scene::triangles;
 use crate::shell::{Exit, Failure};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use cost::Cost;
-use tilewright_machines::vc1::{Assign, Config, Machine, Report, Times};
-use tilewright_rtl::clocks::PE;
-use tilewright_rtl::gfb::Blanking;
-use tilewright_scenes::golden::render_watched;
-use tilewright_scenes::{Frame, MAX_SIDE, Projection, Scene, Size};
+use tilewright_machines::vc1::{Assign, Config, Cursor};
+use tilewright_rtl::gfb::{Blanking, Passes};
+use tilewright_scenes::{MAX_SIDE, Scene};
 
 /// Its options.
 #[derive(Args, Default)]
@@ -32,9 +28,9 @@ pub struct Vc1Options {
     #[arg(long, value_name = "EDGE",
           value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
     patch: Option<u32>,
-    /// Pages of image memory in each local frame buffer [default: those of 65536 pixels, or the whole screen]
-    #[arg(long, value_name = "N", value_parser = number(2..=MOST_PAGES))]
-    pages: Option<u32>,
+    /// Pages of image memory in each local frame buffer, or `auto` for as many as avoid overflows [default: those of 65536 pixels, or the whole screen]
+    #[arg(long, value_name = "N", value_parser = pages)]
+    pages: Option<Pages>,
     /// Polygons of a cluster, which is dealt as a whole [default: 32]
     #[arg(long, value_name = "N", value_parser = number(1..=u32::MAX))]
     cluster: Option<u32>,
@@ -47,6 +43,19 @@ pub struct Vc1Options {
     /// By how much the camera turns from frame to frame [default: a full turn in all frames]
     #[arg(long, value_name = "DEGREES", requires = "frames", allow_negative_numbers = true)]
     turn: Option<f64>,
+    /// Frames of which each picture is the average, with the vertices moved by parts of a pixel
+    #[arg(long, value_name = "N",
+          value_parser = PossibleValuesParser::new(["2", "4", "8", "16"]).map(|passes| passes.parse::<u32>().unwrap_or_default()))]
+    accumulate: Option<u32>,
+    /// The upper left corner of a cursor of 8x8 pixels, which the host writes into each frame on display
+    #[arg(long, value_name = "X,Y", value_parser = cursor, conflicts_with = "accumulate")]
+    cursor: Option<Cursor>,
+    /// The host sends the whole scene over the bus before each frame, instead of once
+    #[arg(long)]
+    immediate: bool,
+    /// Clocks of the merger after each scan line [default: 20]
+    #[arg(long, value_name = "CLOCKS", value_parser = number(1..=Config::MAX_OVERHEAD))]
+    overhead: Option<u32>,
     /// Refreshes of the display in a second, such as 59.94 [default: 60]
     #[arg(long, value_name = "HZ")]
     refresh: Option<f64>,
@@ -85,6 +94,8 @@ impl From<AssignName> for Assign {
     }
 }
 
+/// The fewest pages of a local frame buffer.
+const LEAST_PAGES: u32 = 2;
 /// The most pages that could be of use: the patches of the largest screen.
 const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 
@@ -99,6 +110,10 @@ impl Vc1Options {
             apr,
             frames,
             turn,
+            accumulate,
+            cursor,
+            immediate,
+            overhead,
             refresh,
             swap,
             bus,
@@ -111,6 +126,10 @@ impl Vc1Options {
             ("--apr", apr.is_some()),
             ("--frames", frames.is_some()),
             ("--turn", turn.is_some()),
+            ("--accumulate", accumulate.is_some()),
+            ("--cursor", cursor.is_some()),
+            ("--immediate", *immediate),
+            ("--overhead", overhead.is_some()),
             ("--bus", bus.is_some()),
             ("--queue", queue.is_some()),
             ("--processors", processors.is_some()),
@@ -123,50 +142,99 @@ impl Vc1Options {
         ])
     }
 
-    /// A scene for the machine.
+    /// A picture of a scene.
     ///
     /// # Errors
     /// The scene cannot be set up, or a cost is given twice.
     pub fn job(&self, scene: &Scene) -> Result<Vc1Job, Failure> {
-        let projection = triangles(scene)?;
-        let config = self.config(projection.size)?;
-        Ok(Vc1Job { config, projection, background: scene.background })
+        let turn = Turn { config: self.config(scene)?, scene, pictures: 1, degrees: 0.0 };
+        let views = turn.views()?;
+        Ok(Vc1Job { config: self.with_pages(turn.config, &turn)?, views, background: scene.background })
     }
 
-    /// A turn around a scene, if it is of several frames.
+    /// A turn around a scene, if it is of several pictures.
     ///
     /// # Errors
-    /// A cost is given twice, or the turn is no number.
+    /// As [`Vc1Options::job`]; the turn is no number.
     pub fn turn<'a>(&self, scene: &'a Scene) -> Result<Option<Turn<'a>>, Failure> {
-        let frames = self.frames.unwrap_or(1);
-        let degrees = self.turn.unwrap_or(360.0 / f64::from(frames));
+        let pictures = self.frames.unwrap_or(1);
+        let degrees = self.turn.unwrap_or(360.0 / f64::from(pictures));
         if !degrees.is_finite() {
             return Err(Failure::new(
                 Exit::BadInput,
                 format!("a turn of {degrees} degrees: give a number, such as 7.5"),
             ));
         }
-        let config = self.config(scene.size)?;
-        Ok((frames > 1).then_some(Turn { config, scene, frames, degrees }))
+        if pictures == 1 {
+            return Ok(None);
+        }
+        let turn = Turn { config: self.config(scene)?, scene, pictures, degrees };
+        let config = self.with_pages(turn.config, &turn)?;
+        Ok(Some(Turn { config, ..turn }))
     }
 
-    fn config(&self, size: Size) -> Result<Config, Failure> {
-        let usual = Config::new(size);
+    /// With as many pages as the frames of a turn need, if that is asked for.
+    fn with_pages(&self, config: Config, turn: &Turn) -> Result<Config, Failure> {
+        let pages = match self.pages {
+            None => None,
+            Some(Pages::Number(pages)) => Some(pages),
+            Some(Pages::Auto) => {
+                let mut failure = None;
+                let views =
+                    (0..turn.frames()).map_while(|number| turn.view(number).map_err(|it| failure = Some(it)).ok());
+                let pages = config.sufficient_pages(views).map_err(tilewright_machines::Error::from)?;
+                if let Some(failure) = failure {
+                    return Err(failure);
+                }
+                Some(pages.max(LEAST_PAGES))
+            }
+        };
+        Ok(Config { pages, ..config })
+    }
+
+    fn config(&self, scene: &Scene) -> Result<Config, Failure> {
+        let usual = Config::new(scene.size);
         Ok(Config {
             processors: self.processors.unwrap_or(usual.processors),
             patch: self.patch.unwrap_or(usual.patch),
-            pages: self.pages,
             cluster: self.cluster.unwrap_or(usual.cluster),
             apr: self.apr.map_or(usual.apr, |Threshold(pixels)| pixels),
             queue: self.queue.unwrap_or(usual.queue),
             word_clocks: self.bus.unwrap_or(usual.word_clocks),
+            overhead: self.overhead.unwrap_or(usual.overhead),
             refresh: self.refresh.unwrap_or(usual.refresh),
             blanking: if self.swap.as_deref() == Some("in-blanking") { Blanking::Within } else { usual.blanking },
             assign: self.assign.map_or(usual.assign, Assign::from),
             costs: cost::table(&self.cost)?,
+            immediate: self.immediate,
+            accumulate: self.accumulate.and_then(Passes::of_count),
+            cursor: self.cursor,
             ..usual
         })
     }
+}
+
+/// How many pages each local frame buffer has.
+#[derive(Clone, Copy)]
+enum Pages {
+    Number(u32),
+    /// As many as avoid overflows.
+    Auto,
+}
+
+fn pages(text: &str) -> Result<Pages, String> {
+    match text {
+        "auto" => Ok(Pages::Auto),
+        _ => match number(LEAST_PAGES..=MOST_PAGES)(text) {
+            Ok(pages) => Ok(Pages::Number(pages)),
+            Err(sentence) => Err(format!("{sentence}, or auto")),
+        },
+    }
+}
+
+fn cursor(text: &str) -> Result<Cursor, String> {
+    let place = text.split_once(',').and_then(|(x, y)| Some(Cursor { x: x.parse().ok()?, y: y.parse().ok()? }));
+    place.ok_or_else(|| "give two whole numbers of pixels, from the left and from above, such as 100,50".to_owned())
 }
 
 /// The area above which a polygon is sent to all, in pixels; none if all are drawn where they are.
@@ -180,70 +248,5 @@ fn threshold(text: &str) -> Result<Threshold, String> {
             Ok(pixels) => Ok(Threshold(Some(pixels))),
             Err(_) => Err("give a whole number of pixels, such as 500, or off".to_owned()),
         },
-    }
-}
-
-/// The software rasterizer's frame of a view.
-fn golden_of(view: &Projection, background: [u8; 3]) -> Result<Frame, Failure> {
-    golden::draw(|watch| render_watched(view.size, &view.triangles, background, watch))
-}
-
-/// A scene in triangles, and the machine for it.
-pub struct Vc1Job {
-    config: Config,
-    projection: Projection,
-    background: [u8; 3],
-}
-
-impl Job for Vc1Job {
-    type Report = Report;
-
-    fn size(&self) -> Size {
-        self.projection.size
-    }
-
-    fn golden(&self) -> Result<Frame, Failure> {
-        golden_of(&self.projection, self.background)
-    }
-
-    fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
-        let mut machine = Machine::new(self.config)?.on(run.engine());
-        run.attach(machine.simulation())?;
-        run.watch(|watch| machine.render(&self.projection, self.background, watch), |(_, report)| report.picoseconds())
-    }
-}
-
-impl Compared for Vc1Job {
-    fn figures(&self, report: &Report) -> Result<Figures, Failure> {
-        let hardware = state(&self.config.hardware().map_err(tilewright_machines::Error::from)?)?;
-        let [frame] = &report.frames[..] else { unreachable!("a job is of one frame") };
-        let picoseconds = frame.picoseconds();
-        let clocks = picoseconds / PE.period.picoseconds();
-        let Times { command, drawn, swapped, merged, shown } = frame.times;
-        let parts = [
-            ("drawing", Some(command), drawn),
-            ("swapping", drawn, swapped),
-            ("merging", swapped, merged),
-            ("blanking", merged, shown),
-        ];
-        let parts = parts.map(|(name, from, to)| (name, to.unwrap_or_default() - from.unwrap_or_default()));
-        let (limit, longest) = parts.into_iter().max_by_key(|(_, time)| *time).unwrap_or_default();
-        let working: u64 = frame.processors.iter().map(|it| it.clocks.work()).sum();
-        Ok(Figures {
-            processors: report.machine.processors,
-            processor: "processing elements".to_owned(),
-            register_bits: hardware.registers,
-            memory_bits: hardware.memories,
-            clocks,
-            picoseconds,
-            time: "from the command until the display shows the frame; drawing has the geometry, blanking is the wait for the display"
-                .to_owned(),
-            // Spans are computed, so no pixel is tested in vain.
-            tested: frame.pixels(),
-            drawn: frame.pixels(),
-            at_work: working as f64 / (clocks.max(1) * frame.processors.len() as u64) as f64,
-            limit: limit.to_owned(),
-            limit_share: longest as f64 / picoseconds.max(1) as f64,
-        })
     }
 }

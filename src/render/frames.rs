@@ -27,7 +27,7 @@ impl Render {
         let paths: Vec<PathBuf> = self
             .output
             .iter()
-            .flat_map(|path| (1..=turn.frames).map(|number| numbered(path, number, turn.frames)))
+            .flat_map(|path| (1..=turn.pictures).map(|number| numbered(path, number, turn.pictures)))
             .collect();
         self.check_distinct(&paths, scene)?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
@@ -35,10 +35,10 @@ impl Render {
         let _ = paths.first().map(|path| Output::at(path)).transpose()?;
         let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref() };
         let mut frames = Vec::new();
-        let report = turn.render(&run, |shown, golden| {
-            let verdict = Golden::Rendered(golden).judge(&shown.frame);
-            if let Some(path) = paths.get(shown.number as usize) {
-                Output::at(path)?.write(&shown.frame.to_png())?;
+        let report = turn.render(&run, |number, picture, golden| {
+            let verdict = Golden::Rendered(golden).judge(&picture);
+            if let Some(path) = paths.get(number as usize) {
+                Output::at(path)?.write(&picture.to_png())?;
                 leave_difference(path, verdict.picture.as_ref());
             }
             frames.push(verdict);

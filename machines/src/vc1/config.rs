@@ -2,18 +2,23 @@
 
 use serde::Serialize;
 use tilewright_rtl::bus::BroadcastBus;
-use tilewright_rtl::gfb::{Blanking, Display};
+use tilewright_rtl::clocks::MERGE;
+use tilewright_rtl::gfb::{Blanking, Display, Passes};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
-use tilewright_rtl::vc1::Vc1;
+use tilewright_rtl::vc1::{OVERHEAD, Vc1};
 use tilewright_scenes::Size;
 
 use super::assignment::Assign;
 use super::cost::CostTable;
+use super::cursor::Cursor;
 use super::words::POLYGON_WORDS;
 
 /// Pixels of an image memory: 4096 pages of 4x4, 1/4.7 of the screen (VC1-LFB).
 const IMAGE_MEMORY_PIXELS: u32 = 65_536;
+
+/// Picoseconds of a line of the display in which swaps and their crossings are over for certain: 4 clocks of the merger.
+const SHORTEST_LINE: u64 = 4 * MERGE.period.picoseconds();
 
 /// What a VC-1 is built for and how it is programmed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,15 +43,26 @@ pub struct Config {
     pub queue: u32,
     /// Clocks of the processing elements that a word is on the bus, 1 to 255; 6 in the paper (VC1-NET).
     pub word_clocks: u32,
+    /// Clocks of the merger after each scan line, 1 to [`Config::MAX_OVERHEAD`]; 20 in the paper (VC1-TM).
+    pub overhead: u32,
     /// Refreshes of the display in a second; 60 in the paper, which may be 59.94 (VC1-59).
     pub refresh: f64,
     /// Where in the display's vertical blanking the banks of the global frame buffer change.
     pub blanking: Blanking,
+    /// Whether the host sends the whole scene over the bus before each command (VC1-IMM).
+    pub immediate: bool,
+    /// Of how many passes a picture is the average: each frame is a pass (VC1-ACB).
+    pub accumulate: Option<Passes>,
+    /// The cursor that the host writes into each frame on display (VC1-HOSTP). Not with `accumulate`, as an average does not show it.
+    pub cursor: Option<Cursor>,
 }
 
 impl Config {
     /// The most processing elements.
     pub const MAX_PROCESSORS: u32 = 256;
+
+    /// The most clocks of overhead.
+    pub const MAX_OVERHEAD: u32 = 1000;
 
     /// The VC-1 of the paper for a screen of that size.
     pub fn new(size: Size) -> Config {
@@ -61,8 +77,12 @@ impl Config {
             costs: CostTable::default(),
             queue: BroadcastBus::QUEUE,
             word_clocks: BroadcastBus::WORD_CLOCKS,
+            overhead: OVERHEAD,
             refresh: 60.0,
             blanking: Blanking::AtStart,
+            immediate: false,
+            accumulate: None,
+            cursor: None,
         }
     }
 
@@ -91,13 +111,24 @@ impl Config {
         self.check()?;
         let lfb = LfbUnit { patches: self.patches()?, pages: self.pages()? }.checked()?;
         let display = Display::of_rate(lfb.patches.screen(), self.refresh, self.blanking)?;
-        let Config { processors, queue, word_clocks, .. } = *self;
-        Ok(Vc1 { lfb, processors, queue, word_clocks, display, accumulation: false }.checked()?)
+        let Config { processors, queue, word_clocks, overhead, .. } = *self;
+        let accumulation = self.accumulate.is_some();
+        let vc1 = Vc1 { lfb, processors, queue, word_clocks, display, overhead, accumulation }.checked()?;
+        let line = vc1.gfb().read_out().line_clocks() * display.period.picoseconds();
+        if line < SHORTEST_LINE {
+            let refresh = self.refresh;
+            let problem = format!(
+                "{refresh} refreshes a second: a line of the display would take {line} ps; it has to take {SHORTEST_LINE} at least"
+            );
+            return Err(ParameterError(problem));
+        }
+        Ok(vc1)
     }
 
     /// As a report shows it.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
-        let Config { size, processors, patch, cluster, assign, apr, costs, queue, word_clocks, refresh, .. } = *self;
+        let Config { size, processors, patch, cluster, assign, apr, costs, queue, word_clocks, .. } = *self;
+        let Config { overhead, refresh, immediate, accumulate, .. } = *self;
         Ok(Built {
             width: size.width(),
             height: size.height(),
@@ -111,13 +142,17 @@ impl Config {
             costs,
             queue,
             word_clocks,
+            overhead,
             refresh,
+            immediate,
+            passes: accumulate.map_or(1, Passes::count),
         })
     }
 
     /// Checks what the hardware does not check itself.
     fn check(&self) -> Result<(), ParameterError> {
-        let Config { processors, cluster, costs, queue, .. } = *self;
+        let Config { size, processors, cluster, costs, queue, overhead, accumulate, cursor, .. } = *self;
+        let is_outside = |it: &Cursor| it.x >= size.width() || it.y >= size.height();
         let problem = if !(1..=Config::MAX_PROCESSORS).contains(&processors) {
             let most = Config::MAX_PROCESSORS;
             format!("a VC-1 of {processors} processing elements: it has to have from 1 to {most}")
@@ -128,6 +163,12 @@ impl Config {
         } else if [costs.pixel, costs.clear, costs.send, costs.receive].contains(&0) {
             "a cost table with accesses in 0 clocks: a pixel, a cleared entry and a word take at least 1 each"
                 .to_owned()
+        } else if !(1..=Config::MAX_OVERHEAD).contains(&overhead) {
+            format!("an overhead of {overhead} clocks a scan line: it has to be from 1 to {}", Config::MAX_OVERHEAD)
+        } else if let Some(Cursor { x, y }) = cursor.filter(is_outside) {
+            format!("a cursor at {x},{y} on a screen of {size}: its upper left corner has to be on the screen")
+        } else if accumulate.is_some() && cursor.is_some() {
+            "a cursor and pictures of several passes: their average does not show it".to_owned()
         } else {
             return Ok(());
         };
@@ -162,6 +203,12 @@ pub struct Built {
     pub queue: u32,
     /// Clocks of a word on the bus.
     pub word_clocks: u32,
+    /// Clocks of the merger after each scan line.
+    pub overhead: u32,
     /// Refreshes of the display in a second.
     pub refresh: f64,
+    /// Whether the scene is sent before each command.
+    pub immediate: bool,
+    /// Of how many passes a picture is the average; 1 where each frame is a picture.
+    pub passes: u32,
 }

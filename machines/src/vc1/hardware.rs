@@ -2,7 +2,10 @@
 //!
 //! They see the ports of the local frame buffer units and of the bus, what the swap control wants and says, the display, and time.
 
-use tilewright_rtl::clocks::{CRT, PE};
+use std::collections::VecDeque;
+
+use tilewright_rtl::clocks::{CRT, MERGE, PE};
+use tilewright_rtl::gfb::{BLANK_LINES, Multipass, Passes};
 use tilewright_rtl::swap::SwapState;
 use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
@@ -15,6 +18,8 @@ use crate::error::Error;
 
 /// The memory of the global frame buffer: each pixel's words in both banks.
 const BANKS: &str = "u_gfb.banks";
+/// Whether the average of a picture's passes is shown.
+const AVERAGES: &str = "u_gfb.u_multipass.averages";
 
 /// The running hardware.
 pub(crate) struct Hardware {
@@ -24,14 +29,22 @@ pub(crate) struct Hardware {
     /// What the host offers to the bus, and what stands at its port.
     command: Option<Word>,
     command_port: Option<Word>,
+    /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
+    writes: VecDeque<(u32, u64)>,
     /// In the clock before no processing element did anything, so that nothing stands at any port.
     was_idle: bool,
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
     #[cfg(test)]
     pub flips: u32,
     pe: Edges,
+    merge: Edges,
     crt: Edges,
-    /// The clocks of a refresh.
+    /// The ends of the vertical blankings.
+    dawn: Edges,
+    /// In the last clock one ended.
+    dawns: bool,
+    /// The clocks of a line of the display, and of a refresh.
+    line_clocks: u64,
     refresh_clocks: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
@@ -62,34 +75,60 @@ impl Edges {
     fn after(count: u64, period: u64) -> Edges {
         Edges { period, next: (count + 1) * period }
     }
+
+    /// Whether one came by then; at most one may have come.
+    fn came(&mut self, time: u64) -> bool {
+        let came = self.next <= time;
+        if came {
+            self.next += self.period;
+        }
+        came
+    }
 }
 
 impl Hardware {
     pub fn new(machine: &Vc1) -> Result<Hardware, Error> {
         let sim = Simulation::of(machine)?;
         let gfb = machine.gfb();
+        let (line_clocks, refresh_clocks) = (gfb.read_out().line_clocks(), gfb.read_out().refresh_clocks());
+        let refresh = refresh_clocks * machine.display.period.picoseconds();
         Ok(Hardware {
             ports: vec![Ports::default(); sim.i.processors.len()],
             command: None,
             command_port: None,
+            writes: VecDeque::new(),
             was_idle: false,
             #[cfg(test)]
             flips: 0,
             pe: Edges::after(0, PE.period.picoseconds()),
+            merge: Edges::after(0, MERGE.period.picoseconds()),
             crt: Edges::after(0, machine.display.period.picoseconds()),
-            refresh_clocks: gfb.read_out().refresh_clocks(),
+            dawn: Edges::after(0, refresh),
+            dawns: false,
+            line_clocks,
+            refresh_clocks,
             merge_clocks: gfb.sequencer().merge_clocks(),
             sim,
         })
     }
 
-    /// Resets everything, and gives the colour of a pixel that nothing covers.
-    pub fn reset(&mut self, background: [u8; 3]) -> Result<(), Error> {
+    /// Resets everything. Pixels that nothing covers get that colour, and pictures are of so many passes.
+    pub fn reset(&mut self, background: [u8; 3], passes: Option<Passes>) -> Result<(), Error> {
         self.sim.set(self.sim.i.host.background, blank(background));
         self.sim.set(self.sim.i.ready, true);
+        if let (Some(port), Some(passes)) = (self.sim.i.host.multipass.first().copied(), passes) {
+            let said = Multipass::pictures_of(passes);
+            self.sim.set(port.accumulates, said.accumulates);
+            self.sim.set(port.passes, said.passes);
+        }
         self.sim.try_reset()?;
         self.pe = Edges::after(self.cycles(PE), self.pe.period);
-        self.crt = Edges::after(self.cycles(CRT), self.crt.period);
+        self.merge = Edges::after(self.cycles(MERGE), self.merge.period);
+        let clocks = self.cycles(CRT);
+        self.crt = Edges::after(clocks, self.crt.period);
+        // The display begins in its blanking. Half a line before the end of one the banks have not changed for more than a line.
+        let dawn = clocks + u64::from(BLANK_LINES) * self.line_clocks - self.line_clocks / 2;
+        self.dawn.next = dawn * self.crt.period;
         Ok(())
     }
 
@@ -146,7 +185,46 @@ impl Hardware {
             self.crt.next += behind * self.crt.period;
         }
         self.pe.next += self.pe.period;
-        Ok(self.sim.try_run_to(end)?)
+        self.sim.try_run_to(end)?;
+        self.dawns = self.dawn.came(end);
+        if self.merge.came(end) && self.writes.pop_front().is_some() {
+            self.present_write();
+        }
+        Ok(())
+    }
+
+    /// Puts the next of the host's writes at its port.
+    fn present_write(&mut self) {
+        let port = self.sim.i.host.accesses;
+        let write = self.writes.front();
+        if let Some(&(address, word)) = write {
+            self.sim.set(port.address, address);
+            self.sim.set(port.word, word);
+            self.sim.set(port.writes, true);
+        }
+        self.sim.set(port.valid, write.is_some());
+    }
+
+    /// Writes pixels into the bank on display, one in each clock of the merger; what is left of earlier ones is not written.
+    pub fn write(&mut self, words: impl Iterator<Item = (u32, u64)>) {
+        self.writes.clear();
+        self.writes.extend(words);
+        self.present_write();
+    }
+
+    /// Whether all of them are written.
+    pub fn has_written(&self) -> bool {
+        self.writes.is_empty()
+    }
+
+    /// Whether a blanking ended in the last clock, so that the display goes on with what is in its bank now.
+    pub fn dawns(&self) -> bool {
+        self.dawns
+    }
+
+    /// Whether the display shows the average of a picture's passes.
+    pub fn averages(&mut self) -> bool {
+        !self.sim.i.host.multipass.is_empty() && self.sim.peek(AVERAGES).expect("the control has that output") == 1
     }
 
     /// Puts what a processing element wants at its ports for the coming clock.

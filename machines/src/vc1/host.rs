@@ -4,19 +4,21 @@
 //! ended, the sync line rises, and the hardware's swap control does the rest; the host commands the next frame. So frame k + 1 is
 //! drawn while frame k is merged and frame k - 1 is shown.
 
-use std::collections::VecDeque;
+use std::collections::{HashSet, VecDeque};
 use std::rc::Rc;
 
+use tilewright_rtl::gfb::Passes;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::{Frame, Projection};
 
 use super::assignment::Assignment;
 use super::config::Config;
+use super::display::Viewer;
 use super::hardware::Hardware;
 use super::job::{View, Views};
 use super::processor::Processor;
 use super::report::{FrameReport, ProcessorReport, Shown, Times};
-use super::words::{Message, Word};
+use super::words::{Message, POLYGON_WORDS, Word};
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
 
@@ -26,8 +28,11 @@ pub(crate) struct Host<'a, 'w> {
     hardware: &'a mut Hardware,
     watch: &'a mut Watch<'w>,
     views: Views,
+    viewer: Viewer,
     /// Words of the command that it sends.
     words: VecDeque<Word>,
+    /// What is known of the scene from its first view on.
+    pub scene: Loaded,
     /// Frames that are commanded and not yet seen, the oldest first.
     frames: VecDeque<InFlight>,
     /// Frames that have been commanded, and shown.
@@ -38,6 +43,21 @@ pub(crate) struct Host<'a, 'w> {
     first: Option<Assignment>,
 }
 
+/// A scene in the processing elements' memories.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Loaded {
+    pub polygons: u32,
+    /// Words with which it is loaded: 24 bytes a vertex, 12 a triangle.
+    pub words: u64,
+}
+
+impl Loaded {
+    fn of(view: &Projection) -> Loaded {
+        let vertices: HashSet<_> = view.corners.iter().flatten().collect();
+        Loaded { polygons: view.counts.polygons, words: 6 * vertices.len() as u64 + 3 * view.corners.len() as u64 }
+    }
+}
+
 /// A frame from its command until it has been seen.
 struct InFlight {
     number: u32,
@@ -46,14 +66,26 @@ struct InFlight {
     /// By processing element, when it had drawn.
     pages: Vec<u32>,
     refreshes: u64,
-    /// What the display gets in its first refresh, and the words that the bank has.
-    colours: Vec<u32>,
-    words: Vec<u64>,
+    /// Words that the host sent for it.
+    words: u64,
+    /// What has come on display.
+    frame: Option<Frame>,
+    average: Option<Frame>,
 }
 
 impl<'a, 'w> Host<'a, 'w> {
-    pub fn new(config: Config, hardware: &'a mut Hardware, watch: &'a mut Watch<'w>, views: Views) -> Host<'a, 'w> {
+    /// Looks at every refresh, or at the first one of each frame.
+    pub fn new(
+        config: Config,
+        hardware: &'a mut Hardware,
+        watch: &'a mut Watch<'w>,
+        views: Views,
+        every: bool,
+    ) -> Host<'a, 'w> {
+        let passes = config.accumulate.map(Passes::count);
         Host {
+            viewer: Viewer::new(config.size, passes, config.cursor, every),
+            scene: Loaded::default(),
             config,
             hardware,
             watch,
@@ -89,19 +121,24 @@ impl<'a, 'w> Host<'a, 'w> {
             if clock % PROGRESS_CLOCKS == 0 {
                 self.progress(processors)?;
             }
-            let pixels = self.config.size.pixels();
-            let display = self.frames.front_mut().filter(|it| it.times.shown.is_some() && it.colours.len() < pixels);
-            let line = self.hardware.clock(processors, display.map(|frame| &mut frame.colours))?;
+            let line = self.hardware.clock(processors, self.viewer.colours())?;
             self.watch_frames(processors, line);
-            if let Some(frame) = self.frames.pop_front_if(|frame| frame.is_seen(pixels, self.shown)) {
+            self.watch_display()?;
+            let is_seen = |it: &mut InFlight| it.times.shown.is_some() && self.viewer.has_seen(it.number);
+            if let Some(frame) = self.frames.pop_front_if(is_seen) {
                 self.views.remove(frame.number);
-                let shown = self.shown(frame, processors)?;
+                let shown = self.shown(frame, processors);
                 if !seen(shown) || self.frames.is_empty() && next.is_none() {
                     return Ok(());
                 }
             }
         }
         unreachable!("the frames end before the clocks")
+    }
+
+    /// Refreshes that have been compared with the frame buffer.
+    pub fn judged(&self) -> u64 {
+        self.viewer.judged
     }
 
     /// Begins to send the command of the next frame.
@@ -111,10 +148,15 @@ impl<'a, 'w> Host<'a, 'w> {
             let problem = format!("a projection of {asked} pixels on a machine of {size}: project the scene again");
             return Err(ParameterError(problem).into());
         }
+        if self.commanded == 0 {
+            self.scene = Loaded::of(&view);
+        }
         let view = View::new(&self.config, view, self.first.as_ref())?;
         self.first.get_or_insert_with(|| view.assignment.clone());
         let number = self.commanded;
-        self.words.extend(Message::Command { frame: number }.words());
+        let mut packets = if self.config.immediate { Message::scene(self.scene.words) } else { Vec::new() };
+        packets.push(Message::Command { frame: number });
+        self.words.extend(packets.iter().flat_map(Message::words));
         let times = Times { command: self.hardware.time(), ..Times::default() };
         self.frames.push_back(InFlight {
             number,
@@ -122,8 +164,9 @@ impl<'a, 'w> Host<'a, 'w> {
             times,
             pages: Vec::new(),
             refreshes: 0,
-            colours: Vec::new(),
-            words: Vec::new(),
+            words: self.words.len() as u64,
+            frame: None,
+            average: None,
         });
         self.commanded += 1;
         Ok(())
@@ -150,22 +193,34 @@ impl<'a, 'w> Host<'a, 'w> {
                     times.shown = Some(time);
                     let refresh = self.hardware.refresh();
                     frame.refreshes = refresh - std::mem::replace(&mut self.refresh, refresh);
-                    frame.words = self.hardware.displayed();
+                    let shown = self.viewer.show(frame.number, self.hardware.displayed());
+                    (frame.frame, frame.average) = (Some(shown.frame.clone()), shown.average.clone());
+                    if let Some(cursor) = self.config.cursor {
+                        self.hardware.write(cursor.words(self.config.size));
+                    }
                     self.shown += 1;
                 }
             }
         }
     }
 
-    /// What has become of a frame that has been shown for a refresh.
-    fn shown(&self, frame: InFlight, processors: &[Processor]) -> Result<Shown, Error> {
-        let InFlight { number, view, times, pages, refreshes, colours, words } = frame;
-        let size = self.config.size;
-        let differs = colours.iter().zip(&words).position(|(colour, word)| u64::from(*colour) != word & 0xff_ffff);
-        if let Some(place) = differs {
-            let width = size.width() as usize;
-            return Err(Error::Displayed { x: (place % width) as u32, y: (place / width) as u32 });
+    /// Looks at the refreshes of the display.
+    fn watch_display(&mut self) -> Result<(), Error> {
+        self.viewer.judge()?;
+        // What the host still writes is in the next refresh.
+        if self.hardware.dawns() && self.hardware.has_written() && self.viewer.begin(self.hardware.averages()) {
+            let time = self.hardware.time();
+            let picture = self.frames.iter_mut().rfind(|frame| frame.average.is_some());
+            if let Some(picture) = picture {
+                picture.times.averaged = Some(time);
+            }
         }
+        Ok(())
+    }
+
+    /// What has become of a frame that has been shown for a refresh.
+    fn shown(&self, frame: InFlight, processors: &[Processor]) -> Shown {
+        let InFlight { number, view, times, pages, refreshes, words, frame, average } = frame;
         let report = |(k, it): (usize, &Processor)| {
             let tally = it.frames()[number as usize];
             ProcessorReport {
@@ -179,9 +234,10 @@ impl<'a, 'w> Host<'a, 'w> {
             }
         };
         let processors: Vec<ProcessorReport> = processors.iter().enumerate().map(report).collect();
-        let report = FrameReport { packets: view.packets.len() as u64, times, refreshes, processors };
-        let frame = Frame::from_words(size, words).expect("there is a word of 48 bits for each pixel");
-        Ok(Shown { number, frame, report })
+        let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
+        let words = words + broadcast * POLYGON_WORDS as u64;
+        let report = FrameReport { packets: view.packets.len() as u64, words, times, refreshes, processors };
+        Shown { number, frame: frame.expect("it has come on display"), average, report }
     }
 
     /// Tells the caller how far the oldest frame is, and stops if the caller wants it.
@@ -189,7 +245,7 @@ impl<'a, 'w> Host<'a, 'w> {
         let time = self.hardware.time();
         let Some(frame) = self.frames.front() else { return Ok(()) };
         let (phase, fraction) = match frame.times {
-            Times { shown: Some(_), .. } => ("showing", frame.colours.len() as f64 / self.config.size.pixels() as f64),
+            Times { shown: Some(_), .. } => ("showing", self.viewer.fraction()),
             Times { swapped: Some(swapped), .. } => {
                 let t_m = self.hardware.merge_clocks * tilewright_rtl::clocks::MERGE.period.picoseconds();
                 ("merging", ((time - swapped) as f64 / t_m as f64).min(1.0))
@@ -202,13 +258,5 @@ impl<'a, 'w> Host<'a, 'w> {
             }
         };
         self.watch.go_on(phase, fraction, time)
-    }
-}
-
-impl InFlight {
-    /// Whether the display has had all of it, or has nothing of it as another frame came within the same blanking.
-    fn is_seen(&self, pixels: usize, shown: u32) -> bool {
-        let is_missed = self.colours.is_empty() && shown > self.number + 1;
-        self.times.shown.is_some() && (self.colours.len() == pixels || is_missed)
     }
 }

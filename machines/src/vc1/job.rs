@@ -36,7 +36,7 @@ impl View {
 }
 
 impl Config {
-    /// Pages in each buffer with which no processing element overflows in that frame; it may have fewer all the same.
+    /// Pages in each buffer with which no processing element overflows in the frames of these views, one after the other.
     ///
     /// ```
     /// use tilewright_machines::vc1::Config;
@@ -44,16 +44,21 @@ impl Config {
     ///
     /// let projection = Scene::builtin("teapot").expect("a built-in scene").project()?;
     /// let config = Config::new(projection.size);
-    /// assert!(config.sufficient_pages(&projection)? <= config.pages()?);
+    /// assert!(config.sufficient_pages([projection])? <= config.pages()?);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
     /// As [`Config::patches`].
-    pub fn sufficient_pages(&self, projection: &Projection) -> Result<u32, ParameterError> {
-        let assignment = self.assignment(projection, None)?;
-        let demand = demand(&assignment, &projection.triangles, &self.patches()?, self.apr);
-        Ok(demand.iter().map(|it| it.pages).max().unwrap_or_default())
+    pub fn sufficient_pages(&self, views: impl IntoIterator<Item = Projection>) -> Result<u32, ParameterError> {
+        let (patches, mut first, mut pages) = (self.patches()?, None, 0);
+        for view in views {
+            let assignment = self.assignment(&view, first.as_ref())?;
+            let demand = demand(&assignment, &view.triangles, &patches, self.apr);
+            pages = demand.iter().map(|it| it.pages).fold(pages, u32::max);
+            first.get_or_insert(assignment);
+        }
+        Ok(pages)
     }
 }
 

@@ -18,6 +18,7 @@ use crate::run::Watch;
 pub struct Machine {
     config: Config,
     hardware: Hardware,
+    judges_every_refresh: bool,
 }
 
 impl Machine {
@@ -27,7 +28,14 @@ impl Machine {
     /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.hardware()?)?;
-        Ok(Machine { config, hardware })
+        Ok(Machine { config, hardware, judges_every_refresh: false })
+    }
+
+    /// The same machine, which compares every refresh of its display with its frame buffer. Usually it looks at the first one of each
+    /// frame and each average.
+    pub fn judging_every_refresh(mut self) -> Machine {
+        self.judges_every_refresh = true;
+        self
     }
 
     /// The same machine on that engine of the simulator; the compiled one is the default.
@@ -45,7 +53,8 @@ impl Machine {
         &mut self.hardware.sim
     }
 
-    /// Renders a frame: the picture that the display gets with the depths of the global frame buffer, and the report.
+    /// Renders a frame, or a picture each of whose passes is the same: what the display gets with the depths of the global frame
+    /// buffer, and the report.
     ///
     /// # Errors
     /// As [`Machine::render_frames`].
@@ -55,13 +64,18 @@ impl Machine {
         background: [u8; 3],
         watch: &mut Watch,
     ) -> Result<(Frame, Report), Error> {
-        let (mut view, mut frame) = (Some(projection.clone()), None);
-        let report =
-            self.render_frames(background, watch, || view.take(), |shown| frame.replace(shown.frame).is_none())?;
+        let passes = self.config.accumulate.map_or(1, |passes| passes.count() as usize);
+        let (mut views, mut frame) = (std::iter::repeat_n(projection, passes).cloned(), None);
+        let seen = |shown: Shown| {
+            frame = Some(shown.average.unwrap_or(shown.frame));
+            true
+        };
+        let report = self.render_frames(background, watch, || views.next(), seen)?;
         Ok((frame.expect("a view has a frame"), report))
     }
 
-    /// Renders a frame of each of those views, all of one scene. `seen` gets each frame after its first refresh, and says whether to go
+    /// Renders a frame of each of those views, all of one scene. With [`Config::accumulate`] a view is that of a pass, and there have to
+    /// be all of the last picture. `seen` gets each frame after its first refresh, and says whether to go
     /// on. At least one view has to come.
     ///
     /// # Errors
@@ -88,44 +102,28 @@ impl Machine {
         mut views: impl FnMut() -> Option<Projection>,
         mut seen: impl FnMut(Shown) -> bool,
     ) -> Result<Report, Error> {
-        let Config { size, processors, costs, apr, .. } = self.config;
+        let Config { size, processors, costs, apr, accumulate, .. } = self.config;
         let patches = self.config.patches()?.count();
         let known = Views::default();
         let of = |number| Settings { number, processors, size, patches, costs, apr };
         let mut processors: Vec<_> = (0..processors).map(|number| Processor::new(of(number), known.clone())).collect();
-        self.hardware.reset(background)?;
+        self.hardware.reset(background, accumulate)?;
         let mut report = Report {
             machine: self.config.built()?,
             polygons: 0,
             load_words: 0,
             merge_clocks: self.hardware.merge_clocks,
+            judged: 0,
             frames: Vec::new(),
         };
-        let mut scene = None;
-        let mut host = Host::new(self.config, &mut self.hardware, watch, known);
-        host.run(
-            &mut processors,
-            &mut || {
-                let view = views();
-                if let (None, Some(first)) = (scene, &view) {
-                    scene = Some((first.counts.polygons, load_words(first)));
-                }
-                view
-            },
-            &mut |shown| {
-                report.frames.push(shown.report.clone());
-                seen(shown)
-            },
-        )?;
-        (report.polygons, report.load_words) = scene.expect("there is a view");
+        let mut host = Host::new(self.config, &mut self.hardware, watch, known, self.judges_every_refresh);
+        host.run(&mut processors, &mut views, &mut |shown| {
+            report.frames.push(shown.report.clone());
+            seen(shown)
+        })?;
+        (report.polygons, report.load_words, report.judged) = (host.scene.polygons, host.scene.words, host.judged());
         Ok(report)
     }
-}
-
-/// The words with which a scene is loaded: 24 bytes a vertex, 12 a triangle.
-fn load_words(view: &Projection) -> u64 {
-    let vertices: std::collections::HashSet<_> = view.corners.iter().flatten().collect();
-    6 * vertices.len() as u64 + 3 * view.corners.len() as u64
 }
 
 #[cfg(test)]

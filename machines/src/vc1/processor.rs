@@ -240,7 +240,8 @@ impl Processor {
                     self.unseen -= u32::from(sender == self.settings.number && self.unseen > 0);
                     self.tasks.extend(Task::share(&vertices, &self.settings));
                 }
-                None => {}
+                // It is stored, and drawn as the command says.
+                Some(Message::Scene { .. }) | None => {}
             }
         }
         self.go_on();

@@ -20,6 +20,8 @@ pub struct Report {
     pub load_words: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
+    /// Refreshes of the display that were compared with the frame buffer.
+    pub judged: u64,
     /// The frames, in order.
     pub frames: Vec<FrameReport>,
 }
@@ -29,6 +31,8 @@ pub struct Report {
 pub struct FrameReport {
     /// Triangle packets, after clipping.
     pub packets: u64,
+    /// Words on the bus: its command, its scene if that is sent, and polygons for all.
+    pub words: u64,
     /// When what happened.
     pub times: Times,
     /// Refreshes of the display from the frame before, or from the beginning, until this one is shown.
@@ -50,6 +54,8 @@ pub struct Times {
     pub merged: Option<u64>,
     /// The global frame buffer had swapped.
     pub shown: Option<u64>,
+    /// Of the last pass of a picture: a refresh of its average began.
+    pub averaged: Option<u64>,
 }
 
 /// What a processing element did in a frame.
@@ -78,14 +84,23 @@ pub struct Shown {
     pub number: u32,
     /// The colours that the display got, which are those of the global frame buffer, and its depths.
     pub frame: Frame,
+    /// Of the last pass of a picture: the average of its passes' colours, which the display got, with the depths of this one.
+    pub average: Option<Frame>,
     /// What it took.
     pub report: FrameReport,
 }
 
+impl Times {
+    /// When it was on display: the frame, or the average of the picture that it ends.
+    fn seen(&self) -> Option<u64> {
+        self.averaged.or(self.shown)
+    }
+}
+
 impl FrameReport {
-    /// Simulated picoseconds from the command until the frame is shown.
+    /// Simulated picoseconds from the command until the frame is shown, or the average of the picture that it ends.
     pub fn picoseconds(&self) -> u64 {
-        self.times.shown.map_or(0, |shown| shown - self.times.command)
+        self.times.seen().map_or(0, |seen| seen - self.times.command)
     }
 
     /// Pixels drawn, each as often as it was drawn.
@@ -117,12 +132,12 @@ impl FrameReport {
     }
 
     fn write_row(&self, number: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Times { command, drawn, swapped, merged, shown } = self.times;
+        let Times { command, drawn, swapped, merged, shown, .. } = self.times;
         write!(f, "{number:>5} {:>8} {:>8}", self.packets, self.pixels())?;
         for time in [Some(command), drawn, swapped, merged, shown] {
             write!(f, " {:>9.3}", milliseconds(time.unwrap_or_default()))?;
         }
-        writeln!(f, " {:>9} {:>9} {:>9}", self.refreshes, self.overflows(), self.broadcast())
+        writeln!(f, " {:>9} {:>9} {:>9} {:>8}", self.refreshes, self.overflows(), self.broadcast(), self.words)
     }
 }
 
@@ -131,9 +146,9 @@ fn milliseconds(picoseconds: u64) -> f64 {
 }
 
 impl Report {
-    /// Simulated picoseconds from the beginning until the last frame is shown.
+    /// Simulated picoseconds from the beginning until the last frame is shown, or the last average.
     pub fn picoseconds(&self) -> u64 {
-        self.frames.last().and_then(|frame| frame.times.shown).unwrap_or_default()
+        self.frames.last().and_then(|frame| frame.times.seen()).unwrap_or_default()
     }
 
     /// The clocks of each processing element in all frames.
@@ -150,8 +165,18 @@ impl Report {
         for time in ["command", "drawn", "swapped", "merged", "shown ms"] {
             write!(f, " {time:>9}")?;
         }
-        writeln!(f, " {:>9} {:>9} {:>9}", "refreshes", "overflows", "broadcast")?;
+        writeln!(f, " {:>9} {:>9} {:>9} {:>8}", "refreshes", "overflows", "broadcast", "words")?;
         (1..).zip(&self.frames).try_for_each(|(number, frame)| frame.write_row(number, f))
+    }
+
+    /// When the averages of several frames were shown.
+    fn write_pictures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let passes = self.machine.passes as usize;
+        for (number, averaged) in (1..).zip(&self.frames).filter_map(|(at, it)| Some((at, it.times.averaged?))) {
+            let (first, time) = (number + 1 - passes, milliseconds(averaged));
+            writeln!(f, "The average of frames {first} to {number} is on display from {time:.3} ms on.")?;
+        }
+        Ok(())
     }
 
     fn write_processors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -181,8 +206,14 @@ impl fmt::Display for Report {
             None => writeln!(f)?,
         }
         let load = milliseconds(self.load_words * u64::from(word_clocks) * PE.period.picoseconds());
-        writeln!(f, "{} polygons, loaded in {load:.1} ms; T_m is {} merge clocks\n", self.polygons, self.merge_clocks)?;
+        let loaded = if self.machine.immediate { "sent anew for each frame" } else { "loaded" };
+        writeln!(
+            f,
+            "{} polygons, {loaded} in {load:.1} ms; T_m is {} merge clocks\n",
+            self.polygons, self.merge_clocks
+        )?;
         self.write_frames(f)?;
+        self.write_pictures(f)?;
         writeln!(f, "\nclocks of each processing element")?;
         self.write_processors(f)
     }

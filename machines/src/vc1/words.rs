@@ -5,9 +5,11 @@
 //! | packet | words |
 //! |---|---|
 //! | command of the host | kind and frame, 19 of the view |
+//! | scene, in immediate mode | kind and count; up to 1023 words of vertices, 6 each, and triangles, 3 each |
 //! | polygon | kind and sender; of each vertex x above y, z, and r, g, b |
 //!
-//! The view's words take their time on the bus and are not looked at: what a view makes of the scene is computed beforehand.
+//! The words of view and scene take their time on the bus and are not looked at: what a view makes of the scene is computed
+//! beforehand.
 
 use tilewright_scenes::ScreenVertex;
 
@@ -18,7 +20,11 @@ pub(crate) const POLYGON_WORDS: usize = 10;
 
 const COMMAND: u32 = 1 << 24;
 const POLYGON: u32 = 2 << 24;
+const SCENE: u32 = 3 << 24;
 const NUMBER: u32 = (1 << 24) - 1;
+
+/// Words of a packet that carries a part of the scene, at most.
+const MOST_WORDS: u32 = 1024;
 
 /// A word on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +41,8 @@ pub(crate) enum Message {
     Command { frame: u32 },
     /// Draw your rows of that polygon.
     Polygon { sender: u32, vertices: [ScreenVertex; 3] },
+    /// A part of the scene, of so many words.
+    Scene { words: u32 },
 }
 
 impl Message {
@@ -54,9 +62,21 @@ impl Message {
                 };
                 [POLYGON | sender & NUMBER].into_iter().chain(vertices.iter().flat_map(of_vertex)).collect()
             }
+            Message::Scene { words } => (0..=*words).map(|at| if at == 0 { SCENE | words } else { at }).collect(),
         };
         let last = words.len() - 1;
         words.into_iter().enumerate().map(|(at, word)| Word { word, last: at == last }).collect()
+    }
+
+    /// The packets that carry a scene of so many words.
+    pub fn scene(mut words: u64) -> Vec<Message> {
+        let mut packets = Vec::new();
+        while words > 0 {
+            let part = words.min(u64::from(MOST_WORDS - 1)) as u32;
+            packets.push(Message::Scene { words: part });
+            words -= u64::from(part);
+        }
+        packets
     }
 
     /// What these words say, of which the last one has come; nothing, if they are no packet.
@@ -73,6 +93,7 @@ impl Message {
                 };
                 Some(Message::Polygon { sender: number, vertices: [1, 4, 7].map(vertex) })
             }
+            (SCENE, length) if number as usize + 1 == length => Some(Message::Scene { words: number }),
             _ => None,
         }
     }
@@ -116,6 +137,18 @@ mod tests {
     #[test]
     fn what_is_no_packet_says_nothing() {
         assert_eq!(Message::of_words(&[COMMAND]), None);
-        assert_eq!(Message::of_words(&[3 << 24; POLYGON_WORDS]), None);
+        assert_eq!(Message::of_words(&[4 << 24; POLYGON_WORDS]), None);
+        assert_eq!(Message::of_words(&[SCENE | 3; 3]), None);
+    }
+
+    #[test]
+    fn a_scene_is_sent_in_packets() {
+        assert_eq!(Message::scene(0), []);
+        assert_eq!(Message::scene(1024), [1023, 1].map(|words| Message::Scene { words }));
+        let words: Vec<u32> = Message::Scene { words: 2 }.words().iter().map(|it| it.word).collect();
+        assert_eq!(
+            (&words[..], Message::of_words(&words)),
+            (&[SCENE | 2, 1, 2][..], Some(Message::Scene { words: 2 }))
+        );
     }
 }

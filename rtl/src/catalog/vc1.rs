@@ -12,7 +12,7 @@ use crate::clocks::{MERGE, PE};
 use crate::gfb::{Access, Host};
 use crate::lfb::{LfbUnit, Patches, Request, Wanted};
 use crate::parameter::Screen;
-use crate::vc1::{ProcessorIn, Vc1, Vc1In};
+use crate::vc1::{OVERHEAD, ProcessorIn, Vc1, Vc1In};
 
 pub(super) const VC1: Entry = Entry {
     name: "vc1",
@@ -42,6 +42,7 @@ fn vc1(values: &Values) -> Result<Vc1, CatalogError> {
         queue: values.get_u32("queue"),
         word_clocks: values.get_u32("clocks"),
         display: display(values),
+        overhead: OVERHEAD,
         accumulation: values.get("accumulation") == 1,
     }
     .checked()?)

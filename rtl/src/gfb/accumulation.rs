@@ -58,6 +58,11 @@ codes! {
 }
 
 impl Passes {
+    /// Those of that count, if there is such a picture.
+    pub fn of_count(count: u32) -> Option<Passes> {
+        Passes::ALL.iter().copied().find(|passes| passes.count() == count)
+    }
+
     /// How many there are.
     pub fn count(self) -> u32 {
         1 << self.shift()

@@ -46,6 +46,13 @@ impl Multipass<Width> {
     }
 }
 
+impl Multipass<u64> {
+    /// What the host says of pictures of so many passes.
+    pub fn pictures_of(passes: Passes) -> Multipass<u64> {
+        Multipass { accumulates: 1, passes: passes.code() }
+    }
+}
+
 codes! {
     /// What is on display, and waited for.
     enum Stage {

@@ -45,7 +45,7 @@ use crate::merger::{ImageMerger, ImageMergerIn};
 use crate::prelude::*;
 use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SyncLine, SyncLineIn};
 
-/// The scan line overhead of the VC-1, beta, in clocks of the merger (VC1-TM).
+/// The scan line overhead of the paper, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
 
 /// Clocks of the merger for the crossings between the clocks and for reading a pixel, beside T_m.
@@ -88,6 +88,8 @@ block! {
         pub queue: u32,
         /// Clocks of the processors that a word is on the bus.
         pub word_clocks: u32,
+        /// Clocks of the merger after each scan line: beta, [`OVERHEAD`] in the paper.
+        pub overhead: u32,
         /// Whether there is an accumulation buffer; the machine without one has no memory for it.
         pub accumulation: bool,
         /// What shows the picture.
@@ -96,6 +98,7 @@ block! {
     ranges(self) {
         /// Each scan counter runs 4 pixels ahead of the succeeding one, and all lie within the screen.
         processors: 1..=(self.lfb.patches.screen().pixels() - 3) / crate::merger::STAGES,
+        overhead: 1..,
     }
     latency(self) = format!("a frame is merged in {} clocks of the merger", self.gfb().sequencer().stored_clocks());
     source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)";
@@ -128,8 +131,8 @@ block! {
 impl Vc1 {
     /// Its global frame buffer unit.
     pub fn gfb(&self) -> GfbUnit {
-        let (screen, display) = (self.lfb.patches.screen(), self.display);
-        GfbUnit { screen, units: self.processors, overhead: OVERHEAD, display, accumulation: self.accumulation }
+        let Vc1 { overhead, accumulation, display, .. } = *self;
+        GfbUnit { screen: self.lfb.patches.screen(), units: self.processors, overhead, display, accumulation }
     }
 
     /// Its bus.
@@ -157,7 +160,7 @@ impl Vc1 {
     fn longest(&self) -> u64 {
         let sequencer = self.gfb().sequencer();
         let overheads = 1 + (sequencer.chain() + CROSSINGS).div_ceil(self.lfb.patches.screen().width);
-        sequencer.merge_clocks() + u64::from(overheads * OVERHEAD + CROSSINGS + 1)
+        sequencer.merge_clocks() + u64::from(overheads * self.overhead + CROSSINGS + 1)
     }
 
     /// The widths of what a processor says.

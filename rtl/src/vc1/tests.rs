@@ -24,7 +24,7 @@ fn vc1(screen: Screen, edge: u32, pages: u32, processors: u32) -> Vc1 {
     let patches = Patches::new(screen, edge).unwrap();
     let display = Display { period: Period::ps(6_002), blanking: Blanking::AtStart };
     let lfb = LfbUnit { patches, pages: pages.min(patches.count()) };
-    Vc1 { lfb, processors, queue: 4, word_clocks: 6, display, accumulation: false }
+    Vc1 { lfb, processors, queue: 4, word_clocks: 6, display, overhead: OVERHEAD, accumulation: false }
 }
 
 fn running(vc1: &Vc1, seed: u64) -> Sim {

@@ -1,6 +1,6 @@
 //! Golden frames of eight samples a pixel.
 
-use super::render_watched;
+use super::{passes::mean, render_watched};
 use crate::frame::{Frame, blank, rgb_of};
 use crate::project::Projection;
 use crate::size::Size;
@@ -70,12 +70,8 @@ pub fn average_eight(passes: &[Frame; 2]) -> Frame {
     for y in 0..size.height() {
         for x in 0..size.width() {
             let colours = samples_of(size, x, y).map(|(pass, pixel)| rgb_of(passes[pass].words[pixel]));
-            let mean = |channel: usize| {
-                let sum: u16 = colours.iter().map(|colour| u16::from(colour[channel])).sum();
-                ((sum + 4) / 8) as u8
-            };
             let pixel = frame.index(x, y);
-            frame.words[pixel] = blank([mean(0), mean(1), mean(2)]);
+            frame.words[pixel] = blank(mean(&colours));
         }
     }
     frame

@@ -1,20 +1,23 @@
-//! Several frames of a scene around which the camera turns.
+//! Several pictures of a scene around which the camera turns.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
 
-use super::golden_of;
+use super::job::golden_of;
 use crate::machine::job::Run;
-use crate::scene::triangles;
+use crate::scene::moved_triangles;
 use crate::shell::Failure;
 use tilewright_machines::vc1::{Config, Machine, Report, Shown};
+use tilewright_rtl::gfb::Passes;
+use tilewright_scenes::golden::pass_shifts;
 use tilewright_scenes::{Frame, Projection, Scene};
 
 /// A turn around a scene.
 pub struct Turn<'a> {
     pub config: Config,
     pub scene: &'a Scene,
-    pub frames: u32,
+    pub pictures: u32,
+    /// From picture to picture.
     pub degrees: f64,
 }
 
@@ -27,24 +30,51 @@ struct State {
 }
 
 impl Turn<'_> {
-    /// Renders the frames; `seen` gets each with the software rasterizer's.
+    /// The frames of a picture: its passes.
+    fn passes(&self) -> u32 {
+        self.config.accumulate.map_or(1, Passes::count)
+    }
+
+    /// All frames.
+    pub fn frames(&self) -> u32 {
+        self.pictures * self.passes()
+    }
+
+    /// The scene as the camera sees it in a frame.
+    ///
+    /// # Errors
+    /// It cannot be set up.
+    pub fn view(&self, frame: u32) -> Result<Projection, Failure> {
+        let (picture, pass) = (frame / self.passes(), frame % self.passes());
+        let shift = pass_shifts(self.passes()).map_or([0, 0], |shifts| shifts[pass as usize]);
+        if picture == 0 {
+            return moved_triangles(self.scene, shift);
+        }
+        let mut scene = self.scene.clone();
+        scene.camera = scene.camera.orbited(self.degrees * f64::from(picture));
+        moved_triangles(&scene, shift)
+    }
+
+    /// Those of all frames.
+    ///
+    /// # Errors
+    /// One cannot be set up.
+    pub fn views(&self) -> Result<Vec<Projection>, Failure> {
+        (0..self.frames()).map(|frame| self.view(frame)).collect()
+    }
+
+    /// Renders the pictures; `seen` gets the number of each, what the display showed, and the software rasterizer's.
     ///
     /// # Errors
     /// The machine cannot be built; a view cannot be set up; Ctrl-C; a waveform cannot be written; those of `seen`.
     pub fn render(
         &self,
         run: &Run,
-        mut seen: impl FnMut(Shown, Frame) -> Result<(), Failure>,
+        mut seen: impl FnMut(u32, Frame, Frame) -> Result<(), Failure>,
     ) -> Result<Report, Failure> {
         let mut machine = Machine::new(self.config)?.on(run.engine());
         run.attach(machine.simulation())?;
-        let mut scene = self.scene.clone();
-        // The scene as the camera sees it in a frame.
-        let mut view_of = |number: u32| {
-            scene.camera = self.scene.camera.orbited(self.degrees * f64::from(number));
-            triangles(&scene)
-        };
-        let first = view_of(0)?;
+        let first = self.view(0)?;
         let background = self.scene.background;
         let state = RefCell::new(State { views: [first].into(), ..State::default() });
         let next = || {
@@ -52,8 +82,8 @@ impl Turn<'_> {
             let number = state.commanded;
             let view = match number {
                 0 => state.views.front().cloned(),
-                _ if number == self.frames => None,
-                _ => match view_of(number) {
+                _ if number == self.frames() => None,
+                _ => match self.view(number) {
                     Ok(view) => {
                         state.views.push_back(view.clone());
                         Some(view)
@@ -67,9 +97,14 @@ impl Turn<'_> {
             state.commanded += 1;
             view
         };
-        let shown = |shown| {
-            let view = state.borrow_mut().views.pop_front().expect("each frame has a view");
-            let judged = golden_of(&view, background).and_then(|golden| seen(shown, golden));
+        let passes = self.passes();
+        let shown = |shown: Shown| {
+            if (shown.number + 1) % passes > 0 {
+                return true;
+            }
+            let views: Vec<Projection> = state.borrow_mut().views.drain(..passes as usize).collect();
+            let judged = golden_of(&self.config, &views, background)
+                .and_then(|golden| seen(shown.number / passes, shown.average.unwrap_or(shown.frame), golden));
             let goes_on = judged.is_ok();
             if let Err(failure) = judged {
                 state.borrow_mut().failure = Some(failure);

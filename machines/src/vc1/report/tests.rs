@@ -23,6 +23,7 @@ fn report() -> Report {
         swapped: Some(4_100_000_000),
         merged: Some(9_500_000_000),
         shown: Some(9_600_000_000),
+        averaged: None,
     };
     let processors = vec![of(4, 30, one), of(3, 10, other)];
     Report {
@@ -30,7 +31,8 @@ fn report() -> Report {
         polygons: 7,
         load_words: 1000,
         merge_clocks: 64,
-        frames: vec![FrameReport { packets: 8, times, refreshes: 3, processors }],
+        judged: 1,
+        frames: vec![FrameReport { packets: 8, words: 60, times, refreshes: 3, processors }],
     }
 }
 
@@ -82,8 +84,8 @@ fn it_reads_as_tables() {
          4096 pages in each local frame buffer, clusters of 32 polygons, those above 500 pixels drawn by all\n\
          7 polygons, loaded in 0.1 ms; T_m is 64 merge clocks\n\
          \n\
-         frame  packets   pixels   command     drawn   swapped    merged  shown ms refreshes overflows broadcast\n    \
-         1        8       40     1.000     4.000     4.100     9.500     9.600         3         2         4\n\
+         frame  packets   pixels   command     drawn   swapped    merged  shown ms refreshes overflows broadcast    words\n    \
+         1        8       40     1.000     4.000     4.100     9.500     9.600         3         2         4       60\n\
          \n\
          clocks of each processing element\n \
          PE  clearing  geometry    raster   sending receiving   stalled       bus  overflow      sync      swap\n  \

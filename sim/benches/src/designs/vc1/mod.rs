@@ -25,7 +25,7 @@ use tilewright_rtl::gfb::{Blanking, Display};
 use tilewright_rtl::lfb::{LfbUnit, Patches};
 use tilewright_rtl::parameter::{ParameterError, Screen};
 use tilewright_rtl::swap::SwapState;
-use tilewright_rtl::vc1::{ProcessorIn, Vc1, Vc1In};
+use tilewright_rtl::vc1::{OVERHEAD, ProcessorIn, Vc1, Vc1In};
 
 use super::BenchOut;
 use crate::word::seed;
@@ -67,6 +67,7 @@ impl Vc1Frames {
             queue: BroadcastBus::QUEUE,
             word_clocks: BroadcastBus::WORD_CLOCKS,
             display,
+            overhead: OVERHEAD,
             accumulation: false,
         };
         let t_m = of(Display::VGA).gfb().sequencer().merge_clocks() * MERGE.period.picoseconds();

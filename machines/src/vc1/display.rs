@@ -1,0 +1,131 @@
+//! What is on display, and whether the refreshes have its colours.
+//!
+//! Source: VC1-GFB, VC1-SW2, VC1-HOSTP, VC1-ACB. Each frame that the banks bring is looked at in its first refresh, and so is the
+//! average of a picture's passes.
+
+use tilewright_scenes::{Frame, Size, golden};
+
+use super::cursor::Cursor;
+use crate::error::Error;
+
+/// Looks at the display.
+pub(crate) struct Viewer {
+    size: Size,
+    /// Of how many passes a picture is.
+    passes: usize,
+    cursor: Option<Cursor>,
+    /// It looks at every refresh, not only at the first one of each frame.
+    every: bool,
+    on_display: Option<OnDisplay>,
+    /// The passes of the picture that is being made.
+    picture: Vec<Frame>,
+    refresh: Option<Refresh>,
+    /// Refreshes that had the right colours.
+    pub judged: u64,
+}
+
+/// A frame on display.
+pub(crate) struct OnDisplay {
+    pub number: u32,
+    /// What the bank on display has, with the cursor.
+    pub frame: Frame,
+    /// Of the last pass of a picture: the average.
+    pub average: Option<Frame>,
+    is_seen: bool,
+    is_average_seen: bool,
+}
+
+/// A refresh, while it is looked at.
+struct Refresh {
+    averages: bool,
+    colours: Vec<u32>,
+}
+
+impl Viewer {
+    /// For pictures of so many passes, where frames are passes.
+    pub fn new(size: Size, passes: Option<u32>, cursor: Option<Cursor>, every: bool) -> Viewer {
+        Viewer {
+            size,
+            passes: passes.map_or(1, |passes| passes as usize),
+            cursor,
+            every,
+            on_display: None,
+            picture: Vec::new(),
+            refresh: None,
+            judged: 0,
+        }
+    }
+
+    /// The banks have changed, and now a frame of these words is on display.
+    pub fn show(&mut self, number: u32, words: Vec<u64>) -> &OnDisplay {
+        let mut frame = Frame::from_words(self.size, words).expect("there is a word of 48 bits for each pixel");
+        if let Some(cursor) = self.cursor {
+            cursor.draw(&mut frame);
+        }
+        let mut average = None;
+        if self.passes > 1 {
+            self.picture.push(frame.clone());
+            if self.picture.len() == self.passes {
+                average = Some(golden::average(&std::mem::take(&mut self.picture)));
+            }
+        }
+        self.on_display.insert(OnDisplay { number, frame, average, is_seen: false, is_average_seen: false })
+    }
+
+    /// A blanking ends, and a refresh begins, of the average or of the bank; says whether that is the first time of an average.
+    pub fn begin(&mut self, averages: bool) -> bool {
+        let Some(shown) = &self.on_display else { return false };
+        let is_new = !if averages { shown.is_average_seen } else { shown.is_seen };
+        if is_new || self.every {
+            self.refresh = Some(Refresh { averages, colours: Vec::with_capacity(self.size.pixels()) });
+        }
+        is_new && averages
+    }
+
+    /// Where the colours of the refresh go, if it is looked at.
+    pub fn colours(&mut self) -> Option<&mut Vec<u32>> {
+        self.refresh.as_mut().map(|refresh| &mut refresh.colours)
+    }
+
+    /// How much of the refresh has been looked at, from 0 to 1.
+    pub fn fraction(&self) -> f64 {
+        let seen = self.refresh.as_ref().map_or(0, |refresh| refresh.colours.len());
+        seen as f64 / self.size.pixels() as f64
+    }
+
+    /// Judges the refresh, if it is complete.
+    ///
+    /// # Errors
+    /// [`Error::Displayed`].
+    pub fn judge(&mut self) -> Result<(), Error> {
+        let pixels = self.size.pixels();
+        let Some(Refresh { averages, colours }) = self.refresh.take_if(|it| it.colours.len() == pixels) else {
+            return Ok(());
+        };
+        let shown = self.on_display.as_mut().expect("a refresh is looked at when there is a frame");
+        let (expected, is_seen) = match &shown.average {
+            Some(average) if averages => (average, &mut shown.is_average_seen),
+            _ => (&shown.frame, &mut shown.is_seen),
+        };
+        *is_seen = true;
+        let differs = |(colour, word): (&u32, &u64)| u64::from(*colour) != word & 0xff_ffff;
+        if let Some(place) = colours.iter().zip(&expected.words).position(differs) {
+            let width = self.size.width() as usize;
+            return Err(Error::Displayed { x: (place % width) as u32, y: (place / width) as u32 });
+        }
+        self.judged += 1;
+        Ok(())
+    }
+
+    /// Whether a frame that has come on display has been seen, or is gone, as another one came before a refresh showed it.
+    pub fn has_seen(&self, number: u32) -> bool {
+        self.on_display.as_ref().is_some_and(|shown| {
+            let is_seen = match shown.average {
+                // A short sum leaves no refresh to its pass.
+                Some(_) => shown.is_average_seen,
+                None => shown.is_seen,
+            };
+            shown.number > number || shown.number == number && is_seen
+        })
+    }
+}
