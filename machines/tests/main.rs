@@ -5,3 +5,4 @@ mod pixelflow;
 mod quadtree;
 mod vc1;
 mod vc1_campaign;
+mod vc1_times;
