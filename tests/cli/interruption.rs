@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Once};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
+use tilewright_scenes::Frame;
 
 /// A scenario that takes long.
 const LONG: &str = "wave gfb-unit --set width=2048 --set height=2048 -o long.vcd";
@@ -106,6 +107,27 @@ fn an_interrupted_frame_leaves_a_waveform_that_opens_and_no_picture() {
         assert!(run.stderr.contains("error: the run was interrupted at "), "{signal}: {run:?}");
         assert!(Waveform::read(&folder.path("run.vcd")).times.len() > 100);
         assert_eq!(folder.names(), ["run.vcd"]);
+    }
+}
+
+#[test]
+fn an_interrupted_turn_leaves_the_frames_that_were_shown() {
+    let folder = Folder::new();
+    let line = "render teapot --size 64x48 --processors 2 --refresh 3000 --frames 1000 -o turn.png";
+    let mut child = start(&folder, line);
+    while !folder.path("turn-0002.png").exists() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended before it could be interrupted");
+        sleep(Duration::from_millis(5));
+    }
+    send(&child, "INT");
+    let run = Run::of(child.wait_with_output().unwrap());
+    assert_eq!((run.code, run.stdout.as_str()), (Some(130), ""), "{run:?}");
+    assert!(run.stderr.contains("error: the run was interrupted at "), "{run:?}");
+    let names = folder.names();
+    assert_eq!(names[..2], ["turn-0001.png", "turn-0002.png"]);
+    assert!(names.len() < 1000);
+    for name in names {
+        Frame::read_png(folder.path(&name)).unwrap_or_else(|error| panic!("{name}: {error}"));
     }
 }
 

@@ -45,7 +45,8 @@ impl Job for Vc1Job {
 impl Compared for Vc1Job {
     fn figures(&self, report: &Report) -> Result<Figures, Failure> {
         let hardware = state(&self.config.hardware().map_err(tilewright_machines::Error::from)?)?;
-        let (picoseconds, processors) = (report.picoseconds(), report.machine.processors);
+        let (picoseconds, processors) =
+            (report.picoseconds() - report.frames[0].times.command, report.machine.processors);
         let clocks = picoseconds / PE.period.picoseconds();
         let frame = report.frames.last().expect("a picture has a frame");
         let Times { command, drawn, swapped, merged, shown, averaged } = frame.times;
