@@ -6,3 +6,4 @@ mod quadtree;
 mod vc1;
 mod vc1_campaign;
 mod vc1_times;
+mod vc1_whole;
