@@ -60,6 +60,8 @@ struct Ports {
     /// At the coming edge the local frame buffer takes the access, and the bus the word.
     taken: bool,
     sent: bool,
+    /// Clocks for which it computes on, and nothing at the ports is of account to it.
+    ahead: u64,
 }
 
 /// The edges of a clock.
@@ -143,10 +145,19 @@ impl Hardware {
         }
         self.present_command();
         for (k, processor) in processors.iter().enumerate() {
-            self.present(k, processor);
+            if self.ports[k].ahead == 0 {
+                self.present(k, processor);
+            }
         }
-        for k in 0..processors.len() {
+        for (k, processor) in processors.iter_mut().enumerate() {
+            if self.ports[k].ahead > 0 {
+                continue;
+            }
             (self.ports[k].taken, self.ports[k].sent) = (self.takes(k), self.sends(k));
+            // With nothing under way in its local frame buffer it cannot overflow.
+            if processor.may_compute_ahead() && self.flag(self.sim.o.processors[k].idle) {
+                self.ports[k].ahead = processor.compute_ahead();
+            }
         }
         let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
         let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
@@ -155,6 +166,10 @@ impl Hardware {
             self.command = None;
         }
         for (k, processor) in processors.iter_mut().enumerate() {
+            if self.ports[k].ahead > 0 {
+                self.ports[k].ahead -= 1;
+                continue;
+            }
             let port = self.sim.o.processors[k];
             let may = SwapState::of_code(self.sim.get_u64(port.state));
             let front = self.flag(port.received.valid).then(|| Word {
