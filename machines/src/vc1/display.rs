@@ -82,6 +82,11 @@ impl Viewer {
         is_new && averages
     }
 
+    /// Whether it looks at a refresh.
+    pub fn is_looking(&self) -> bool {
+        self.refresh.is_some()
+    }
+
     /// Where the colours of the refresh go, if it is looked at.
     pub fn colours(&mut self) -> Option<&mut Vec<u32>> {
         self.refresh.as_mut().map(|refresh| &mut refresh.colours)

@@ -31,8 +31,10 @@ pub(crate) struct Hardware {
     command_port: Option<Word>,
     /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
     writes: VecDeque<(u32, u64)>,
-    /// In the clock before no processing element did anything, so that nothing stands at any port.
-    was_idle: bool,
+    /// For how many clocks no processing element has done anything, so that nothing stands at any port.
+    idle: u64,
+    /// After as many nothing is on the bus any more.
+    bus_clocks: u64,
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
     #[cfg(test)]
     pub flips: u32,
@@ -78,13 +80,11 @@ impl Edges {
         Edges { period, next: (count + 1) * period }
     }
 
-    /// Whether one came by then; at most one may have come.
+    /// Whether some came by then.
     fn came(&mut self, time: u64) -> bool {
-        let came = self.next <= time;
-        if came {
-            self.next += self.period;
-        }
-        came
+        let came = (time + self.period).saturating_sub(self.next) / self.period;
+        self.next += came * self.period;
+        came > 0
     }
 }
 
@@ -99,7 +99,8 @@ impl Hardware {
             command: None,
             command_port: None,
             writes: VecDeque::new(),
-            was_idle: false,
+            idle: 0,
+            bus_clocks: u64::from(4 * machine.word_clocks + 16),
             #[cfg(test)]
             flips: 0,
             pe: Edges::after(0, PE.period.picoseconds()),
@@ -138,9 +139,10 @@ impl Hardware {
     /// in it go to `display`, if that is there. Whether the sync line is high, as all have drawn.
     pub fn clock(&mut self, processors: &mut [Processor], display: Option<&mut Vec<u32>>) -> Result<bool, Error> {
         let is_idle = self.command.is_none() && processors.iter().all(Processor::is_idle);
-        if std::mem::replace(&mut self.was_idle, is_idle) && is_idle {
+        self.idle = if is_idle { self.idle + 1 } else { 0 };
+        if self.idle > 1 {
             self.advance(display)?;
-            processors.iter_mut().for_each(Processor::idle);
+            processors.iter_mut().for_each(|it| it.idle(1));
             return Ok(false);
         }
         self.present_command();
@@ -184,6 +186,28 @@ impl Hardware {
         Ok(line)
     }
 
+    /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how
+    /// many. There are none unless all have been idle for some clocks.
+    pub fn rest(&mut self, processors: &mut [Processor], clocks: u64, until: u64) -> Result<u64, Error> {
+        let until = until.min(self.dawn.next - 1);
+        let clocks = clocks.min(until.saturating_sub(self.time()) / self.pe.period);
+        if self.idle < self.bus_clocks || !self.writes.is_empty() || clocks == 0 {
+            return Ok(0);
+        }
+        let end = self.pe.next + (clocks - 1) * self.pe.period;
+        self.sim.try_run_to(end)?;
+        for edges in [&mut self.pe, &mut self.merge, &mut self.crt] {
+            edges.came(end);
+        }
+        processors.iter_mut().for_each(|it| it.idle(clocks));
+        Ok(clocks)
+    }
+
+    /// When the banks may change next, at the earliest: a line before the blanking begins.
+    pub fn next_blanking(&self) -> u64 {
+        self.dawn.next.saturating_sub(u64::from(BLANK_LINES + 1) * self.line_clocks * self.crt.period)
+    }
+
     /// Goes through the next edge of the processing elements' clock, and through those of the others before it.
     fn advance(&mut self, display: Option<&mut Vec<u32>>) -> Result<(), Error> {
         let end = self.pe.next;
@@ -196,8 +220,7 @@ impl Hardware {
                 }
             }
         } else {
-            let behind = (end + self.crt.period).saturating_sub(self.crt.next) / self.crt.period;
-            self.crt.next += behind * self.crt.period;
+            self.crt.came(end);
         }
         self.pe.next += self.pe.period;
         self.sim.try_run_to(end)?;
@@ -338,6 +361,11 @@ impl Hardware {
         let bank = u8::from(!self.shown());
         let words = self.sim.peek_words(&format!("{BANKS}[{bank}]")).expect("the banks have that name");
         words.iter().map(|word| word.to_u64().expect("a word has 48 bits")).collect()
+    }
+
+    /// T_m in picoseconds.
+    pub fn merge_time(&self) -> u64 {
+        self.merge_clocks * self.merge.period
     }
 
     /// Simulated picoseconds.

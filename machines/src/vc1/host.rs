@@ -107,7 +107,8 @@ impl<'a, 'w> Host<'a, 'w> {
         seen: &mut dyn FnMut(Shown) -> bool,
     ) -> Result<(), Error> {
         let mut next = views();
-        for clock in 0.. {
+        let mut clock = 0;
+        loop {
             if self.frames.back().is_none_or(|frame| frame.times.drawn.is_some())
                 && let Some(view) = next.take()
             {
@@ -121,6 +122,7 @@ impl<'a, 'w> Host<'a, 'w> {
             if clock % PROGRESS_CLOCKS == 0 {
                 self.progress(processors)?;
             }
+            clock += self.rest(processors, PROGRESS_CLOCKS - 1 - clock % PROGRESS_CLOCKS)? + 1;
             let line = self.hardware.clock(processors, self.viewer.colours())?;
             self.watch_frames(processors, line);
             self.watch_display()?;
@@ -133,7 +135,20 @@ impl<'a, 'w> Host<'a, 'w> {
                 }
             }
         }
-        unreachable!("the frames end before the clocks")
+    }
+
+    /// Goes at once through clocks, at most so many, in which nothing can become of any frame; says how many.
+    fn rest(&mut self, processors: &mut [Processor], clocks: u64) -> Result<u64, Error> {
+        if self.viewer.is_looking() || !self.words.is_empty() {
+            return Ok(0);
+        }
+        let until = match self.frames.iter().find(|frame| frame.times.shown.is_none()).map(|frame| frame.times) {
+            None => u64::MAX,
+            Some(Times { merged: Some(_), .. }) => self.hardware.next_blanking(),
+            Some(Times { swapped: Some(swapped), .. }) => swapped + self.hardware.merge_time(),
+            Some(_) => return Ok(0),
+        };
+        self.hardware.rest(processors, clocks, until)
     }
 
     /// Refreshes that have been compared with the frame buffer.
@@ -247,8 +262,7 @@ impl<'a, 'w> Host<'a, 'w> {
         let (phase, fraction) = match frame.times {
             Times { shown: Some(_), .. } => ("showing", self.viewer.fraction()),
             Times { swapped: Some(swapped), .. } => {
-                let t_m = self.hardware.merge_clocks * tilewright_rtl::clocks::MERGE.period.picoseconds();
-                ("merging", ((time - swapped) as f64 / t_m as f64).min(1.0))
+                ("merging", ((time - swapped) as f64 / self.hardware.merge_time() as f64).min(1.0))
             }
             Times { drawn: Some(_), .. } => ("swapping", 0.0),
             _ => {

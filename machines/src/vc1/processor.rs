@@ -154,9 +154,9 @@ impl Processor {
         clocks
     }
 
-    /// An edge of its clock, while all are idle.
-    pub fn idle(&mut self) {
-        self.tally.clocks.sync += 1;
+    /// So many edges of its clock, while all are idle.
+    pub fn idle(&mut self, clocks: u64) {
+        self.tally.clocks.sync += clocks;
     }
 
     /// An edge of its clock.
