@@ -87,6 +87,22 @@ fn numbered(path: &Path, number: u32, of: u32) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tilewright_scenes::{Frame, Size};
+
+    #[test]
+    fn one_frame_that_differs_is_told_by_its_number() {
+        let golden = Frame::blank(Size::new(2, 2).unwrap(), [0; 3]);
+        let mut other = golden.clone();
+        other.words[3] -= 1;
+        let verdicts = |frames: [&Frame; 2]| {
+            let frames: Vec<Verdict> = frames.map(|it| Golden::Rendered(golden.clone()).judge(it)).into();
+            Verdicts { identical: frames.iter().all(|it| it.identical), frames }.to_string()
+        };
+        assert_eq!(verdicts([&golden, &golden]), "all 2 frames are identical to their golden images");
+        let sentence = verdicts([&golden, &other]);
+        assert!(sentence.starts_with("frame 2: NOT identical to the golden image: "), "{sentence}");
+        assert_eq!(sentence.lines().count(), 1);
+    }
 
     #[test]
     fn frames_are_numbered_in_the_file_name() {

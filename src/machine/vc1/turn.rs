@@ -99,7 +99,7 @@ impl Turn<'_> {
         };
         let passes = self.passes();
         let shown = |shown: Shown| {
-            if (shown.number + 1) % passes > 0 {
+            if !(shown.number + 1).is_multiple_of(passes) {
                 return true;
             }
             let views: Vec<Projection> = state.borrow_mut().views.drain(..passes as usize).collect();
