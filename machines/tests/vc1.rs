@@ -3,7 +3,9 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use proptest::prelude::*;
-use tilewright_machines::vc1::{Assignment, Config, CostTable, Demand, FrameReport, Machine, Report, Shown, demand};
+use tilewright_machines::vc1::{
+    Assign, Assignment, Config, CostTable, Demand, FrameReport, Machine, Report, Shown, demand,
+};
 use tilewright_machines::{Error, Progress, Watch};
 use tilewright_scenes::{Comparison, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project};
 use tilewright_sim::Vcd;
@@ -157,6 +159,31 @@ fn frames_of_a_moving_camera_are_golden() {
     assert!(overflows(3, 60, Some(20), 10) > 0);
     assert!(overflows(4, 20, Some(0), 10) > 10);
     assert_eq!(overflows(256, 60, Some(20), 64), 0);
+}
+
+/// With queues of one polygon and a fast bus: all send at once; all overflow while others send to them; with both, nobody hangs.
+#[test]
+fn queues_of_one_polygon_do_not_lock() {
+    let views = turning("table", 80, 60, 2, 25.0);
+    let processors = |pages, apr, word_clocks| {
+        let config = Config {
+            processors: 4,
+            pages: Some(pages),
+            apr: Some(apr),
+            queue: 10,
+            word_clocks,
+            assign: Assign::Each,
+            costs: HASTY,
+            ..small(views[0].size)
+        };
+        render_all(config, &views).frames.into_iter().flat_map(|frame| frame.processors).collect::<Vec<_>>()
+    };
+    let sending = processors(300, 0, 6);
+    assert!(sending.iter().all(|it| it.broadcast > 100 && it.clocks.bus > 1000 && it.overflows == 0), "{sending:?}");
+    let full = processors(40, 20, 1);
+    assert!(full.iter().all(|it| it.overflows > 0 && it.clocks.receiving > 0), "{full:?}");
+    let both = processors(30, 0, 1);
+    assert!(both.iter().all(|it| it.broadcast > 100 && it.overflows > 0 && it.clocks.bus > 0), "{both:?}");
 }
 
 /// While frames are drawn in less than two refreshes of the paper's display, one comes every two (VC1-SW2): T_m is 1.52 of them.
