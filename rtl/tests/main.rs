@@ -1,4 +1,5 @@
 //! The blocks of the machines: their catalogue and their Verilog.
 
 mod catalog;
+mod figure_6;
 mod verilog;

@@ -30,6 +30,7 @@ pub const ENTRIES: &[Entry] = &[
     gfb::GFB_SEQUENCER,
     gfb::CRT_READ_OUT,
     gfb::ACCUMULATION,
+    swap::VC1_SWAP,
     swap::SYNC_LINE,
     swap::LFB_SWAP,
     swap::GFB_SWAP,

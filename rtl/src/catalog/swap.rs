@@ -1,16 +1,29 @@
 //! The entries of the swap control.
 
+mod figure_6;
+
 use tilewright_hdl::{Scenario, Script, elaborate, elaborate_at};
 
 use super::shared::PROCESSORS;
 use super::{CatalogError, Entry, Parameter, Values};
 use crate::clocks::{MERGE, PE};
-use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SyncLine, SyncLineIn};
+use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SwapControl, SyncLine, SyncLineIn};
 
 const PATCHES: Parameter =
     Parameter { name: "patches", default: 3, min: 2, max: 1 << 18, meaning: "entries of the patch table" };
 const MERGE_CLOCKS: Parameter =
     Parameter { name: "merge-clocks", default: 12, min: 12, max: 1 << 20, meaning: "T_m in clocks of the block" };
+
+const ROUND: Parameter =
+    Parameter { name: "merge-clocks", default: 4, min: 4, max: 1 << 16, meaning: "T_m in clocks of the merger" };
+
+pub(super) const VC1_SWAP: Entry = Entry {
+    name: "vc1-swap",
+    summary: "all of the VC-1's swap control: when local frame buffers swap, and when the global one does",
+    parameters: &[PROCESSORS, PATCHES, ROUND],
+    design: |values| Ok(elaborate(&swap_control(values)?)?),
+    scenario: |values| Ok(figure_6::figure_6(&swap_control(values)?)),
+};
 
 pub(super) const SYNC_LINE: Entry = Entry {
     name: "sync-line",
@@ -36,6 +49,15 @@ pub(super) const GFB_SWAP: Entry = Entry {
     scenario: |values| Ok(two_frames(&gfb_swap(values)?)),
 };
 
+fn swap_control(values: &Values) -> Result<SwapControl, CatalogError> {
+    let round = values.get("merge-clocks");
+    let merge_clocks = (round * MERGE.period.picoseconds()).div_ceil(PE.period.picoseconds());
+    let (sent_clocks, overflow_clocks) = (merge_clocks + 40, 3 * merge_clocks + 80);
+    let local = LfbSwap { patches: values.get_u32("patches"), merge_clocks, sent_clocks, overflow_clocks }.checked()?;
+    let global = GfbSwap { processors: values.get_u32("processors"), merge_clocks: round, way: round as u32, late: 8 };
+    Ok(SwapControl { local, global: global.checked()? })
+}
+
 fn sync_line(values: &Values) -> Result<SyncLine, CatalogError> {
     Ok(SyncLine { processors: values.get_u32("processors") }.checked()?)
 }
@@ -52,7 +74,9 @@ fn one_after_another(line: &SyncLine) -> Scenario {
 
 fn lfb_swap(values: &Values) -> Result<LfbSwap, CatalogError> {
     let merge_clocks = values.get("merge-clocks");
-    Ok(LfbSwap { patches: values.get_u32("patches"), merge_clocks, sent_clocks: merge_clocks + 40 }.checked()?)
+    let patches = values.get_u32("patches");
+    Ok(LfbSwap { patches, merge_clocks, sent_clocks: merge_clocks + 40, overflow_clocks: 3 * merge_clocks + 80 }
+        .checked()?)
 }
 
 fn a_frame_and_an_overflow(control: &LfbSwap) -> Scenario {

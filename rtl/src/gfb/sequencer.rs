@@ -130,7 +130,8 @@ impl GfbSequencer {
         def!(fed = m.reg(up_to(self.screen.pixels())).reset(0));
         fed.when(restarts, 0).when(enable & fed.le(last), fed + 1);
         m.assert(blank.eq(fed.le(last)), "blank pixels enter in the first round after a restart, and in no other");
-        m.cover("a later round begins", round_ends & !blank);
+        m.cover("a first round ends", round_ends & blank);
+        m.cover("a later round ends", round_ends & !blank);
         let (scan, stale) = (ScanControl { restart: restarts, enable }, enable & is_stale);
         GfbSequencerOut { scan, feed: *feed, blank: *blank, stores, stale, store: *store }
     }

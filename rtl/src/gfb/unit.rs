@@ -194,6 +194,10 @@ impl GfbUnit {
         read_valid.next(reads);
         merge.cover("the host reads right behind a write", reads & merge.past(writes));
         merge.cover("the host writes in the clock of a swap", writes & i.swap);
+        merge.assert(
+            merge.past(i.swap).implies(round.blank),
+            "blank pixels enter the chain in the first round after a swap",
+        );
 
         // Of the bank on display, the chain's port is that of the accumulation buffer.
         let adds = self.accumulation.then(|| merge.wire("adds", self.adding()));
@@ -213,6 +217,7 @@ impl GfbUnit {
         def!(word = crt.wire(WORD));
         let read_out = crt.instance("u_crt", &self.read_out(), CrtReadOutIn { word: *word });
         crt.assert(crt.stable(shown_bank) | read_out.dark, "no refresh shows two frames");
+        crt.cover("the display turns to the other bank", crt.rose(shown_bank) | crt.fell(shown_bank));
         let shown = banks.on(self.display.clock()).read(read_out.address).pick(shown_bank);
         def!(window = merge.synchronize(read_out.window));
         let (word_shown, blanking) = match (adds, multipass.first()) {

@@ -82,6 +82,8 @@ block! {
         word: bits(WORD),
         /// Some of the back buffer is still to be sent since the last swap.
         sending: bit(),
+        /// The pixel that the scan counter shows, of which the word is sent 2 clocks later.
+        scanned: Position = ScanCounter::position(self.patches.screen()),
     }
 }
 
@@ -151,6 +153,7 @@ impl LfbUnit {
             clears,
             word: image.sent,
             sending: *sending,
+            scanned: counted.pixel,
         }
     }
 }

@@ -55,7 +55,8 @@ impl GfbSwap {
     fn build(&self, m: Module, i: GfbSwapIn) -> GfbSwapOut {
         def!(swap = m.wire(bit()));
         def!(shown = m.toggle(*swap));
-        def!(all_swapped = stack(i.frames).ne(shown).and_all());
+        def!(frames = stack(i.frames));
+        def!(all_swapped = frames.ne(shown).and_all());
 
         let longest = self.merge_clocks + self.late;
         def!(since = m.reg(up_to(longest)).reset(0));
@@ -64,14 +65,19 @@ impl GfbSwap {
         def!(way_left = m.reg(up_to(self.way)).reset(self.way));
         def!(stored = way_left.eq(0));
         way_left.when(!all_swapped | *swap, self.way).when(i.enable & !stored, way_left - 1);
-        def!(merged = all_swapped & waited & stored);
+        def!(merged = waited & stored);
         swap.drive(merged & i.blanking);
 
         m.assert(
-            swap.implies(i.blanking & !stack(i.sending).or_all()),
-            "the banks change in a blanking, with all of the frame sent",
+            swap.implies(i.blanking & stored & !stack(i.sending).or_all()),
+            "the banks change in a blanking, with all of the frame sent and stored",
         );
         m.assert(since.eq(longest).implies(stored), "all is stored soon after T_m");
+        m.assert(merged.implies(all_swapped), "a merged frame is one that all have ended");
+        m.assume(
+            frames.ne(m.past(frames)).implies(frames.ne(shown)).and_all(),
+            "a frame ends when the one before is on display",
+        );
         m.cover("the banks change", *swap);
         m.cover("a merged frame waits for the blanking", merged & !i.blanking);
         GfbSwapOut { swap: *swap, merged, shown }

@@ -59,8 +59,11 @@ block! {
         pub merge_clocks: u64,
         /// The clocks of the processing element after a swap in which the whole back buffer is sent, at most.
         pub sent_clocks: u64,
+        /// The clocks of the processing element in which the swap of an overflow comes, at most. Another one may hold its own frame's end
+        /// back for T_m; the merger then takes T_m, and the banks wait for a blanking. So they are 2 T_m and a refresh, by their periods.
+        pub overflow_clocks: u64,
     }
-    ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.. }
+    ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.., overflow_clocks: 1.. }
     latency = "1 clock from the line to the swap, if all guards hold";
     source = "VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)";
     in(self) LfbSwapIn {
@@ -129,7 +132,7 @@ impl LfbSwap {
         });
         def!(holds = pe.reg(bit()).reset(0));
         def!(resume = last_entry & holds);
-        holds.when(moves.enters(Overflow), 1).when(resume, 0);
+        holds.when(overflow, 1).when(resume, 0);
         def!(ready = draw & i.done & i.idle);
 
         pe.assume(
@@ -145,10 +148,19 @@ impl LfbSwap {
             since.eq(self.sent_clocks).implies(is_sent),
             "the back buffer is sent within a period and its overhead",
         );
+        def!(overflow_clocks = pe.reg(up_to(self.overflow_clocks)).reset(0));
+        overflow_clocks.when(!overflow | *swap, 0).when(overflow_clocks.ne(self.overflow_clocks), overflow_clocks + 1);
+        pe.assert(
+            overflow_clocks.ne(self.overflow_clocks),
+            "the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for",
+        );
         pe.cover("a frame ends", frame_end);
+        pe.cover("an overflow ends with a swap", overflow & *swap);
+        pe.cover("the last entry is cleared", last_entry);
         pe.cover("a buffer overflows", moves.enters(Overflow));
         pe.cover("a swap waits for the global frame buffer alone", (due | overflow) & waited & is_sent & !is_shown);
         pe.cover("a swap waits for T_m alone", (due | overflow) & is_shown & is_sent & !waited);
+        pe.cover("a swap waits for the merger alone", (due | overflow) & is_shown & waited & !is_sent);
 
         def!(frame_here = merge.synchronize(parity));
         def!(frame_late = merge.reg(bit()).reset(0));

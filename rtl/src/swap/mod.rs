@@ -12,10 +12,12 @@
 //! A frame ends when every program has ended: all see the line at one edge, and each swaps as soon as its own guards hold. When the
 //! last has swapped and the global frame buffer has stored what all have sent, its banks change in a vertical blanking.
 
+mod control;
 mod gfb_swap;
 mod lfb_swap;
 mod sync_line;
 
+pub use control::{SwapControl, SwapControlIn, SwapControlOut};
 pub use gfb_swap::{GfbSwap, GfbSwapIn, GfbSwapOut};
 pub use lfb_swap::{LfbSwap, LfbSwapIn, LfbSwapOut, SwapState};
 pub use sync_line::{SyncLine, SyncLineIn, SyncLineOut};

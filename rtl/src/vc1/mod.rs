@@ -41,9 +41,9 @@
 use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
 use crate::lfb::{LfbUnit, LfbUnitIn, LfbUnitOut, Request, ScanCounter, Wanted};
-use crate::merger::{ImageMerger, ImageMergerIn};
+use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
 use crate::prelude::*;
-use crate::swap::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SyncLine, SyncLineIn};
+use crate::swap::{GfbSwap, LfbSwap, SwapControl, SwapControlIn};
 
 /// The scan line overhead of the paper, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
@@ -144,7 +144,17 @@ impl Vc1 {
     pub fn lfb_swap(&self) -> LfbSwap {
         let sequencer = self.gfb().sequencer();
         let [merge_clocks, sent_clocks] = [sequencer.merge_clocks(), self.longest()].map(pe_clocks);
-        LfbSwap { patches: self.lfb.patches.count(), merge_clocks, sent_clocks: sent_clocks + 4 * u64::from(CROSSINGS) }
+        let sent_clocks = sent_clocks + 4 * u64::from(CROSSINGS);
+        // Where an average is shown, the banks wait for its sum and for a whole refresh of it too.
+        let refreshes = if self.accumulation { 3 } else { 1 };
+        let refreshes = refreshes * self.gfb().read_out().refresh_clocks() * self.display.period.picoseconds();
+        let waits = refreshes.div_ceil(PE.period.picoseconds()) + pe_clocks(2 * u64::from(CROSSINGS));
+        LfbSwap {
+            patches: self.lfb.patches.count(),
+            merge_clocks,
+            sent_clocks,
+            overflow_clocks: 2 * sent_clocks + waits,
+        }
     }
 
     /// The swap control of the global frame buffer.
@@ -153,6 +163,11 @@ impl Vc1 {
         let merge_clocks = sequencer.merge_clocks();
         let way = self.lfb.patches.screen().pixels() + sequencer.chain() + CROSSINGS;
         GfbSwap { processors: self.processors, merge_clocks, way, late: self.longest() - merge_clocks }
+    }
+
+    /// All of the swap control.
+    pub fn swap_control(&self) -> SwapControl {
+        SwapControl { local: self.lfb_swap(), global: self.gfb_swap() }
     }
 
     /// The clocks of the merger after a swap in which all is sent and stored: T_m, an overhead in which the swap may have come, one
@@ -191,40 +206,34 @@ impl Vc1 {
             let preset = constants(widths, |position| ScanCounter::preset(screen, position));
             LfbUnitIn { request, clear, swap: *swap, resume: *resume, scan: gfb.scan, preset }
         });
-        let LfbUnitOut { overflow, idle, draws, clears, sending, word, .. } = lfb;
+        let LfbUnitOut { overflow, idle, draws, clears, sending, word, scanned, .. } = lfb;
+        self.state_how_they_scan(merge, scanned, gfb.scan.restart);
 
         // The swaps.
         def!(finished = idle & bus.empty);
-        def!(line = pe.wire(bit()));
-        def!(shown = merge.wire(bit()));
-        let control = m.array("u_lfb_swap", self.processors, &self.lfb_swap(), |_| LfbSwapIn {
+        let control = SwapControlIn {
             done,
             idle: finished,
             overflow,
             draws,
             clears,
             patch,
-            line: *line,
-            shown: *shown,
+            bus: bus.idle,
+            host: i.ready,
             sending,
-        });
-        swap.drive(control.swap);
-        resume.drive(control.resume);
-        let sync = SyncLineIn { ready: control.ready.to_vec(), bus: bus.idle, host: i.ready };
-        line.drive(pe.instance("u_sync_line", &SyncLine { processors: self.processors }, sync).line);
-        let frames = GfbSwapIn {
-            frames: control.frame.to_vec(),
-            sending: sending.to_vec(),
             enable: gfb.scan.enable,
             blanking: gfb.blanking,
         };
+        let control = m.instance("u_swap", &self.swap_control(), control);
+        swap.drive(control.swap);
+        resume.drive(control.resume);
+        gfb_swap.drive(control.gfb_swap);
+        def!(brought = bus.idle & bus.empty.and_all());
         pe.assert(
-            line.implies(bus.idle & bus.empty.and_all() & idle.and_all()),
+            control.line.implies(brought & idle.and_all()),
             "the line is high only with the bus and all queues empty and all local frame buffers idle",
         );
-        let banks = merge.instance("u_gfb_swap", &self.gfb_swap(), frames);
-        gfb_swap.drive(banks.swap);
-        shown.drive(banks.shown);
+        pe.cover("a word on the bus or in a queue holds the line low", (done & idle).and_all() & i.ready & !brought);
 
         let chain = ImageMerger { units: self.processors };
         let inputs = ImageMergerIn { left: gfb.left, samples: word.to_vec(), enable: gfb.scan.enable };
@@ -238,12 +247,30 @@ impl Vc1 {
         };
         Vc1Out {
             processors: (0..self.processors).map(processor).collect(),
-            line: *line,
+            line: control.line,
             view: gfb.view,
-            is_merged: banks.merged,
-            shown: *shown,
+            is_merged: control.merged,
+            shown: control.shown,
             pixel: gfb.pixel,
         }
+    }
+
+    /// That each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame (VC1-SCAN): all are at one pixel, but for 4 for each place.
+    fn state_how_they_scan(&self, merge: Module, scanned: Position, restart: Signal) {
+        let Screen { width, height } = self.lfb.patches.screen();
+        let (pixels, number) = (width * height, below(2 * width * height).of(row(self.processors)));
+        let lead = constants(number, |place| u64::from(STAGES) * u64::from(place));
+        let [x, y] = [scanned.x, scanned.y].map(|it| it.zext(number));
+        def!(sum = (y * width).trunc(number) + x + lead);
+        def!(is_behind = sum.ge(pixels));
+        def!(led = mux(is_behind, sum - pixels, sum));
+        def!(is_scanning = merge.reg(bit()).reset(0));
+        is_scanning.when(restart, 1);
+        merge.assert(
+            is_scanning.implies(led.eq(led.lane(0)).and_all()),
+            "each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame",
+        );
+        merge.cover("a scan counter is in a frame before that of the first one", is_scanning & is_behind.or_all());
     }
 }
 

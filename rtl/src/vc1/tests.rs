@@ -218,6 +218,12 @@ fn the_guards_of_the_papers_machine() {
     assert_eq!(full.gfb_swap().merge_clocks, 316_864);
     assert_eq!(full.lfb_swap().merge_clocks, 1_013_965);
     assert_eq!((full.gfb_swap().way, full.gfb_swap().late), (307_200 + 64 + 4, 20 + 20 + 5));
+    // 2 T_m, with what the crossings and overheads add, and a refresh; 2 refreshes more for the average of several passes.
+    let refresh = |full: &Vc1| full.lfb_swap().overflow_clocks - 2 * full.lfb_swap().sent_clocks - 26;
+    let vga = Vc1 { display: Display::VGA, ..full };
+    assert_eq!(vga.lfb_swap().sent_clocks, 1_013_965 + 45 * 80 / 25 + 16);
+    assert_eq!(refresh(&vga), (800 * 525 * 39_682u64).div_ceil(25_000));
+    assert_eq!(refresh(&Vc1 { accumulation: true, ..vga }), (3 * 800 * 525 * 39_682u64).div_ceil(25_000));
 }
 
 #[test]
@@ -278,6 +284,9 @@ fn frames_follow_each_other_and_nothing_of_one_is_left_in_the_next() {
     let run = run(&machine, &drawn, 7);
     check(&machine, &drawn, &run);
     assert_eq!(run.overflows, [0; 3]);
+    // Before a restart all are at the first pixel, and behind it the first one is, and the others are near the end of the frame before.
+    let mut sim = run.sim;
+    assert!(sim.covered("a scan counter is in a frame before that of the first one").unwrap() > 0);
 }
 
 /// 8 patches in 2 pages, of one processing element in the second frame and of all in the third.
@@ -290,8 +299,9 @@ fn an_overflow_is_merged_in_a_round_of_its_own() {
     let mut run = run(&machine, &drawn, 7);
     check(&machine, &drawn, &run);
     assert_eq!(run.overflows, [6, 3, 3]);
-    let mut covered =
-        |what: &str| (0..3).map(|k| run.sim.covered(&format!("u_lfb_swap[{k}].{what}")).unwrap_or(0)).sum::<u64>();
+    let mut covered = |what: &str| {
+        (0..3).map(|k| run.sim.covered(&format!("u_swap.u_lfb_swap[{k}].{what}")).unwrap_or(0)).sum::<u64>()
+    };
     assert_eq!(covered("a buffer overflows"), 12);
     assert!(covered("a swap waits for the global frame buffer alone") > 0 && covered("a swap waits for T_m alone") > 0);
 }
@@ -334,6 +344,7 @@ fn a_word_on_the_bus_or_in_a_queue_holds_the_line_low() {
     }
     assert_eq!(sim.get_u64(received.valid), 0);
     assert!(line(&mut sim, 2));
+    assert!(sim.covered("a word on the bus or in a queue holds the line low").unwrap() > 0);
 }
 
 proptest! {

@@ -42,7 +42,7 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
     wire round_ends = enable & (feed == 7'd127);                 // rtl/src/gfb/sequencer.rs:117
     wire is_stale = way_left != 5'd0;                            // rtl/src/gfb/sequencer.rs:124
     assign stores = enable & !is_stale;                          // rtl/src/gfb/sequencer.rs:126
-    assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:134
+    assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:135
 
     always @(posedge clk) begin
         if (rst) begin
@@ -118,21 +118,30 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assert (blank == (fed <= 8'd127));                 // rtl/src/gfb/sequencer.rs:132
-        if (!rst) cover (round_ends & !blank);                       // rtl/src/gfb/sequencer.rs:133
+        if (!rst) cover (round_ends & blank);                        // rtl/src/gfb/sequencer.rs:133
+        if (!rst) cover (round_ends & !blank);                       // rtl/src/gfb/sequencer.rs:134
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
         if (!rst && !(blank == (fed <= 8'd127))) begin               // rtl/src/gfb/sequencer.rs:132
             $display("FAIL: time %0t: %m: blank pixels enter in the first round after a restart, and in no other", $time);
             stop;
         end
-        if (!rst && (round_ends & !blank) && !is_covered) begin      // rtl/src/gfb/sequencer.rs:133
+        if (!rst && (round_ends & blank) && !is_covered) begin       // rtl/src/gfb/sequencer.rs:133
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a later round begins", $time);
+            $display("COVER: time %0t: %m: a first round ends", $time);
             `endif
             is_covered <= 1'b1;
+        end
+        if (!rst && (round_ends & !blank) && !is_covered_2) begin    // rtl/src/gfb/sequencer.rs:134
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a later round ends", $time);
+            `endif
+            is_covered_2 <= 1'b1;
         end
     end
 `endif

@@ -24,22 +24,29 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     output reg  shown      // Turns with each swap.
 );
 
-    reg [4:0] since;                                             // rtl/src/swap/gfb_swap.rs:61
-    reg [3:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:64
+    reg [4:0] since;                                             // rtl/src/swap/gfb_swap.rs:62
+    reg [3:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:65
 
-    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:58
-    wire waited = since >= 5'd12;                                // rtl/src/swap/gfb_swap.rs:63
-    wire stored = way_left == 4'd0;                              // rtl/src/swap/gfb_swap.rs:65
-    assign merged = all_swapped & waited & stored;               // rtl/src/swap/gfb_swap.rs:67
+    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:59
+    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:78
+    wire waited = since >= 5'd12;                                // rtl/src/swap/gfb_swap.rs:64
+    wire stored = way_left == 4'd0;                              // rtl/src/swap/gfb_swap.rs:66
+    assign merged = waited & stored;                             // rtl/src/swap/gfb_swap.rs:68
     assign swap = merged & blanking;                             // rtl/src/swap/gfb_swap.rs:56
 
     genvar i;
 
-    wire [1:0] row_all_swapped_listed = {frames_1, frames_0};
+    wire [1:0] row_frames = {frames_1, frames_0};
     generate
         for (i = 0; i < 2; i = i + 1) begin : row
-            wire all_swapped_listed = row_all_swapped_listed[i];
-            wire all_swapped_differs = all_swapped_listed != shown;
+            reg frames_past;
+            wire frames = row_frames[i];
+            wire all_swapped_differs = frames != shown;
+            wire assumed_or = (frames == frames_past) | (frames != shown);
+
+            always @(posedge clk) begin
+                frames_past <= frames;
+            end
         end
     endgenerate
 
@@ -49,7 +56,14 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
             assign all_swapped_lanes[i] = row[i].all_swapped_differs;
         end
     endgenerate
-    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:58
+    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:59
+    wire [1:0] assumed_all_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : assumed_all_of
+            assign assumed_all_lanes[i] = row[i].assumed_or;
+        end
+    endgenerate
+    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:78
 
     always @(posedge clk) begin
         if (rst) begin
@@ -80,12 +94,23 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
 `endif
 
 `ifndef SYNTHESIS
+    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:77
+
+    initial has_past = 1'b0;
+
+    always @(posedge clk) begin
+        if (rst) has_past <= 1'b0;
+        else has_past <= 1'b1;
+    end
+
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!swap | (blanking & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:70
-        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:74
-        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:75
-        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:76
+        if (!rst) assert (!swap | (blanking & stored & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:71
+        if (!rst) assert ((since != 5'd20) | stored);                // rtl/src/swap/gfb_swap.rs:75
+        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:76
+        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:77
+        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:81
+        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:82
     end
 `else
     reg is_covered;
@@ -93,21 +118,29 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!swap | (blanking & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:70
-            $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent", $time);
+        if (!rst && !(!swap | (blanking & stored & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:71
+            $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent and stored", $time);
             stop;
         end
-        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:74
+        if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:75
             $display("FAIL: time %0t: %m: all is stored soon after T_m", $time);
             stop;
         end
-        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:75
+        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:76
+            $display("FAIL: time %0t: %m: a merged frame is one that all have ended", $time);
+            stop;
+        end
+        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:77
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends when the one before is on display", $time);
+            stop;
+        end
+        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:81
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the banks change", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:76
+        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:82
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a merged frame waits for the blanking", $time);
             `endif
@@ -117,6 +150,6 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, sending_0, sending_1};
+    wire _unused_ok = &{1'b0, sending_0, sending_1, assumed_all};
 endmodule
 `default_nettype wire

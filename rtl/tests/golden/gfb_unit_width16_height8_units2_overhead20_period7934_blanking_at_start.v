@@ -44,32 +44,34 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     reg filled_bank;                                             // rtl/src/gfb/unit.rs:179
     reg read_bank;                                               // rtl/src/gfb/unit.rs:191
     reg read_valid;                                              // rtl/src/gfb/unit.rs:193
-    reg fed_bank;                                                // rtl/src/gfb/unit.rs:204
-    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:206
-    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:237
-    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:212
-    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:212
-    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:217
-    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:217
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:208
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:210
+    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:242
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:216
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:216
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:219
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:222
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:222
 
     (* no_rw_check *)
-    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:236
+    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:241
 
     wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:173
     wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:173
     wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:173
     wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:173
-    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:214
-    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:214
-    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:214
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:218
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:218
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:218
 
-    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:207
-    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:213
+    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:211
+    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:217
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:172
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:182
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:183
-    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:239
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:245
+    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:244
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:250
+    wire covered_or = (shown_bank & !shown_bank_past) | (!shown_bank & shown_bank_past); // rtl/src/gfb/unit.rs:220
 
     genvar i;
 
@@ -78,8 +80,8 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             (* no_rw_check *)
             reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:181
             reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:192
-            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:205
-            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:216
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:209
+            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:221
             localparam [31:0] is_filled_listed = i;
             wire is_filled = is_filled_listed[0] == filled_bank;
             wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
@@ -111,7 +113,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         .store        (u_sequencer_store)
     );
 
-    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:214
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:218
         .clk         (crt_clk),
         .rst         (crt_rst),
         .word        (word),
@@ -128,21 +130,21 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             assign left_picked_lanes[i] = row[i].old;
         end
     endgenerate
-    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:207
+    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:211
     wire [47:0] word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : word_of
             assign word_lanes[i] = row[i].banks_read2;
         end
     endgenerate
-    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:213
+    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:217
     wire [47:0] view_read_word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
             assign view_read_word_lanes[i] = row[i].read_words;
         end
     endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:229
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:234
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -159,6 +161,10 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             if (old_is_blank) left <= host_background;
             else left <= left_picked;
         end
+    end
+
+    always @(posedge crt_clk) begin
+        shown_bank_past <= shown_bank;
     end
 
     always @(posedge merge_clk) begin
@@ -207,21 +213,18 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 
 `ifndef SYNTHESIS
     reg writes_past;                                             // rtl/src/gfb/unit.rs:195
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:238
-    reg was_full;                                                // rtl/src/gfb/unit.rs:242
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:215
+    reg swap_past;                                               // rtl/src/gfb/unit.rs:198
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:243
+    reg was_full;                                                // rtl/src/gfb/unit.rs:247
     reg has_past;                                                // rtl/src/gfb/unit.rs:195
-    reg has_past_2;                                              // rtl/src/gfb/unit.rs:215
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:219
 
     initial has_past = 1'b0;
     initial has_past_2 = 1'b0;
 
     always @(posedge merge_clk) begin
         writes_past <= writes;
-    end
-
-    always @(posedge crt_clk) begin
-        shown_bank_past <= shown_bank;
+        swap_past <= swap;
     end
 
     always @(posedge merge_clk) begin
@@ -245,16 +248,20 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     always @(posedge merge_clk) begin
         if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:195
         if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:196
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:246
+        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:197
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:251
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:215
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:219
+        if (!crt_rst) cover (has_past_2 & covered_or);               // rtl/src/gfb/unit.rs:220
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
+    reg is_covered_3;
+    initial is_covered_3 = 1'b0;
     always @(posedge merge_clk) begin
         if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:195
             `ifdef TILEWRIGHT_COVERS
@@ -268,20 +275,30 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:246
+        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:197
+            $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
+            stop;
+        end
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:251
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
             stop;
         end
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:215
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:219
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
+        end
+        if (!crt_rst && (has_past_2 & covered_or) && !is_covered_3) begin // rtl/src/gfb/unit.rs:220
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the display turns to the other bank", $time);
+            `endif
+            is_covered_3 <= 1'b1;
         end
     end
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, u_crt_dark};
+    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, u_crt_dark, covered_or};
 endmodule
 `default_nettype wire

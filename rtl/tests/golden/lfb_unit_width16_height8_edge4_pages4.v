@@ -37,58 +37,59 @@ module lfb_unit_width16_height8_edge4_pages4 (
     output wire        clears,        // An entry of the patch table is cleared.
     output wire [47:0] word,          // The pixel sent to the merging unit.
     output reg         sending,       // Some of the back buffer is still to be sent since the last swap.
+    // The pixel that the scan counter shows, of which the word is sent 2 clocks later.
+    output wire [3:0]  scanned_x,     // Counted from the left.
+    output wire [2:0]  scanned_y,     // Counted from the top.
     output wire        request_ready,
     output wire        clear_ready
 );
 
-    reg front;                                                   // rtl/src/lfb/unit.rs:94
-    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:95
-    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:95
-    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:96
-    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:96
-    reg sought_armed;                                            // rtl/src/lfb/unit.rs:104
-    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:105
-    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:106
-    reg was_front;                                               // rtl/src/lfb/unit.rs:110
-    reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:114
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:134
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:135
+    reg front;                                                   // rtl/src/lfb/unit.rs:96
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:97
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:97
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:98
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:98
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:106
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:107
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:108
+    reg was_front;                                               // rtl/src/lfb/unit.rs:112
+    reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:116
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:136
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:137
 
-    wire [3:0] u_scan_counter_pixel_x;                           // rtl/src/lfb/unit.rs:102
-    wire [2:0] u_scan_counter_pixel_y;                           // rtl/src/lfb/unit.rs:102
-    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:102
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:133
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:133
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:133
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:133
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:133
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:142
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:104
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:135
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:135
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:135
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:135
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:135
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:144
 
-    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:97
-    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:98
-    wire [3:0] u_patch_table_scan_patch_product = {3'd0, u_scan_counter_pixel_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire swapped = was_front != merge_front;                     // rtl/src/lfb/unit.rs:112
-    wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:113
-    wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:115
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:99
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:100
+    wire [3:0] u_patch_table_scan_patch_product = {3'd0, scanned_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
+    wire swapped = was_front != merge_front;                     // rtl/src/lfb/unit.rs:114
+    wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:115
+    wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:117
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:127
-    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:128
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:138
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:143
+    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:129
+    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:130
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:140
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:145
 
-    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:102
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:104
         .clk          (merge_clk),
         .rst          (merge_rst),
         .scan_restart (scan_restart),
         .scan_enable  (scan_enable),
         .preset_x     (preset_x),
         .preset_y     (preset_y),
-        .pixel_x      (u_scan_counter_pixel_x),
-        .pixel_y      (u_scan_counter_pixel_y),
+        .pixel_x      (scanned_x),
+        .pixel_y      (scanned_y),
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:133
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:135
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -101,7 +102,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .restart             (swap),
         .resume              (resume),
         .scan_enable         (scan_enable),
-        .scan_patch          (u_patch_table_scan_patch_product[2:0] + {1'd0, u_scan_counter_pixel_x[3:2]}),
+        .scan_patch          (u_patch_table_scan_patch_product[2:0] + {1'd0, scanned_x[3:2]}),
         .scan_buffer         (back),
         .overflow            (overflow),
         .idle                (u_patch_table_idle),
@@ -114,7 +115,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:142
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:144
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -135,7 +136,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
 
     always @(posedge merge_clk) begin
         if (scan_enable) begin
-            sought_offset <= {u_scan_counter_pixel_y[1:0], u_scan_counter_pixel_x[1:0]};
+            sought_offset <= {scanned_y[1:0], scanned_x[1:0]};
             sought_buffer <= back;
         end
     end
@@ -202,25 +203,25 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:144
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:145
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:146
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:147
     end
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:122
+        if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:124
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:144
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:146
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:145
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:147
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             stop;
         end
     end
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:122
+        if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:124
             $display("FAIL: time %0t: %m: the buffers are swapped when the back buffer has been sent", $time);
             stop;
         end

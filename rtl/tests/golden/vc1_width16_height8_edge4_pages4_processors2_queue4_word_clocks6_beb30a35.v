@@ -91,57 +91,63 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
     output wire        host_accesses_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:178
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:178
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:178
-    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:178
-    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:184
-    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:184
-    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:176
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:175
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:193
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:193
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:193
+    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:193
+    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:199
+    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:199
+    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:224
+    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:224
+    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:224
+    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:191
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:190
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:219
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:219
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:267
+    wire covered_any;                                            // rtl/src/vc1/mod.rs:270
+    wire brought_all;                                            // rtl/src/vc1/mod.rs:228
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:230
+    wire covered_all;                                            // rtl/src/vc1/mod.rs:233
+    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:210
+    wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:201
+    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:228
 
     genvar i;
 
-    wire [1:0] swap_row_request_valid = {processors_1_request_valid, processors_0_request_valid};
-    wire [7:0] swap_row_request_x = {processors_1_request_x, processors_0_request_x};
-    wire [5:0] swap_row_request_y = {processors_1_request_y, processors_0_request_y};
-    wire [95:0] swap_row_request_word = {processors_1_request_word, processors_0_request_word};
-    wire [1:0] swap_row_clear_valid = {processors_1_clear_valid, processors_0_clear_valid};
-    wire [5:0] swap_row_clear_patch = {processors_1_clear_patch, processors_0_clear_patch};
-    wire [1:0] swap_row_done = {processors_1_done, processors_0_done};
+    wire [1:0] u_lfb_request_valid = {processors_1_request_valid, processors_0_request_valid};
+    wire [7:0] u_lfb_request_x = {processors_1_request_x, processors_0_request_x};
+    wire [5:0] u_lfb_request_y = {processors_1_request_y, processors_0_request_y};
+    wire [95:0] u_lfb_request_word = {processors_1_request_word, processors_0_request_word};
+    wire [1:0] u_lfb_clear_valid = {processors_1_clear_valid, processors_0_clear_valid};
+    wire [5:0] u_lfb_clear_patch = {processors_1_clear_patch, processors_0_clear_patch};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : swap_row
-            wire u_lfb_overflow;
-            wire [2:0] u_lfb_pages_used;
-            wire u_lfb_idle;
-            wire u_lfb_draws;
-            wire u_lfb_clears;
-            wire [47:0] u_lfb_word;
-            wire u_lfb_sending;
-            wire u_lfb_request_ready;
-            wire u_lfb_clear_ready;
-            wire u_lfb_swap_ready;
-            wire u_lfb_swap_swap;
-            wire u_lfb_swap_resume;
-            wire [1:0] u_lfb_swap_state;
-            wire u_lfb_swap_frame;
-            wire swap = u_lfb_swap_swap;
-            wire resume = u_lfb_swap_resume;
-            wire request_valid = swap_row_request_valid[i];
-            wire [3:0] request_x = swap_row_request_x[i * 4 +: 4];
-            wire [2:0] request_y = swap_row_request_y[i * 3 +: 3];
-            wire [47:0] request_word = swap_row_request_word[i * 48 +: 48];
-            wire clear_valid = swap_row_clear_valid[i];
-            wire [2:0] clear_patch = swap_row_clear_patch[i * 3 +: 3];
-            wire done = swap_row_done[i];
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:201
+            wire overflow;
+            wire [2:0] pages_used;
+            wire idle;
+            wire draws;
+            wire clears;
+            wire [47:0] word;
+            wire sending;
+            wire [3:0] scanned_x;
+            wire [2:0] scanned_y;
+            wire request_ready;
+            wire clear_ready;
+            wire swap = u_swap_swap[i];
+            wire resume = u_swap_resume[i];
+            wire request_valid = u_lfb_request_valid[i];
+            wire [3:0] request_x = u_lfb_request_x[i * 4 +: 4];
+            wire [2:0] request_y = u_lfb_request_y[i * 3 +: 3];
+            wire [47:0] request_word = u_lfb_request_word[i * 48 +: 48];
+            wire clear_valid = u_lfb_clear_valid[i];
+            wire [2:0] clear_patch = u_lfb_clear_patch[i * 3 +: 3];
             localparam [31:0] preset_x = 12 * i;
             localparam [31:0] preset_y = 7 * i;
-            wire finished = u_lfb_idle & u_bus_empty[i];
 
-            lfb_unit_width16_height8_edge4_pages4 u_lfb (
+            lfb_unit_width16_height8_edge4_pages4 lane (
                 .pe_clk        (pe_clk),
                 .pe_rst        (pe_rst),
                 .merge_clk     (merge_clk),
@@ -158,41 +164,48 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
                 .scan_enable   (u_gfb_scan_enable),
                 .preset_x      (preset_x[3:0]),
                 .preset_y      (preset_y[2:0]),
-                .overflow      (u_lfb_overflow),
-                .pages_used    (u_lfb_pages_used),
-                .idle          (u_lfb_idle),
-                .draws         (u_lfb_draws),
-                .clears        (u_lfb_clears),
-                .word          (u_lfb_word),
-                .sending       (u_lfb_sending),
-                .request_ready (u_lfb_request_ready),
-                .clear_ready   (u_lfb_clear_ready)
-            );
-
-            lfb_swap_patches8_merge_clocks948_sent_clocks1108 u_lfb_swap (
-                .pe_clk    (pe_clk),
-                .pe_rst    (pe_rst),
-                .merge_clk (merge_clk),
-                .merge_rst (merge_rst),
-                .done      (done),
-                .idle      (finished),
-                .overflow  (u_lfb_overflow),
-                .draws     (u_lfb_draws),
-                .clears    (u_lfb_clears),
-                .patch     (clear_patch),
-                .line      (line),
-                .shown     (shown),
-                .sending   (u_lfb_sending),
-                .ready     (u_lfb_swap_ready),
-                .swap      (u_lfb_swap_swap),
-                .resume    (u_lfb_swap_resume),
-                .state     (u_lfb_swap_state),
-                .frame     (u_lfb_swap_frame)
+                .overflow      (overflow),
+                .pages_used    (pages_used),
+                .idle          (idle),
+                .draws         (draws),
+                .clears        (clears),
+                .word          (word),
+                .sending       (sending),
+                .scanned_x     (scanned_x),
+                .scanned_y     (scanned_y),
+                .request_ready (request_ready),
+                .clear_ready   (clear_ready)
             );
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:178
+    wire [1:0] covered_listed_row_covered_listed = {processors_1_done, processors_0_done};
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : covered_listed_row
+            wire covered_listed = covered_listed_row_covered_listed[i];
+            wire covered_and = covered_listed & u_lfb[i].idle;
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : sum_row
+            localparam [31:0] sum_listed = 4 * i;
+            wire [12:0] sum_product = {5'd0, {5'd0, u_lfb[i].scanned_y}} * 13'd16;
+            wire [7:0] sum = sum_product[7:0] + {4'd0, u_lfb[i].scanned_x} + sum_listed[7:0];
+            wire is_behind = sum >= 8'd128;
+            wire [7:0] led = is_behind ? (sum - 8'd128) : sum;
+            wire asserted_equal = led == sum_row[0].led;
+            wire _unused_lane = &{1'b0, sum_product[12:8]};
+        end
+    endgenerate
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : finished_row
+            wire finished = u_lfb[i].idle & u_bus_empty[i];
+        end
+    endgenerate
+
+    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:193
         .merge_clk             (merge_clk),
         .merge_rst             (merge_rst),
         .crt_clk               (crt_clk),
@@ -216,7 +229,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .host_accesses_ready   (host_accesses_ready)
     );
 
-    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:184
+    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:199
         .clk              (pe_clk),
         .rst              (pe_rst),
         .senders_0_valid  (processors_0_sends_valid),
@@ -243,64 +256,111 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .senders_2_ready  (command_ready)
     );
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/vc1/mod.rs:211
-        .clk     (pe_clk),
-        .rst     (pe_rst),
-        .ready_0 (swap_row[0].u_lfb_swap_ready),
-        .ready_1 (swap_row[1].u_lfb_swap_ready),
-        .bus     (u_bus_idle),
-        .host    (ready),
-        .line    (line)
-    );
-
-    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/vc1/mod.rs:222
-        .clk       (merge_clk),
-        .rst       (merge_rst),
-        .frames_0  (swap_row[0].u_lfb_swap_frame),
-        .frames_1  (swap_row[1].u_lfb_swap_frame),
-        .sending_0 (swap_row[0].u_lfb_sending),
-        .sending_1 (swap_row[1].u_lfb_sending),
+    swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 u_swap ( // rtl/src/vc1/mod.rs:224
+        .pe_clk    (pe_clk),
+        .pe_rst    (pe_rst),
+        .merge_clk (merge_clk),
+        .merge_rst (merge_rst),
+        .done      ({processors_1_done, processors_0_done}),
+        .idle      (u_swap_idle),
+        .overflow  (u_swap_overflow),
+        .draws     (u_swap_draws),
+        .clears    (u_swap_clears),
+        .patch     ({processors_1_clear_patch, processors_0_clear_patch}),
+        .bus       (u_bus_idle),
+        .host      (ready),
+        .sending   (u_swap_sending),
         .enable    (u_gfb_scan_enable),
         .blanking  (u_gfb_blanking),
-        .swap      (gfb_swap),
+        .line      (line),
+        .swap      (u_swap_swap),
+        .resume    (u_swap_resume),
+        .state     (u_swap_state),
+        .gfb_swap  (gfb_swap),
         .merged    (is_merged),
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:228
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:237
         .clk       (merge_clk),
         .left      (u_gfb_left),
-        .samples_0 (swap_row[0].u_lfb_word),
-        .samples_1 (swap_row[1].u_lfb_word),
+        .samples_0 (u_lfb[0].word),
+        .samples_1 (u_lfb[1].word),
         .enable    (u_gfb_scan_enable),
         .merged    (merged)
     );
 
-    assign processors_0_request_ready = swap_row[0].u_lfb_request_ready; // rtl/src/vc1/mod.rs:182
-    assign processors_0_clear_ready = swap_row[0].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:182
-    assign processors_1_request_ready = swap_row[1].u_lfb_request_ready; // rtl/src/vc1/mod.rs:182
-    assign processors_1_clear_ready = swap_row[1].u_lfb_clear_ready; // rtl/src/vc1/mod.rs:182
+    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:197
+    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:197
+    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:197
+    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:197
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
-            assign asserted_all_lanes[i] = u_bus_empty[i];
+            assign asserted_all_lanes[i] = sum_row[i].asserted_equal;
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:219
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:267
+    wire [1:0] covered_any_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : covered_any_of
+            assign covered_any_lanes[i] = sum_row[i].is_behind;
+        end
+    endgenerate
+    assign covered_any = |covered_any_lanes;                     // rtl/src/vc1/mod.rs:270
+    wire [1:0] brought_all_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : brought_all_of
+            assign brought_all_lanes[i] = u_bus_empty[i];
+        end
+    endgenerate
+    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:228
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
-            assign u_lfb_idle_all_lanes[i] = swap_row[i].u_lfb_idle;
+            assign u_lfb_idle_all_lanes[i] = u_lfb[i].idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:219
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:230
+    wire [1:0] covered_all_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : covered_all_of
+            assign covered_all_lanes[i] = covered_listed_row[i].covered_and;
+        end
+    endgenerate
+    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:233
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_swap_idle_of
+            assign u_swap_idle[i] = finished_row[i].finished;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_swap_overflow_of
+            assign u_swap_overflow[i] = u_lfb[i].overflow;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_swap_draws_of
+            assign u_swap_draws[i] = u_lfb[i].draws;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_swap_clears_of
+            assign u_swap_clears[i] = u_lfb[i].clears;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_swap_sending_of
+            assign u_swap_sending[i] = u_lfb[i].sending;
+        end
+    endgenerate
 
-    assign processors_0_state = swap_row[0].u_lfb_swap_state;
-    assign processors_0_pages_used = swap_row[0].u_lfb_pages_used;
-    assign processors_0_idle = swap_row[0].u_lfb_idle;
-    assign processors_1_state = swap_row[1].u_lfb_swap_state;
-    assign processors_1_pages_used = swap_row[1].u_lfb_pages_used;
-    assign processors_1_idle = swap_row[1].u_lfb_idle;
+    assign processors_0_state = u_swap_state[1:0];
+    assign processors_0_pages_used = u_lfb[0].pages_used;
+    assign processors_0_idle = u_lfb[0].idle;
+    assign processors_1_state = u_swap_state[3:2];
+    assign processors_1_pages_used = u_lfb[1].pages_used;
+    assign processors_1_idle = u_lfb[1].idle;
 
 `ifndef SYNTHESIS
 `ifndef FORMAL
@@ -317,20 +377,54 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 `endif
 
 `ifndef SYNTHESIS
+    reg is_scanning;                                             // rtl/src/vc1/mod.rs:264
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) is_scanning <= 1'b0;
+        else if (u_gfb_scan_restart) is_scanning <= 1'b1;
+    end
+
 `ifdef FORMAL
+    always @(posedge merge_clk) begin
+        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:266
+        if (!merge_rst) cover (is_scanning & covered_any);           // rtl/src/vc1/mod.rs:270
+    end
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (u_bus_idle & asserted_all & u_lfb_idle_all)); // rtl/src/vc1/mod.rs:218
+        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:229
+        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:233
     end
 `else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
+    always @(posedge merge_clk) begin
+        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:266
+            $display("FAIL: time %0t: %m: each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame", $time);
+            stop;
+        end
+        if (!merge_rst && (is_scanning & covered_any) && !is_covered) begin // rtl/src/vc1/mod.rs:270
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a scan counter is in a frame before that of the first one", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+    end
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (u_bus_idle & asserted_all & u_lfb_idle_all))) begin // rtl/src/vc1/mod.rs:218
+        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:229
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
+        end
+        if (!pe_rst && (covered_all & ready & !brought) && !is_covered_2) begin // rtl/src/vc1/mod.rs:233
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a word on the bus or in a queue holds the line low", $time);
+            `endif
+            is_covered_2 <= 1'b1;
         end
     end
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, asserted_all, u_lfb_idle_all};
+    wire _unused_ok = &{1'b0, asserted_all, covered_any, brought, u_lfb_idle_all, covered_all};
 endmodule
 `default_nettype wire

@@ -120,7 +120,7 @@ proptest! {
         sim.reset();
         let pixels = width * height;
         // Clocks since a restart, and those of them in which the chain advanced; the clock after a reset is one of a restart.
-        let (mut since, mut advanced, mut later) = (None, 0, 0);
+        let (mut since, mut advanced, mut first, mut later) = (None, 0, 0, 0);
         for restart in restarts {
             sim.drive(GfbSequencerIn { restart: restart.into() });
             let o = sim.read_u64();
@@ -134,13 +134,16 @@ proptest! {
             if o.stores == 1 {
                 prop_assert_eq!(o.store, (advanced - 2 - 4 * units) % pixels);
             }
-            later += u64::from(enable && advanced % pixels == pixels - 1 && advanced >= pixels);
+            let ends = enable && advanced % pixels == pixels - 1;
+            first += u64::from(ends && advanced < pixels);
+            later += u64::from(ends && advanced >= pixels);
             sim.step();
             (since, advanced) = match since {
                 Some(clock) if !restart => (Some(clock + 1), advanced + u64::from(enable)),
                 _ => (Some(0), 0),
             };
         }
-        prop_assert_eq!(sim.covered("a later round begins").unwrap(), later);
+        prop_assert_eq!(sim.covered("a first round ends").unwrap(), first);
+        prop_assert_eq!(sim.covered("a later round ends").unwrap(), later);
     }
 }

@@ -7,7 +7,7 @@ use super::*;
 
 #[test]
 fn the_banks_change_when_all_is_stored_and_the_display_is_dark() {
-    let control = GfbSwap { processors: 2, merge_clocks: 6, way: 8, late: 8 };
+    let control = GfbSwap { processors: 2, merge_clocks: 6, way: 8, late: 2 };
     let mut sim = Simulation::of(&control).unwrap();
     let wave = sim.record(["frames_0", "frames_1", "sending_1", "blanking", "since", "way_left", "swap", "shown"]);
     sim.reset();
@@ -30,7 +30,7 @@ fn the_banks_change_when_all_is_stored_and_the_display_is_dark() {
         frames_1  |___________________/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
         sending_1 |___________________/~~~~~~~~~~~~~~~\________________________________
         blanking  |___/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\_______/~~~~~~~~~~~~
-        since     | 0                     | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8 | 9 | 0     |
+        since     | 0                     | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 8     | 0     |
         way_left  | 8                     | 7 | 6 | 5 | 4 | 3 | 2 | 1 | 0     | 8     |
         swap      |_______________________________________________________/~~~\________
         shown     |___________________________________________________________/~~~~~~~~
@@ -48,6 +48,32 @@ fn a_frame_that_is_not_stored_soon_after_t_m_is_an_error() {
     assert!(problem.contains("all is stored soon after T_m"), "{problem}");
 }
 
+/// Longer than any of its counters counts.
+#[test]
+fn a_merged_frame_waits_as_long_as_the_display_takes() {
+    let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 3 }).unwrap();
+    sim.reset();
+    sim.drive(GfbSwapIn { frames: vec![1], sending: vec![0], enable: 1, blanking: 0 });
+    sim.run(6);
+    for _ in 0..100 {
+        assert_eq!((sim.get_u64(sim.o.merged), sim.get_u64(sim.o.swap)), (1, 0));
+        sim.step();
+    }
+    assert_eq!(sim.covered("a merged frame waits for the blanking").unwrap(), 100);
+}
+
+#[test]
+fn a_frame_that_ends_before_the_last_one_is_on_display_is_an_error() {
+    let mut sim = Simulation::of(&GfbSwap { processors: 2, merge_clocks: 6, way: 3, late: 8 }).unwrap();
+    sim.reset();
+    let turned = |frames: [u64; 2]| GfbSwapIn { frames: frames.to_vec(), sending: vec![0; 2], enable: 1, blanking: 0 };
+    sim.drive(turned([0, 1]));
+    sim.run(2);
+    sim.drive(turned([0, 0]));
+    let problem = sim.try_step().unwrap_err().to_string();
+    assert!(problem.contains("a frame ends when the one before is on display"), "{problem}");
+}
+
 /// It forgets how long a frame has waited, and which bank was shown.
 #[test]
 fn a_reset_begins_anew() {
@@ -57,6 +83,8 @@ fn a_reset_begins_anew() {
     sim.drive(waits(1));
     sim.run(6);
     assert_eq!(sim.get_u64(sim.o.merged), 1);
+    // As long as it is counted, so that an assertion would ask for what is not stored any more.
+    sim.run(10);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.merged), 0, "T_m begins again");
     sim.run(6);
@@ -65,6 +93,9 @@ fn a_reset_begins_anew() {
     assert_eq!(sim.get_u64(sim.o.shown), 1);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.shown), 0);
+    // That a frame has turned while the reset lasted is none that ended.
+    sim.drive(waits(0));
+    sim.step();
 }
 
 #[test]
@@ -73,7 +104,7 @@ fn a_swap_of_banks_before_all_is_sent_is_an_error() {
     sim.reset();
     sim.drive(GfbSwapIn { frames: vec![1], sending: vec![1], enable: 1, blanking: 1 });
     let problem = (0..20).find_map(|_| sim.try_step().err()).unwrap().to_string();
-    assert!(problem.contains("the banks change in a blanking, with all of the frame sent"), "{problem}");
+    assert!(problem.contains("the banks change in a blanking, with all of the frame sent and stored"), "{problem}");
 }
 
 proptest! {
@@ -84,11 +115,13 @@ proptest! {
     fn the_banks_change_in_the_first_clock_in_which_all_guards_hold(
         (merge_clocks, way) in (1..30u64, 1..9u32),
         frames in prop::collection::vec((prop::collection::vec(0..20u64, 3), 0..30u64), 1..6),
+        seed in any::<u64>(),
         (blanks, enables) in (prop::collection::vec(any::<bool>(), 7), prop::collection::vec(prop::bool::weighted(0.7), 11)),
     ) {
         let control = GfbSwap { processors: 3, merge_clocks, way, late: 400 };
-        let mut sim = Simulation::of(&control).unwrap();
+        let mut sim = Simulation::of(&control).unwrap().seeded(seed);
         sim.reset();
+        let (mut waits, ended) = (0, frames.len() as u64);
         let blanks = |clock: u64| blanks[clock as usize % 7] || clock.is_multiple_of(50);
         let enables = |clock: u64| enables[clock as usize % 11] || clock.is_multiple_of(4);
         let (mut clock, mut parity) = (0u64, 1);
@@ -106,6 +139,9 @@ proptest! {
                 sim.drive(GfbSwapIn { frames, sending, enable: enable.into(), blanking: blanking.into() });
                 let swaps = clock >= all_swapped + merge_clocks && advanced >= way && blanking;
                 prop_assert_eq!(sim.get_u64(sim.o.swap) == 1, swaps, "clock {}", clock);
+                let merged = clock >= all_swapped + merge_clocks && advanced >= way;
+                prop_assert_eq!(sim.get_u64(sim.o.merged) == 1, merged);
+                waits += u64::from(merged && !blanking);
                 if clock >= all_swapped {
                     advanced += u32::from(enable);
                 }
@@ -119,5 +155,7 @@ proptest! {
             }
             parity = 1 - parity;
         }
+        prop_assert_eq!(sim.covered("the banks change").unwrap(), ended);
+        prop_assert_eq!(sim.covered("a merged frame waits for the blanking").unwrap(), waits);
     }
 }

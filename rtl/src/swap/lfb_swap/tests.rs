@@ -9,7 +9,7 @@ const IDLE: LfbSwapIn<u64> =
     LfbSwapIn { done: 0, idle: 1, overflow: 0, draws: 0, clears: 0, patch: 0, line: 0, shown: 0, sending: 0 };
 
 fn control(merge_clocks: u64) -> LfbSwap {
-    LfbSwap { patches: 2, merge_clocks, sent_clocks: merge_clocks + 30 }
+    LfbSwap { patches: 2, merge_clocks, sent_clocks: merge_clocks + 30, overflow_clocks: 100 }
 }
 
 type Sim = Simulation<LfbSwapIn, LfbSwapOut>;
@@ -105,26 +105,57 @@ fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
     assert_eq!((sim.get_u64(sim.o.state), sim.get_u64(sim.o.ready)), (SwapState::Clear as u64, 0));
 }
 
-/// The merger knows of it three of its clocks later; a reset forgets it, and what was cleared.
+/// The merger knows of it at the third of its edges behind the swap; a reset forgets it, and what was cleared.
 #[test]
 fn a_frame_turns_its_output_and_a_reset_begins_anew() {
     let mut sim = Simulation::of(&control(1)).unwrap();
     sim.reset();
-    for _ in 0..2 {
+    for phase in 0..16 {
         assert_eq!((sim.get_u64(sim.o.frame), sim.get_u64(sim.o.state)), (0, SwapState::Clear as u64));
+        for _ in 0..4 {
+            sim.drive(IDLE);
+            sim.step_clock(MERGE, 1);
+            assert_eq!(sim.get_u64(sim.o.frame), 0);
+        }
         clear(&mut sim, IDLE);
         clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
         clock(&mut sim, IDLE);
-        clock(&mut sim, LfbSwapIn { clears: 1, ..IDLE });
         let merged = sim.cycles(MERGE).unwrap();
         sim.drive(IDLE);
         while sim.get_u64(sim.o.frame) == 0 {
             sim.step();
-            assert!(sim.cycles(MERGE).unwrap() <= merged + 3);
         }
+        assert_eq!(sim.cycles(MERGE).unwrap(), merged + 3);
+        // A reset in the midst of clearing, or while the program draws, with any distance to the next edges.
+        clock(&mut sim, LfbSwapIn { clears: 1, ..IDLE });
+        if phase % 2 == 1 {
+            clock(&mut sim, LfbSwapIn { clears: 1, patch: 1, ..IDLE });
+        }
+        sim.drive(IDLE);
+        (0..phase).for_each(|_| sim.step());
         sim.reset();
     }
     assert_eq!(sim.get_u64(sim.o.frame), 0);
+}
+
+/// The frame before is never shown (VC1-SW4).
+#[test]
+fn an_overflow_without_a_swap_for_longer_than_its_guards_may_take_is_an_error() {
+    let mut sim = Simulation::of(&control(12)).unwrap();
+    sim.reset();
+    clear(&mut sim, IDLE);
+    clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
+    clock(&mut sim, IDLE);
+    clear(&mut sim, IDLE);
+    // It is in `Overflow` in the clock behind this one.
+    let overflow = LfbSwapIn { overflow: 1, idle: 0, ..IDLE };
+    clock(&mut sim, overflow);
+    let start = sim.cycles(PE).unwrap();
+    let problem = std::iter::from_fn(|| Some(sim.try_step())).find_map(Result::err).unwrap().to_string();
+    let sentence =
+        "the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for";
+    assert!(problem.contains(sentence), "{problem}");
+    assert_eq!(sim.cycles(PE).unwrap() - start, 100);
 }
 
 #[test]
@@ -146,6 +177,38 @@ fn what_the_program_must_not_do_is_an_error() {
     }
 }
 
+/// That something is sent while a reset lasts is forgotten with it.
+#[test]
+fn a_reset_forgets_what_is_sent() {
+    let mut sim = Simulation::of(&control(12)).unwrap();
+    for phase in 0..16 {
+        sim.reset();
+        // An assertion says that all is sent so long after a swap, as if there had been one.
+        clear(&mut sim, IDLE);
+        clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
+        clock(&mut sim, IDLE);
+        sim.drive(LfbSwapIn { sending: 1, ..IDLE });
+        (0..8 + phase).for_each(|_| sim.step());
+        sim.reset();
+        (0..2).for_each(|_| clock(&mut sim, IDLE));
+    }
+}
+
+#[test]
+fn an_entry_that_is_cleared_while_the_program_draws_is_an_error() {
+    let mut sim = Simulation::of(&control(12)).unwrap();
+    sim.reset();
+    clear(&mut sim, IDLE);
+    sim.drive(LfbSwapIn { clears: 1, ..IDLE });
+    let clocks = sim.cycles(PE).unwrap();
+    let mut problem = None;
+    while sim.cycles(PE).unwrap() == clocks && problem.is_none() {
+        problem = sim.try_step().err();
+    }
+    let problem = problem.unwrap().to_string();
+    assert!(problem.contains("after a swap the entries are cleared in order, each once"), "{problem}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -155,9 +218,10 @@ proptest! {
     fn a_swap_comes_when_all_guards_hold(
         merge_clocks in 12..40u64,
         jobs in prop::collection::vec((any::<bool>(), 0..30u64, 0..60u64, 0..60u64), 1..12),
+        seed in any::<u64>(),
     ) {
-        let control = LfbSwap { patches: 3, merge_clocks, sent_clocks: merge_clocks + 200 };
-        let mut sim = Simulation::of(&control).unwrap();
+        let control = LfbSwap { patches: 3, merge_clocks, sent_clocks: merge_clocks + 200, overflow_clocks: 300 };
+        let mut sim = Simulation::of(&control).unwrap().seeded(seed);
         sim.reset();
         let (mut now, mut last_swap, mut ended) = (0, None::<u64>, 0);
         // The numbers of clocks, in each of which one frame more is shown, and in which the back buffer is sent.
@@ -170,15 +234,21 @@ proptest! {
             *now += 1;
             seen
         };
+        // Of the covers: frames ended, overflows, entries cleared, and waits for the shown frame, for T_m and for the merger alone.
+        let (mut overflowed, mut tables, mut waits_alone) = (0, 0, [0; 3]);
+        // A request is held since the last swap.
+        let mut holds = false;
         for (overflows, draws, shown_after, sent_after) in jobs {
             for patch in 0..3 {
-                let (swap, resume) =
-                    step(&mut sim, LfbSwapIn { clears: 1, patch, ..IDLE }, &mut now, &shown_at, sent_at);
-                let held = sim.peek("holds").unwrap().to_u64().unwrap();
-                prop_assert_eq!(swap, 0);
-                prop_assert!(patch < 2 || resume == 1 || held == 0);
-                prop_assert!(patch == 2 || resume == 0);
+                // The program takes its time.
+                for _ in 0..(draws + patch) % 3 {
+                    prop_assert_eq!(step(&mut sim, IDLE, &mut now, &shown_at, sent_at), (0, 0));
+                }
+                let cleared = step(&mut sim, LfbSwapIn { clears: 1, patch, ..IDLE }, &mut now, &shown_at, sent_at);
+                prop_assert_eq!(cleared, (0, u64::from(holds && patch == 2)));
             }
+            tables += 1;
+            holds = overflows;
             for _ in 0..draws {
                 step(&mut sim, LfbSwapIn { draws: 1, ..IDLE }, &mut now, &shown_at, sent_at);
             }
@@ -188,9 +258,15 @@ proptest! {
             let shown = |now: u64, shown_at: &[u64]| shown_at.iter().filter(|at| **at + 2 <= now).count();
             let (mut guards, mut clocks) = (false, 0);
             while !guards {
-                guards = shown(now, &shown_at) == ended
-                    && last_swap.is_none_or(|at| now - at > merge_clocks)
-                    && sent_at + 2 <= now.max(2);
+                let hold = [
+                    shown(now, &shown_at) == ended,
+                    last_swap.is_none_or(|at| now - at > merge_clocks),
+                    sent_at + 2 <= now.max(2),
+                ];
+                guards = hold == [true; 3];
+                for (guard, count) in waits_alone.iter_mut().enumerate() {
+                    *count += u64::from((0..3).all(|other| hold[other] == (other != guard)));
+                }
                 let (swap, _) = step(&mut sim, waits, &mut now, &shown_at, sent_at);
                 prop_assert_eq!(swap == 1, guards, "clock {}", now - 1);
                 clocks += 1;
@@ -198,11 +274,18 @@ proptest! {
             }
             last_swap = Some(now - 1);
             sent_at = now + sent_after;
+            overflowed += u64::from(overflows);
             if !overflows {
                 ended += 1;
                 let at = now + 10 + shown_after;
                 shown_at.push(at);
             }
         }
+        let mut covered = |what: &str| sim.covered(what).unwrap();
+        prop_assert_eq!(covered("a frame ends"), ended as u64);
+        prop_assert_eq!([covered("a buffer overflows"), covered("an overflow ends with a swap")], [overflowed; 2]);
+        prop_assert_eq!(covered("the last entry is cleared"), tables);
+        let alone = ["the global frame buffer", "T_m", "the merger"];
+        prop_assert_eq!(alone.map(|it| covered(&format!("a swap waits for {it} alone"))), waits_alone);
     }
 }

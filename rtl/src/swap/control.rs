@@ -1,0 +1,127 @@
+//! All of the swap control: that of each local frame buffer, the sync line between them, and that of the global one (Figure 6).
+//!
+//! ```text
+//!  done, idle    .--------.-- ready --.           .--------.
+//! -------------->|  LFB   |           '---> & --->|        |
+//!  state         |  swap, |<----- line ----|      |  GFB   |<-- enable, blanking
+//! <--------------|  each  |               bus,    |  swap  |
+//!  swap, resume  |        |               host    |        |--> gfb_swap
+//! <--------------|        |-- frame ------------->|        |
+//!                '--------'<------------- shown --'--------'
+//! ```
+//!
+//! Latency: that of its parts.
+//!
+//! # The events of Figure 6
+//!
+//! | event | here |
+//! |---|---|
+//! | 1: all are done, and swap | the line is high; `swap` in the clock behind it |
+//! | 2: the table is cleared, the next frame is drawn | states `Clear` and `Draw` |
+//! | 3: the back buffers are merged | `sending`, until T_m has passed |
+//! | 4: the global frame buffer swaps in a blanking | `gfb_swap` |
+//! | 5: an early frame waits for the swap of the one before | state `Due` |
+//! | 6: a buffer overflows | state `Overflow` |
+//! | 7: an extra swap of that buffer | `swap` of one lane |
+//! | 8: the table is cleared, the frame is drawn on | `resume` |
+
+use super::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SwapState, SyncLine, SyncLineIn};
+use crate::prelude::*;
+
+block! {
+    /// Says when each local frame buffer, and when the global one, exchange their buffers.
+    pub struct SwapControl {
+        /// Of each local frame buffer.
+        pub local: LfbSwap,
+        /// Of the global one, which knows how many processing elements there are.
+        pub global: GfbSwap,
+    }
+    latency = "0 clocks from the last guard to a swap";
+    source = "VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)";
+    in(self) SwapControlIn {
+        /// Of each processing element, as all of these: the program has drawn its frame, as [`LfbSwapIn`] says.
+        done: bit().of(self.lanes()).on(PE),
+        /// No pixel is under way, and no word waits in the receive queue.
+        idle: bit().of(self.lanes()).on(PE),
+        /// A pixel is held, because all pages are taken.
+        overflow: bit().of(self.lanes()).on(PE),
+        /// A pixel is accepted.
+        draws: bit().of(self.lanes()).on(PE),
+        /// An entry of the patch table is cleared.
+        clears: bit().of(self.lanes()).on(PE),
+        /// Which.
+        patch: below(self.local.patches).of(self.lanes()).on(PE),
+        /// The broadcast bus is idle.
+        bus: bit().on(PE),
+        /// The host lets the line go.
+        host: bit().on(PE),
+        /// Of each local frame buffer: some of its back buffer is still to be sent.
+        sending: bit().of(self.lanes()).on(MERGE),
+        /// The chain advances.
+        enable: bit().on(MERGE),
+        /// The banks may change.
+        blanking: bit().on(MERGE),
+    }
+    out(self) SwapControlOut {
+        /// The sync line: all have drawn the frame.
+        line: bit(),
+        /// Of each, for one clock: exchange the buffers.
+        swap: bit().of(self.lanes()),
+        /// Of each, for one clock: try the held request again.
+        resume: bit().of(self.lanes()),
+        /// What the program of each sees.
+        state: one_of::<SwapState>().of(self.lanes()),
+        /// For one clock: exchange the banks of the global frame buffer.
+        gfb_swap: bit(),
+        /// A frame is stored, and waits for the blanking.
+        merged: bit(),
+        /// Turns with each swap of the global frame buffer.
+        shown: bit(),
+    }
+}
+
+impl SwapControl {
+    fn lanes(&self) -> Shape {
+        row(self.global.processors)
+    }
+
+    fn build(&self, m: Module, i: SwapControlIn) -> SwapControlOut {
+        let (pe, merge) = (m.on(PE), m.on(MERGE));
+        let SwapControlIn { done, idle, overflow, draws, clears, patch, sending, .. } = i;
+        let processors = self.global.processors;
+
+        def!(line = pe.wire(bit()));
+        def!(shown = merge.wire(bit()));
+        let (line_here, shown_here) = (*line, *shown);
+        let each = m.array("u_lfb_swap", processors, &self.local, |_| LfbSwapIn {
+            done,
+            idle,
+            overflow,
+            draws,
+            clears,
+            patch,
+            line: line_here,
+            shown: shown_here,
+            sending,
+        });
+        let sync = SyncLineIn { ready: each.ready.to_vec(), bus: i.bus, host: i.host };
+        line.drive(pe.instance("u_sync_line", &SyncLine { processors }, sync).line);
+
+        let (frames, sending) = (each.frame.to_vec(), sending.to_vec());
+        let banks = GfbSwapIn { frames, sending, enable: i.enable, blanking: i.blanking };
+        let banks = merge.instance("u_gfb_swap", &self.global, banks);
+        shown.drive(banks.shown);
+        SwapControlOut {
+            line: *line,
+            swap: each.swap,
+            resume: each.resume,
+            state: each.state,
+            gfb_swap: banks.swap,
+            merged: banks.merged,
+            shown: *shown,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

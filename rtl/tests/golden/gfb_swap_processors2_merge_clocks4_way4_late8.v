@@ -1,0 +1,155 @@
+// gfb_swap_processors2_merge_clocks4_way4_late8
+//
+// Swaps the global frame buffer in a vertical blanking, when a frame is merged.
+//
+// Parameters  GfbSwap { processors: 2, merge_clocks: 4, way: 4, late: 8 }
+// Latency     0 clocks, if all guards hold
+// Source      VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)
+// Described   rtl/src/swap/gfb_swap.rs:19
+`default_nettype none
+
+module gfb_swap_processors2_merge_clocks4_way4_late8 (
+    input  wire clk,
+    input  wire rst,
+    // Of each processing element: turns with its swap at the end of a frame.
+    input  wire frames_0,
+    input  wire frames_1,
+    // Of each processing element: some of its back buffer is still to be sent.
+    input  wire sending_0,
+    input  wire sending_1,
+    input  wire enable,    // The chain advances.
+    input  wire blanking,  // The banks may change.
+    output wire swap,      // For one clock: exchange the banks.
+    output wire merged,    // A frame is stored, and waits for the blanking.
+    output reg  shown      // Turns with each swap.
+);
+
+    reg [3:0] since;                                             // rtl/src/swap/gfb_swap.rs:62
+    reg [2:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:65
+
+    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:59
+    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:78
+    wire waited = since >= 4'd4;                                 // rtl/src/swap/gfb_swap.rs:64
+    wire stored = way_left == 3'd0;                              // rtl/src/swap/gfb_swap.rs:66
+    assign merged = waited & stored;                             // rtl/src/swap/gfb_swap.rs:68
+    assign swap = merged & blanking;                             // rtl/src/swap/gfb_swap.rs:56
+
+    genvar i;
+
+    wire [1:0] row_frames = {frames_1, frames_0};
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : row
+            reg frames_past;
+            wire frames = row_frames[i];
+            wire all_swapped_differs = frames != shown;
+            wire assumed_or = (frames == frames_past) | (frames != shown);
+
+            always @(posedge clk) begin
+                frames_past <= frames;
+            end
+        end
+    endgenerate
+
+    wire [1:0] all_swapped_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : all_swapped_of
+            assign all_swapped_lanes[i] = row[i].all_swapped_differs;
+        end
+    endgenerate
+    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:59
+    wire [1:0] assumed_all_lanes;
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : assumed_all_of
+            assign assumed_all_lanes[i] = row[i].assumed_or;
+        end
+    endgenerate
+    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:78
+
+    always @(posedge clk) begin
+        if (rst) begin
+            shown <= 1'b0;
+            since <= 4'd0;
+            way_left <= 3'd4;
+        end else begin
+            if (swap) shown <= !shown;
+            if (!all_swapped | swap) since <= 4'd0;
+            else if (since != 4'd12) since <= since + 4'd1;
+            if (!all_swapped | swap) way_left <= 3'd4;
+            else if (enable & !stored) way_left <= way_left - 3'd1;
+        end
+    end
+
+`ifndef SYNTHESIS
+`ifndef FORMAL
+    task stop;
+        begin
+`ifdef __ICARUS__
+            $finish_and_return(1);
+`else
+            $stop;
+`endif
+        end
+    endtask
+`endif
+`endif
+
+`ifndef SYNTHESIS
+    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:77
+
+    initial has_past = 1'b0;
+
+    always @(posedge clk) begin
+        if (rst) has_past <= 1'b0;
+        else has_past <= 1'b1;
+    end
+
+`ifdef FORMAL
+    always @(posedge clk) begin
+        if (!rst) assert (!swap | (blanking & stored & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:71
+        if (!rst) assert ((since != 4'd12) | stored);                // rtl/src/swap/gfb_swap.rs:75
+        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:76
+        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:77
+        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:81
+        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:82
+    end
+`else
+    reg is_covered;
+    initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
+    always @(posedge clk) begin
+        if (!rst && !(!swap | (blanking & stored & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:71
+            $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent and stored", $time);
+            stop;
+        end
+        if (!rst && !((since != 4'd12) | stored)) begin              // rtl/src/swap/gfb_swap.rs:75
+            $display("FAIL: time %0t: %m: all is stored soon after T_m", $time);
+            stop;
+        end
+        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:76
+            $display("FAIL: time %0t: %m: a merged frame is one that all have ended", $time);
+            stop;
+        end
+        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:77
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends when the one before is on display", $time);
+            stop;
+        end
+        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:81
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the banks change", $time);
+            `endif
+            is_covered <= 1'b1;
+        end
+        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:82
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a merged frame waits for the blanking", $time);
+            `endif
+            is_covered_2 <= 1'b1;
+        end
+    end
+`endif
+`endif
+
+    wire _unused_ok = &{1'b0, sending_0, sending_1, assumed_all};
+endmodule
+`default_nettype wire

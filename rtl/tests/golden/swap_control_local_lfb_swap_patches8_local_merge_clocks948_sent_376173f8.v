@@ -1,0 +1,110 @@
+// swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8
+//
+// Says when each local frame buffer, and when the global one, exchange their buffers.
+//
+// Parameters  SwapControl { local: LfbSwap { patches: 8, merge_clocks: 948, sent_clocks: 1108, overflow_clocks: 5203 }, global: GfbSwap { processors: 2, merge_clocks: 296, way: 140, late: 45 } }
+// Latency     0 clocks from the last guard to a swap
+// Source      VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)
+// Described   rtl/src/swap/control.rs:31
+`default_nettype none
+
+module swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 (
+    input  wire       pe_clk,
+    input  wire       pe_rst,
+    input  wire       merge_clk,
+    input  wire       merge_rst,
+    // Of each processing element, as all of these: the program has drawn its frame, as `LfbSwapIn` says.
+    input  wire [1:0] done,
+    input  wire [1:0] idle,      // No pixel is under way, and no word waits in the receive queue.
+    input  wire [1:0] overflow,  // A pixel is held, because all pages are taken.
+    input  wire [1:0] draws,     // A pixel is accepted.
+    input  wire [1:0] clears,    // An entry of the patch table is cleared.
+    input  wire [5:0] patch,     // Which.
+    input  wire       bus,       // The broadcast bus is idle.
+    input  wire       host,      // The host lets the line go.
+    input  wire [1:0] sending,   // Of each local frame buffer: some of its back buffer is still to be sent.
+    input  wire       enable,    // The chain advances.
+    input  wire       blanking,  // The banks may change.
+    output wire       line,      // The sync line: all have drawn the frame.
+    output wire [1:0] swap,      // Of each, for one clock: exchange the buffers.
+    output wire [1:0] resume,    // Of each, for one clock: try the held request again.
+    output wire [3:0] state,     // What the program of each sees.
+    output wire       gfb_swap,  // For one clock: exchange the banks of the global frame buffer.
+    output wire       merged,    // A frame is stored, and waits for the blanking.
+    output wire       shown      // Turns with each swap of the global frame buffer.
+);
+
+    genvar i;
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb_swap             // rtl/src/swap/control.rs:96
+            wire ready;
+            wire lane_swap;
+            wire lane_resume;
+            wire [1:0] lane_state;
+            wire frame;
+
+            lfb_swap_patches8_merge_clocks948_sent_clocks1108_overflow_clocks5203 lane (
+                .pe_clk    (pe_clk),
+                .pe_rst    (pe_rst),
+                .merge_clk (merge_clk),
+                .merge_rst (merge_rst),
+                .done      (done[i]),
+                .idle      (idle[i]),
+                .overflow  (overflow[i]),
+                .draws     (draws[i]),
+                .clears    (clears[i]),
+                .patch     (patch[i * 3 +: 3]),
+                .line      (line),
+                .shown     (shown),
+                .sending   (sending[i]),
+                .ready     (ready),
+                .swap      (lane_swap),
+                .resume    (lane_resume),
+                .state     (lane_state),
+                .frame     (frame)
+            );
+        end
+    endgenerate
+
+    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:108
+        .clk     (pe_clk),
+        .rst     (pe_rst),
+        .ready_0 (u_lfb_swap[0].ready),
+        .ready_1 (u_lfb_swap[1].ready),
+        .bus     (bus),
+        .host    (host),
+        .line    (line)
+    );
+
+    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/swap/control.rs:112
+        .clk       (merge_clk),
+        .rst       (merge_rst),
+        .frames_0  (u_lfb_swap[0].frame),
+        .frames_1  (u_lfb_swap[1].frame),
+        .sending_0 (sending[0]),
+        .sending_1 (sending[1]),
+        .enable    (enable),
+        .blanking  (blanking),
+        .swap      (gfb_swap),
+        .merged    (merged),
+        .shown     (shown)
+    );
+
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : swap_of
+            assign swap[i] = u_lfb_swap[i].lane_swap;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : resume_of
+            assign resume[i] = u_lfb_swap[i].lane_resume;
+        end
+    endgenerate
+    generate
+        for (i = 0; i < 2; i = i + 1) begin : state_of
+            assign state[i * 2 +: 2] = u_lfb_swap[i].lane_state;
+        end
+    endgenerate
+endmodule
+`default_nettype wire
