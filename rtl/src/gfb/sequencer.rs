@@ -90,12 +90,12 @@ impl GfbSequencer {
         let Screen { width, height } = self.screen;
         let last = self.screen.pixels() - 1;
 
-        // The parts of the scan.
+        // The parts of the scan. The first restart, right behind a reset, sets its counters.
         def!(part = m.fsm(Scan::Restart));
         def!(restarts = i.restart | part.is(Scan::Restart));
-        def!(x = m.reg(below(width)).reset(0));
-        def!(y = m.reg(below(height)).reset(0));
-        def!(clocks_left = m.reg(below(self.overhead.max(SCAN_LATENCY))).reset(0));
+        def!(x = m.reg(below(width)));
+        def!(y = m.reg(below(height)));
+        def!(clocks_left = m.reg(below(self.overhead.max(SCAN_LATENCY))));
         def!(part_ends = clocks_left.eq(0));
         def!(line_ends = part.is(Scan::Line) & x.eq(width - 1));
         part.next(|part| match part {
@@ -120,7 +120,7 @@ impl GfbSequencer {
 
         // Those that have gone through all of it.
         let way = SCAN_LATENCY + self.chain();
-        def!(way_left = m.reg(up_to(way)).reset(way));
+        def!(way_left = m.reg(up_to(way)));
         def!(is_stale = way_left.ne(0));
         way_left.when(restarts, way).when(enable & is_stale, way_left - 1);
         def!(stores = enable & !is_stale);

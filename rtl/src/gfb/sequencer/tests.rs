@@ -107,11 +107,11 @@ fn a_chain_of_no_units_and_a_line_without_overhead_are_refused_in_a_sentence() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Against numbers of clocks since the restart (VC1-TM, VC1-FREE), with restarts at any time.
+    /// Against numbers of clocks since the restart (VC1-TM, VC1-FREE), with restarts and resets at any time.
     #[test]
     fn the_scan_follows_the_timetable(
         (width, height, units, overhead) in (1..9u64, 1..6u64, 1..5u64, 1..7u64),
-        restarts in prop::collection::vec(prop::bool::weighted(0.02), 1..500),
+        restarts in prop::collection::vec((prop::bool::weighted(0.02), prop::bool::weighted(0.01)), 1..500),
         seed in any::<u64>(),
     ) {
         let screen = Screen { width: width as u32, height: height as u32 };
@@ -121,16 +121,17 @@ proptest! {
         let pixels = width * height;
         // Clocks since a restart, and those of them in which the chain advanced; the clock after a reset is one of a restart.
         let (mut since, mut advanced, mut first, mut later) = (None, 0, 0, 0);
-        for restart in restarts {
+        for (restart, reset) in restarts {
             sim.drive(GfbSequencerIn { restart: restart.into() });
             let o = sim.read_u64();
             let enable = since.is_some_and(|clock: u64| clock < 2 || (clock - 2) % (width + overhead) < width);
             prop_assert_eq!((o.scan.restart == 1, o.scan.enable == 1), (restart || since.is_none(), enable));
-            if since.is_some() {
-                prop_assert_eq!((o.feed, o.blank == 1), (advanced % pixels, advanced < pixels));
-            }
+            prop_assert_eq!((o.feed, o.blank == 1), (advanced % pixels, advanced < pixels));
             let fresh = advanced >= 2 + 4 * units;
             prop_assert_eq!((o.stores == 1, o.stale == 1), (enable && fresh, enable && !fresh));
+            if since.is_none() {
+                prop_assert_eq!(o.store, 0);
+            }
             if o.stores == 1 {
                 prop_assert_eq!(o.store, (advanced - 2 - 4 * units) % pixels);
             }
@@ -142,6 +143,10 @@ proptest! {
                 Some(clock) if !restart => (Some(clock + 1), advanced + u64::from(enable)),
                 _ => (Some(0), 0),
             };
+            if reset {
+                sim.reset();
+                (since, advanced) = (None, 0);
+            }
         }
         prop_assert_eq!(sim.covered("a first round ends").unwrap(), first);
         prop_assert_eq!(sim.covered("a later round ends").unwrap(), later);
