@@ -155,6 +155,8 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
         scan: ScanControl { restart: 0, enable: 0 },
         preset: ScanCounter::preset(screen, 0),
     };
+    // The scan's control is of the merge clock, a bit more than three clocks of the processor long.
+    script.hold(&LfbUnitIn { scan: ScanControl { restart: 1, enable: 0 }, ..idle }, 4);
     // Two patches, each of which is a miss at first. A request is held until it is accepted.
     for (x, word, clocks) in [(0, 70, 1), (1, 50, 4), (edge, 60, 3), (edge, 40, 4)] {
         script.hold(&LfbUnitIn { request: Stream::of(1, Request { x, y: 0, word }), ..idle }, clocks);
@@ -165,8 +167,6 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
         script.clock(&LfbUnitIn { clear: Stream::of(1, Wanted { patch }), ..idle });
         script.hold(&idle, 2);
     }
-    // The scan's control is of the merge clock, a bit more than three clocks of the processor long.
-    script.hold(&LfbUnitIn { scan: ScanControl { restart: 1, enable: 0 }, ..idle }, 4);
     let sending = LfbUnitIn { scan: ScanControl { restart: 0, enable: 1 }, ..idle };
     script.hold(&LfbUnitIn { request: Stream::of(1, Request { x: 2, y: 1, word: 30 }), ..sending }, 1);
     script.hold(&sending, 4 * edge + 30);

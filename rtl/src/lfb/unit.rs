@@ -90,7 +90,7 @@ block! {
 impl LfbUnit {
     fn build(&self, m: Module, i: LfbUnitIn) -> LfbUnitOut {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
-        let ScanControl { restart, enable } = i.scan;
+        let enable = i.scan.enable;
 
         // Which buffer is in front, as the processor knows it and as the merger knows it.
         def!(front = pe.toggle(i.swap));
@@ -103,7 +103,7 @@ impl LfbUnit {
         let counter = ScanCounter { screen: self.patches.screen() };
         let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan: i.scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
-        def!(sought_armed = merge.reg(bit()).reset(0).when(restart, 0).when(enable, counted.armed));
+        def!(sought_armed = merge.reg(bit()).reset(0).when(enable, counted.armed));
         def!(sought_offset = merge.pipe_when(enable, sought.offset));
         def!(sought_buffer = merge.pipe_when(enable, back));
 
@@ -122,6 +122,8 @@ impl LfbUnit {
         def!(sending = merge.reg(bit()).reset(0));
         sending.next(!all_sent | swapped);
         merge.assert(swapped.implies(all_sent), "the buffers are swapped when the back buffer has been sent");
+        merge.assume(i.scan.restart.implies(all_sent & !swapped), "the scan restarts when nothing is left to send");
+        merge.cover("the buffers are swapped while the scan is within a frame", swapped & passes);
 
         // The processor's request: its patch is looked up, the rest waits beside.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });

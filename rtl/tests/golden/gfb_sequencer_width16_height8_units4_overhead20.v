@@ -45,14 +45,22 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
     assign stale = enable & is_stale;                            // rtl/src/gfb/sequencer.rs:135
 
     always @(posedge clk) begin
+        if (restarts | line_ends) x <= 4'd0;
+        else if (part == SCAN_LINE) x <= x + 4'd1;
+        if (restarts | (line_ends & (y == 3'd7))) y <= 3'd0;
+        else if (line_ends) y <= y + 3'd1;
+        if (restarts) clocks_left <= 5'd1;
+        else if (line_ends) clocks_left <= 5'd19;
+        else if (!part_ends) clocks_left <= clocks_left - 5'd1;
+        if (restarts) way_left <= 5'd18;
+        else if (enable & is_stale) way_left <= way_left - 5'd1;
+    end
+
+    always @(posedge clk) begin
         if (rst) begin
             part <= SCAN_RESTART_2;
-            x <= 4'd0;
-            y <= 3'd0;
-            clocks_left <= 5'd0;
             feed <= 7'd0;
             blank <= 1'b1;
-            way_left <= 5'd18;
             store <= 7'd0;
         end else begin
             case (part)
@@ -71,19 +79,10 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
                     else part <= SCAN_OVERHEAD;
                 end
             endcase
-            if (restarts | line_ends) x <= 4'd0;
-            else if (part == SCAN_LINE) x <= x + 4'd1;
-            if (restarts | (line_ends & (y == 3'd7))) y <= 3'd0;
-            else if (line_ends) y <= y + 3'd1;
-            if (restarts) clocks_left <= 5'd1;
-            else if (line_ends) clocks_left <= 5'd19;
-            else if (!part_ends) clocks_left <= clocks_left - 5'd1;
             if (restarts | round_ends) feed <= 7'd0;
             else if (enable) feed <= feed + 7'd1;
             if (restarts) blank <= 1'b1;
             else if (round_ends) blank <= 1'b0;
-            if (restarts) way_left <= 5'd18;
-            else if (enable & is_stale) way_left <= way_left - 5'd1;
             if (restarts | (stores & (store == 7'd127))) store <= 7'd0;
             else if (stores) store <= store + 7'd1;
         end

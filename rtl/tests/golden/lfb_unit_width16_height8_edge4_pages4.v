@@ -54,16 +54,16 @@ module lfb_unit_width16_height8_edge4_pages4 (
     reg sought_buffer;                                           // rtl/src/lfb/unit.rs:108
     reg was_front;                                               // rtl/src/lfb/unit.rs:112
     reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:116
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:136
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:137
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:138
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:139
 
     wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:104
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:135
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:135
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:135
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:135
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:135
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:144
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:137
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:137
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:137
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:137
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:137
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:146
 
     wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:99
     wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:100
@@ -72,10 +72,10 @@ module lfb_unit_width16_height8_edge4_pages4 (
     wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:115
     wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:117
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:129
-    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:130
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:140
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:145
+    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:131
+    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:132
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:142
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:147
 
     scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:104
         .clk          (merge_clk),
@@ -89,7 +89,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:135
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:137
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -115,7 +115,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:144
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:146
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -171,8 +171,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         end else begin
             merge_front_meta <= front;
             merge_front <= merge_front_meta;
-            if (scan_restart) sought_armed <= 1'b0;
-            else if (scan_enable) sought_armed <= u_scan_counter_armed;
+            if (scan_enable) sought_armed <= u_scan_counter_armed;
             was_front <= merge_front;
             if (swapped) begin
                 if (passes) pixels_left <= 8'd129;
@@ -203,19 +202,23 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:146
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:147
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:148
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:149
     end
     always @(posedge merge_clk) begin
         if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:124
+        if (!merge_rst) assume (!scan_restart | (all_sent & !swapped)); // rtl/src/lfb/unit.rs:125
+        if (!merge_rst) cover (swapped & passes);                    // rtl/src/lfb/unit.rs:126
     end
 `else
+    reg is_covered;
+    initial is_covered = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:146
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:148
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:147
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:149
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             stop;
         end
@@ -224,6 +227,16 @@ module lfb_unit_width16_height8_edge4_pages4 (
         if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:124
             $display("FAIL: time %0t: %m: the buffers are swapped when the back buffer has been sent", $time);
             stop;
+        end
+        if (!merge_rst && !(!scan_restart | (all_sent & !swapped))) begin // rtl/src/lfb/unit.rs:125
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the scan restarts when nothing is left to send", $time);
+            stop;
+        end
+        if (!merge_rst && (swapped & passes) && !is_covered) begin   // rtl/src/lfb/unit.rs:126
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: the buffers are swapped while the scan is within a frame", $time);
+            `endif
+            is_covered <= 1'b1;
         end
     end
 `endif

@@ -88,3 +88,95 @@ fn a_restart_is_followed_by_whole_frames() {
         bench.finish_scan();
     }
 }
+
+/// At the third edge of the merger behind a swap, and then until as many pixels have passed as the screen has, and 2 more.
+#[test]
+fn something_is_left_to_send_until_each_pixel_has_passed() {
+    let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
+    let pixels = SMALL.pixels() as usize + 2;
+    let patterns: [fn(u64) -> bool; 4] =
+        [|_| true, |clock| clock % 2 == 0, |clock| clock % 2 == 1, |clock| clock % 5 > 1];
+    for (wait, enables) in (0..20).flat_map(|wait| patterns.map(|enables| (wait, enables))) {
+        let mut sim = Simulation::of(&unit).unwrap().seeded(wait);
+        sim.reset();
+        sim.set(sim.i.scan.restart, 1);
+        sim.step_clock(MERGE, 1);
+        sim.set(sim.i.scan.restart, 0);
+        // For each edge of the merger whether a pixel passes, and whether something is left.
+        let (mut edges, mut swapped) = (Vec::new(), None);
+        let swap_at = sim.cycles(PE).unwrap() + wait;
+        while edges.len() < 3 * pixels {
+            let [merges, clocks] = [MERGE, PE].map(|clock| sim.cycles(clock).unwrap());
+            sim.set(sim.i.scan.enable, enables(merges));
+            sim.set(sim.i.swap, clocks == swap_at);
+            let sending = sim.get_u64(sim.o.sending) == 1;
+            sim.step();
+            if sim.cycles(MERGE).unwrap() > merges {
+                edges.push((enables(merges), sending));
+            }
+            if clocks == swap_at && sim.cycles(PE).unwrap() > clocks {
+                swapped = Some(edges.len());
+            }
+        }
+        let known = swapped.unwrap() + 2;
+        let passed = (known..).filter(|edge| edges[*edge].0).nth(pixels - 1).unwrap();
+        let left: Vec<usize> = (0..edges.len()).filter(|edge| edges[*edge].1).collect();
+        assert_eq!(left, Vec::from_iter(known + 1..passed + 2), "a swap after {wait} clocks");
+        assert!(
+            sim.covered("the buffers are swapped while the scan is within a frame").unwrap()
+                == u64::from(edges[known].0)
+        );
+    }
+}
+
+/// Neither what is left to send, nor the pixel that the scan has sought and not sent.
+#[test]
+fn a_reset_forgets_what_was_to_be_sent() {
+    let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
+    for phase in 0..40 {
+        let mut sim = Simulation::of(&unit).unwrap().seeded(phase);
+        let i = sim.i.clone();
+        sim.reset();
+        sim.set(i.scan.restart, 1);
+        sim.step_clock(MERGE, 1);
+        sim.set(i.scan.restart, 0);
+        sim.set(i.scan.enable, 1);
+        // After two swaps the buffers are where they are after a reset.
+        for word in [5, 6] {
+            for x in 8..12 {
+                sim.set(i.request.x, x);
+                sim.set(i.request.word, word);
+                sim.set(i.request.valid, 1);
+                while sim.get_u64(i.request.ready) == 0 {
+                    sim.step_clock(PE, 1);
+                }
+                sim.step_clock(PE, 1);
+            }
+            sim.set(i.request.valid, 0);
+            sim.step_clock(PE, 9);
+            while sim.get_u64(sim.o.sending) == 1 {
+                sim.step();
+            }
+            sim.set(i.swap, 1);
+            sim.step_clock(PE, 1);
+            sim.set(i.swap, 0);
+        }
+        // Until the scan is among them.
+        while sim.get_u64(sim.o.scanned.x) != 8 || sim.get_u64(sim.o.scanned.y) != 0 {
+            sim.step();
+        }
+        (0..phase).for_each(|_| sim.step());
+        sim.set(i.scan.enable, 0);
+        sim.step_clock(MERGE, 1);
+        sim.reset();
+        sim.set(i.scan.restart, 1);
+        sim.step_clock(MERGE, 1);
+        sim.set(i.scan.restart, 0);
+        sim.set(i.scan.enable, 1);
+        for _ in 0..4 {
+            assert_eq!(sim.get_u64(sim.o.sending), 0);
+            sim.step_clock(MERGE, 1);
+            assert_eq!(sim.get_u64(sim.o.word), EMPTY, "of a scan {phase} steps on");
+        }
+    }
+}
