@@ -217,7 +217,7 @@ impl GfbUnit {
         def!(word = crt.wire(WORD));
         let read_out = crt.instance("u_crt", &self.read_out(), CrtReadOutIn { word: *word });
         crt.assert(crt.stable(shown_bank) | read_out.dark, "no refresh shows two frames");
-        crt.cover("the display turns to the other bank", crt.rose(shown_bank) | crt.fell(shown_bank));
+        crt.cover("the display turns to the other bank", shown_bank.ne(crt.past(shown_bank)));
         let shown = banks.on(self.display.clock()).read(read_out.address).pick(shown_bank);
         def!(window = merge.synchronize(read_out.window));
         let (word_shown, blanking) = match (adds, multipass.first()) {

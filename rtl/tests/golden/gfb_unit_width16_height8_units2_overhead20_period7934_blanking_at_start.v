@@ -49,7 +49,6 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     reg [2:0] place;                                             // rtl/src/gfb/unit.rs:242
     (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:216
     (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:216
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:219
     (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:222
     (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:222
 
@@ -71,7 +70,6 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:183
     wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:244
     wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:250
-    wire covered_or = (shown_bank & !shown_bank_past) | (!shown_bank & shown_bank_past); // rtl/src/gfb/unit.rs:220
 
     genvar i;
 
@@ -163,10 +161,6 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         end
     end
 
-    always @(posedge crt_clk) begin
-        shown_bank_past <= shown_bank;
-    end
-
     always @(posedge merge_clk) begin
         if (merge_rst) begin
             filled_bank <= 1'b0;
@@ -216,6 +210,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     reg swap_past;                                               // rtl/src/gfb/unit.rs:198
     reg is_full;                                                 // rtl/src/gfb/unit.rs:243
     reg was_full;                                                // rtl/src/gfb/unit.rs:247
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:219
     reg has_past;                                                // rtl/src/gfb/unit.rs:195
     reg has_past_2;                                              // rtl/src/gfb/unit.rs:219
 
@@ -225,6 +220,10 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     always @(posedge merge_clk) begin
         writes_past <= writes;
         swap_past <= swap;
+    end
+
+    always @(posedge crt_clk) begin
+        shown_bank_past <= shown_bank;
     end
 
     always @(posedge merge_clk) begin
@@ -253,7 +252,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     end
     always @(posedge crt_clk) begin
         if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:219
-        if (!crt_rst) cover (has_past_2 & covered_or);               // rtl/src/gfb/unit.rs:220
+        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:220
     end
 `else
     reg is_covered;
@@ -289,7 +288,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end
-        if (!crt_rst && (has_past_2 & covered_or) && !is_covered_3) begin // rtl/src/gfb/unit.rs:220
+        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:220
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the display turns to the other bank", $time);
             `endif
@@ -299,6 +298,6 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, u_crt_dark, covered_or};
+    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, u_crt_dark};
 endmodule
 `default_nettype wire

@@ -52,7 +52,6 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     reg [3:0] place;                                             // rtl/src/gfb/unit.rs:242
     (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:216
     (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:216
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:219
     (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:222
     (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:222
     (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:264
@@ -86,7 +85,6 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:244
     wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:250
     wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : word_picked; // rtl/src/gfb/unit.rs:217
-    wire covered_or = (shown_bank & !shown_bank_past) | (!shown_bank & shown_bank_past); // rtl/src/gfb/unit.rs:220
     wire u_accumulation_word_inverse = !filled_bank;             // rtl/src/gfb/unit.rs:226
     wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:265
 
@@ -217,7 +215,6 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     end
 
     always @(posedge crt_clk) begin
-        shown_bank_past <= shown_bank;
         shows_average_past <= shows_average;
     end
 
@@ -273,6 +270,7 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     reg swap_past;                                               // rtl/src/gfb/unit.rs:198
     reg is_full;                                                 // rtl/src/gfb/unit.rs:243
     reg was_full;                                                // rtl/src/gfb/unit.rs:247
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:219
     reg has_past;                                                // rtl/src/gfb/unit.rs:195
     reg has_past_2;                                              // rtl/src/gfb/unit.rs:219
 
@@ -282,6 +280,10 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     always @(posedge merge_clk) begin
         writes_past <= writes;
         swap_past <= swap;
+    end
+
+    always @(posedge crt_clk) begin
+        shown_bank_past <= shown_bank;
     end
 
     always @(posedge merge_clk) begin
@@ -310,7 +312,7 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     end
     always @(posedge crt_clk) begin
         if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:219
-        if (!crt_rst) cover (has_past_2 & covered_or);               // rtl/src/gfb/unit.rs:220
+        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:220
         if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:265
     end
 `else
@@ -347,7 +349,7 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end
-        if (!crt_rst && (has_past_2 & covered_or) && !is_covered_3) begin // rtl/src/gfb/unit.rs:220
+        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:220
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the display turns to the other bank", $time);
             `endif
@@ -361,6 +363,6 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, covered_or, asserted_or};
+    wire _unused_ok = &{1'b0, u_sequencer_stale, entered_word, asserted_or};
 endmodule
 `default_nettype wire

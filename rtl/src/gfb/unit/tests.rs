@@ -191,9 +191,8 @@ fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
     assert_eq!(left[14..21], [5, 1, 7, 5, 6, 2, 8]);
 }
 
-/// A bit that crosses from a clock to another is there two clocks of that one later, and begins with its reset.
-#[test]
-fn the_display_and_the_swap_know_of_each_other_two_clocks_later() {
+/// A bit that crosses from a clock to another is there two clocks of that one later, and begins with its reset, which comes some edges later.
+fn know_of_each_other(phase: u32) {
     let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
     let peek = |bench: &mut Bench, name| bench.sim.peek(name).unwrap().to_u64().unwrap();
     // A chain that changes nothing, of pixels that are 0; then a reset while both bits are other than behind one.
@@ -203,6 +202,7 @@ fn the_display_and_the_swap_know_of_each_other_two_clocks_later() {
         bench.clock();
     }
     bench.sim.set(bench.sim.i.merged, 0);
+    (0..phase).for_each(|_| bench.sim.step());
     bench.sim.reset();
     bench.advanced = 0;
     let (mut windows, mut banks) = ([0, 0], [1, 1]);
@@ -224,6 +224,21 @@ fn the_display_and_the_swap_know_of_each_other_two_clocks_later() {
         if bench.sim.cycles("crt").unwrap() > crt {
             banks = [banks[1], bank];
         }
+    }
+}
+
+#[test]
+fn the_display_and_the_swap_know_of_each_other_two_clocks_later() {
+    (0..9).for_each(know_of_each_other);
+}
+
+#[test]
+fn the_display_turns_to_the_other_bank_with_each_swap() {
+    let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
+    for swaps in 1..4 {
+        bench.frame(&[vec![swaps; 14]]);
+        (0..3).for_each(|_| bench.clock());
+        assert_eq!(bench.sim.covered("the display turns to the other bank").unwrap(), swaps);
     }
 }
 
