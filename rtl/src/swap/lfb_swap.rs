@@ -22,6 +22,15 @@
 //! else take the line of the old frame for that of the new one.
 //!
 //! A frame's swap turns `frame`. It crosses to the merger one clock behind the buffers' exchange.
+//!
+//! # How long an overflow waits
+//!
+//! Another processing element may have overflowed late, and hold its swap at the end of the frame before back for T_m. The merger takes T_m more,
+//! and the banks wait for a blanking. So the swap of an overflow comes within 2 T_m and a refresh (VC1-SW4). Where an average of several
+//! passes is shown, it comes within 2 refreshes more.
+//!
+//! A refresh is one of the display's clock. So whoever knows all periods computes `overflow_clocks` from them:
+//! [`Vc1::lfb_swap`](crate::vc1::Vc1::lfb_swap). For T_m it takes what crossings and overheads make of it.
 
 use crate::prelude::*;
 
@@ -59,8 +68,7 @@ block! {
         pub merge_clocks: u64,
         /// The clocks of the processing element after a swap in which the whole back buffer is sent, at most.
         pub sent_clocks: u64,
-        /// The clocks of the processing element in which the swap of an overflow comes, at most. Another one may hold its own frame's end
-        /// back for T_m; the merger then takes T_m, and the banks wait for a blanking. So they are 2 T_m and a refresh, by their periods.
+        /// The clocks of the processing element in which the swap of an overflow comes, at most.
         pub overflow_clocks: u64,
     }
     ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.., overflow_clocks: 1.. }

@@ -11,6 +11,9 @@
 //!
 //! A frame ends when every program has ended: all see the line at one edge, and each swaps as soon as its own guards hold. When the
 //! last has swapped and the global frame buffer has stored what all have sent, its banks change in a vertical blanking.
+//!
+//! [`SwapControl`] is all of this in one block. Each rule of the paper is an assertion that runs in every frame: which one, and what breaks it, is in
+//! `rtl/docs/mutants.md`.
 
 mod control;
 mod gfb_swap;

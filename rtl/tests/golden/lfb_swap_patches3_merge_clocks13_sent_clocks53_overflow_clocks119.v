@@ -6,7 +6,7 @@
 // Parameters  LfbSwap { patches: 3, merge_clocks: 13, sent_clocks: 53, overflow_clocks: 119 }
 // Latency     1 clock from the line to the swap, if all guards hold
 // Source      VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)
-// Described   rtl/src/swap/lfb_swap.rs:53
+// Described   rtl/src/swap/lfb_swap.rs:62
 `default_nettype none
 
 module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
@@ -38,33 +38,33 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
     localparam [1:0] SWAP_STATE_DUE      = 2'd2;
     localparam [1:0] SWAP_STATE_OVERFLOW = 2'd3;
 
-    reg parity;                                                  // rtl/src/swap/lfb_swap.rs:113
-    (* ASYNC_REG = "TRUE" *) reg shown_here_meta;                // rtl/src/swap/lfb_swap.rs:114
-    (* ASYNC_REG = "TRUE" *) reg shown_here;                     // rtl/src/swap/lfb_swap.rs:114
-    (* ASYNC_REG = "TRUE" *) reg sending_here_meta;              // rtl/src/swap/lfb_swap.rs:115
-    (* ASYNC_REG = "TRUE" *) reg sending_here;                   // rtl/src/swap/lfb_swap.rs:115
-    reg [5:0] since;                                             // rtl/src/swap/lfb_swap.rs:119
-    reg [1:0] entry;                                             // rtl/src/swap/lfb_swap.rs:125
-    reg holds;                                                   // rtl/src/swap/lfb_swap.rs:133
-    (* ASYNC_REG = "TRUE" *) reg frame_here_meta;                // rtl/src/swap/lfb_swap.rs:165
-    (* ASYNC_REG = "TRUE" *) reg frame_here;                     // rtl/src/swap/lfb_swap.rs:165
-    reg frame_late;                                              // rtl/src/swap/lfb_swap.rs:166
+    reg parity;                                                  // rtl/src/swap/lfb_swap.rs:121
+    (* ASYNC_REG = "TRUE" *) reg shown_here_meta;                // rtl/src/swap/lfb_swap.rs:122
+    (* ASYNC_REG = "TRUE" *) reg shown_here;                     // rtl/src/swap/lfb_swap.rs:122
+    (* ASYNC_REG = "TRUE" *) reg sending_here_meta;              // rtl/src/swap/lfb_swap.rs:123
+    (* ASYNC_REG = "TRUE" *) reg sending_here;                   // rtl/src/swap/lfb_swap.rs:123
+    reg [5:0] since;                                             // rtl/src/swap/lfb_swap.rs:127
+    reg [1:0] entry;                                             // rtl/src/swap/lfb_swap.rs:133
+    reg holds;                                                   // rtl/src/swap/lfb_swap.rs:141
+    (* ASYNC_REG = "TRUE" *) reg frame_here_meta;                // rtl/src/swap/lfb_swap.rs:173
+    (* ASYNC_REG = "TRUE" *) reg frame_here;                     // rtl/src/swap/lfb_swap.rs:173
+    reg frame_late;                                              // rtl/src/swap/lfb_swap.rs:174
 
-    wire ready_equal = state == SWAP_STATE_DRAW;                 // rtl/src/swap/lfb_swap.rs:108
-    wire swap_equal = state == SWAP_STATE_DUE;                   // rtl/src/swap/lfb_swap.rs:108
-    wire swap_equal_2 = state == SWAP_STATE_OVERFLOW;            // rtl/src/swap/lfb_swap.rs:108
-    wire is_shown = shown_here == parity;                        // rtl/src/swap/lfb_swap.rs:117
-    wire waited = since >= 6'd13;                                // rtl/src/swap/lfb_swap.rs:121
-    wire swap_and = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:122
-    wire is_sent = !sending_here;                                // rtl/src/swap/lfb_swap.rs:116
-    assign swap = swap_and & is_sent;                            // rtl/src/swap/lfb_swap.rs:111
-    wire frame_end = swap_equal & swap;                          // rtl/src/swap/lfb_swap.rs:112
-    wire last_entry = clears & (entry == 2'd2);                  // rtl/src/swap/lfb_swap.rs:126
-    assign resume = last_entry & holds;                          // rtl/src/swap/lfb_swap.rs:134
-    assign ready = ready_equal & done & idle;                    // rtl/src/swap/lfb_swap.rs:136
-    wire covered_and = (swap_equal | swap_equal_2) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:161
-    wire covered_and_2 = (swap_equal | swap_equal_2) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:162
-    wire covered_and_3 = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:163
+    wire ready_equal = state == SWAP_STATE_DRAW;                 // rtl/src/swap/lfb_swap.rs:116
+    wire swap_equal = state == SWAP_STATE_DUE;                   // rtl/src/swap/lfb_swap.rs:116
+    wire swap_equal_2 = state == SWAP_STATE_OVERFLOW;            // rtl/src/swap/lfb_swap.rs:116
+    wire is_shown = shown_here == parity;                        // rtl/src/swap/lfb_swap.rs:125
+    wire waited = since >= 6'd13;                                // rtl/src/swap/lfb_swap.rs:129
+    wire swap_and = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:130
+    wire is_sent = !sending_here;                                // rtl/src/swap/lfb_swap.rs:124
+    assign swap = swap_and & is_sent;                            // rtl/src/swap/lfb_swap.rs:119
+    wire frame_end = swap_equal & swap;                          // rtl/src/swap/lfb_swap.rs:120
+    wire last_entry = clears & (entry == 2'd2);                  // rtl/src/swap/lfb_swap.rs:134
+    assign resume = last_entry & holds;                          // rtl/src/swap/lfb_swap.rs:142
+    assign ready = ready_equal & done & idle;                    // rtl/src/swap/lfb_swap.rs:144
+    wire covered_and = (swap_equal | swap_equal_2) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:169
+    wire covered_and_2 = (swap_equal | swap_equal_2) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:170
+    wire covered_and_3 = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:171
 
     always @(posedge pe_clk) begin
         if (pe_rst) begin
@@ -133,7 +133,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
 `endif
 
 `ifndef SYNTHESIS
-    reg [6:0] overflow_clocks;                                   // rtl/src/swap/lfb_swap.rs:151
+    reg [6:0] overflow_clocks;                                   // rtl/src/swap/lfb_swap.rs:159
 
     always @(posedge pe_clk) begin
         if (pe_rst) overflow_clocks <= 7'd0;
@@ -143,21 +143,21 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
 
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry))); // rtl/src/swap/lfb_swap.rs:138
-        if (!pe_rst) assume (!draws | ready_equal);                  // rtl/src/swap/lfb_swap.rs:142
-        if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:143
-        if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:144
-        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:145
-        if (!pe_rst) assert (!swap | (since >= 6'd13));              // rtl/src/swap/lfb_swap.rs:146
-        if (!pe_rst) assert ((since != 6'd53) | is_sent);            // rtl/src/swap/lfb_swap.rs:147
-        if (!pe_rst) assert (overflow_clocks != 7'd119);             // rtl/src/swap/lfb_swap.rs:153
-        if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:157
-        if (!pe_rst) cover (swap_equal_2 & swap);                    // rtl/src/swap/lfb_swap.rs:158
-        if (!pe_rst) cover (last_entry);                             // rtl/src/swap/lfb_swap.rs:159
-        if (!pe_rst) cover ((state == SWAP_STATE_DRAW) & overflow);  // rtl/src/swap/lfb_swap.rs:160
-        if (!pe_rst) cover (covered_and & !is_shown);                // rtl/src/swap/lfb_swap.rs:161
-        if (!pe_rst) cover (covered_and_2 & !waited);                // rtl/src/swap/lfb_swap.rs:162
-        if (!pe_rst) cover (covered_and_3 & !is_sent);               // rtl/src/swap/lfb_swap.rs:163
+        if (!pe_rst) assume (!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry))); // rtl/src/swap/lfb_swap.rs:146
+        if (!pe_rst) assume (!draws | ready_equal);                  // rtl/src/swap/lfb_swap.rs:150
+        if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:151
+        if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:152
+        if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:153
+        if (!pe_rst) assert (!swap | (since >= 6'd13));              // rtl/src/swap/lfb_swap.rs:154
+        if (!pe_rst) assert ((since != 6'd53) | is_sent);            // rtl/src/swap/lfb_swap.rs:155
+        if (!pe_rst) assert (overflow_clocks != 7'd119);             // rtl/src/swap/lfb_swap.rs:161
+        if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:165
+        if (!pe_rst) cover (swap_equal_2 & swap);                    // rtl/src/swap/lfb_swap.rs:166
+        if (!pe_rst) cover (last_entry);                             // rtl/src/swap/lfb_swap.rs:167
+        if (!pe_rst) cover ((state == SWAP_STATE_DRAW) & overflow);  // rtl/src/swap/lfb_swap.rs:168
+        if (!pe_rst) cover (covered_and & !is_shown);                // rtl/src/swap/lfb_swap.rs:169
+        if (!pe_rst) cover (covered_and_2 & !waited);                // rtl/src/swap/lfb_swap.rs:170
+        if (!pe_rst) cover (covered_and_3 & !is_sent);               // rtl/src/swap/lfb_swap.rs:171
     end
 `else
     reg is_covered;
@@ -175,75 +175,75 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
     reg is_covered_7;
     initial is_covered_7 = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry)))) begin // rtl/src/swap/lfb_swap.rs:138
+        if (!pe_rst && !(!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry)))) begin // rtl/src/swap/lfb_swap.rs:146
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: after a swap the entries are cleared in order, each once", $time);
             stop;
         end
-        if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:142
+        if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:150
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: no pixel is drawn between a swap and the last entry cleared", $time);
             stop;
         end
-        if (!pe_rst && !(!line | ready)) begin                       // rtl/src/swap/lfb_swap.rs:143
+        if (!pe_rst && !(!line | ready)) begin                       // rtl/src/swap/lfb_swap.rs:151
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the line is high only while this processing element lets it go", $time);
             stop;
         end
-        if (!pe_rst && !(!done | (state != SWAP_STATE_CLEAR))) begin // rtl/src/swap/lfb_swap.rs:144
+        if (!pe_rst && !(!done | (state != SWAP_STATE_CLEAR))) begin // rtl/src/swap/lfb_swap.rs:152
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the end of a frame is taken back when its swap is due", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:145
+        if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:153
             $display("FAIL: time %0t: %m: the global frame buffer has swapped for the frame before", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | (since >= 6'd13))) begin            // rtl/src/swap/lfb_swap.rs:146
+        if (!pe_rst && !(!swap | (since >= 6'd13))) begin            // rtl/src/swap/lfb_swap.rs:154
             $display("FAIL: time %0t: %m: T_m has passed since the last swap", $time);
             stop;
         end
-        if (!pe_rst && !((since != 6'd53) | is_sent)) begin          // rtl/src/swap/lfb_swap.rs:147
+        if (!pe_rst && !((since != 6'd53) | is_sent)) begin          // rtl/src/swap/lfb_swap.rs:155
             $display("FAIL: time %0t: %m: the back buffer is sent within a period and its overhead", $time);
             stop;
         end
-        if (!pe_rst && !(overflow_clocks != 7'd119)) begin           // rtl/src/swap/lfb_swap.rs:153
+        if (!pe_rst && !(overflow_clocks != 7'd119)) begin           // rtl/src/swap/lfb_swap.rs:161
             $display("FAIL: time %0t: %m: the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for", $time);
             stop;
         end
-        if (!pe_rst && frame_end && !is_covered) begin               // rtl/src/swap/lfb_swap.rs:157
+        if (!pe_rst && frame_end && !is_covered) begin               // rtl/src/swap/lfb_swap.rs:165
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a frame ends", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!pe_rst && (swap_equal_2 & swap) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:158
+        if (!pe_rst && (swap_equal_2 & swap) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:166
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: an overflow ends with a swap", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!pe_rst && last_entry && !is_covered_3) begin            // rtl/src/swap/lfb_swap.rs:159
+        if (!pe_rst && last_entry && !is_covered_3) begin            // rtl/src/swap/lfb_swap.rs:167
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the last entry is cleared", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!pe_rst && ((state == SWAP_STATE_DRAW) & overflow) && !is_covered_4) begin // rtl/src/swap/lfb_swap.rs:160
+        if (!pe_rst && ((state == SWAP_STATE_DRAW) & overflow) && !is_covered_4) begin // rtl/src/swap/lfb_swap.rs:168
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a buffer overflows", $time);
             `endif
             is_covered_4 <= 1'b1;
         end
-        if (!pe_rst && (covered_and & !is_shown) && !is_covered_5) begin // rtl/src/swap/lfb_swap.rs:161
+        if (!pe_rst && (covered_and & !is_shown) && !is_covered_5) begin // rtl/src/swap/lfb_swap.rs:169
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a swap waits for the global frame buffer alone", $time);
             `endif
             is_covered_5 <= 1'b1;
         end
-        if (!pe_rst && (covered_and_2 & !waited) && !is_covered_6) begin // rtl/src/swap/lfb_swap.rs:162
+        if (!pe_rst && (covered_and_2 & !waited) && !is_covered_6) begin // rtl/src/swap/lfb_swap.rs:170
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a swap waits for T_m alone", $time);
             `endif
             is_covered_6 <= 1'b1;
         end
-        if (!pe_rst && (covered_and_3 & !is_sent) && !is_covered_7) begin // rtl/src/swap/lfb_swap.rs:163
+        if (!pe_rst && (covered_and_3 & !is_sent) && !is_covered_7) begin // rtl/src/swap/lfb_swap.rs:171
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a swap waits for the merger alone", $time);
             `endif

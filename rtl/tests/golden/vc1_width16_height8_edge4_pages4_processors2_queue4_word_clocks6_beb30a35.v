@@ -104,7 +104,6 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
     wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:190
 
     wire asserted_all;                                           // rtl/src/vc1/mod.rs:267
-    wire covered_any;                                            // rtl/src/vc1/mod.rs:270
     wire brought_all;                                            // rtl/src/vc1/mod.rs:228
     wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:230
     wire covered_all;                                            // rtl/src/vc1/mod.rs:233
@@ -192,8 +191,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
             localparam [31:0] sum_listed = 4 * i;
             wire [12:0] sum_product = {5'd0, {5'd0, u_lfb[i].scanned_y}} * 13'd16;
             wire [7:0] sum = sum_product[7:0] + {4'd0, u_lfb[i].scanned_x} + sum_listed[7:0];
-            wire is_behind = sum >= 8'd128;
-            wire [7:0] led = is_behind ? (sum - 8'd128) : sum;
+            wire [7:0] led = (sum >= 8'd128) ? (sum - 8'd128) : sum;
             wire asserted_equal = led == sum_row[0].led;
             wire _unused_lane = &{1'b0, sum_product[12:8]};
         end
@@ -301,13 +299,6 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         end
     endgenerate
     assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:267
-    wire [1:0] covered_any_lanes;
-    generate
-        for (i = 0; i < 2; i = i + 1) begin : covered_any_of
-            assign covered_any_lanes[i] = sum_row[i].is_behind;
-        end
-    endgenerate
-    assign covered_any = |covered_any_lanes;                     // rtl/src/vc1/mod.rs:270
     wire [1:0] brought_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : brought_all_of
@@ -387,7 +378,6 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 `ifdef FORMAL
     always @(posedge merge_clk) begin
         if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:266
-        if (!merge_rst) cover (is_scanning & covered_any);           // rtl/src/vc1/mod.rs:270
     end
     always @(posedge pe_clk) begin
         if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:229
@@ -396,18 +386,10 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 `else
     reg is_covered;
     initial is_covered = 1'b0;
-    reg is_covered_2;
-    initial is_covered_2 = 1'b0;
     always @(posedge merge_clk) begin
         if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:266
             $display("FAIL: time %0t: %m: each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame", $time);
             stop;
-        end
-        if (!merge_rst && (is_scanning & covered_any) && !is_covered) begin // rtl/src/vc1/mod.rs:270
-            `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a scan counter is in a frame before that of the first one", $time);
-            `endif
-            is_covered <= 1'b1;
         end
     end
     always @(posedge pe_clk) begin
@@ -415,16 +397,16 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end
-        if (!pe_rst && (covered_all & ready & !brought) && !is_covered_2) begin // rtl/src/vc1/mod.rs:233
+        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:233
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a word on the bus or in a queue holds the line low", $time);
             `endif
-            is_covered_2 <= 1'b1;
+            is_covered <= 1'b1;
         end
     end
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, asserted_all, covered_any, brought, u_lfb_idle_all, covered_all};
+    wire _unused_ok = &{1'b0, asserted_all, brought, u_lfb_idle_all, covered_all};
 endmodule
 `default_nettype wire
