@@ -135,7 +135,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
     for phase in 0..40 {
         let mut sim = Simulation::of(&unit).unwrap().seeded(phase);
-        let i = sim.i.clone();
+        let i = sim.i;
         sim.reset();
         sim.set(i.scan.restart, 1);
         sim.step_clock(MERGE, 1);
