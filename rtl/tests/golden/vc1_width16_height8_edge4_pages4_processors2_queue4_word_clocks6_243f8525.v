@@ -1,15 +1,15 @@
-// vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
+// vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
 //
 // The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger,
 // global frame buffer, swap control.
 //
-// Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
+// Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, overhead: 20, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     a frame is merged in 296 clocks of the merger
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)
 // Described   rtl/src/vc1/mod.rs:80
 `default_nettype none
 
-module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35 (
+module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     input  wire        crt_clk,
@@ -91,28 +91,28 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
     output wire        host_accesses_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:193
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:193
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:193
-    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:193
-    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:199
-    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:199
-    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:224
-    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:224
-    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:224
-    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:191
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:190
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:196
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:196
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:196
+    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:196
+    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:202
+    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:202
+    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:227
+    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:227
+    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:227
+    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:194
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:193
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:267
-    wire brought_all;                                            // rtl/src/vc1/mod.rs:228
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:230
-    wire covered_all;                                            // rtl/src/vc1/mod.rs:233
-    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:210
-    wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:201
-    wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:201
-    wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:201
-    wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:201
-    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:228
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:270
+    wire brought_all;                                            // rtl/src/vc1/mod.rs:231
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:233
+    wire covered_all;                                            // rtl/src/vc1/mod.rs:236
+    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:213
+    wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:204
+    wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:204
+    wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:204
+    wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:204
+    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:231
 
     genvar i;
 
@@ -123,7 +123,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
     wire [1:0] u_lfb_clear_valid = {processors_1_clear_valid, processors_0_clear_valid};
     wire [5:0] u_lfb_clear_patch = {processors_1_clear_patch, processors_0_clear_patch};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:201
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:204
             wire overflow;
             wire [2:0] pages_used;
             wire idle;
@@ -203,7 +203,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:193
+    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:196
         .merge_clk             (merge_clk),
         .merge_rst             (merge_rst),
         .crt_clk               (crt_clk),
@@ -227,7 +227,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .host_accesses_ready   (host_accesses_ready)
     );
 
-    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:199
+    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:202
         .clk              (pe_clk),
         .rst              (pe_rst),
         .senders_0_valid  (processors_0_sends_valid),
@@ -254,7 +254,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .senders_2_ready  (command_ready)
     );
 
-    swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 u_swap ( // rtl/src/vc1/mod.rs:224
+    swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 u_swap ( // rtl/src/vc1/mod.rs:227
         .pe_clk    (pe_clk),
         .pe_rst    (pe_rst),
         .merge_clk (merge_clk),
@@ -279,7 +279,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:237
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:240
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),
@@ -288,38 +288,38 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
         .merged    (merged)
     );
 
-    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:197
-    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:197
-    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:197
-    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:197
+    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:200
+    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:200
+    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:200
+    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:200
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
             assign asserted_all_lanes[i] = sum_row[i].asserted_equal;
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:267
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:270
     wire [1:0] brought_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : brought_all_of
             assign brought_all_lanes[i] = u_bus_empty[i];
         end
     endgenerate
-    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:228
+    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:231
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
             assign u_lfb_idle_all_lanes[i] = u_lfb[i].idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:230
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:233
     wire [1:0] covered_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : covered_all_of
             assign covered_all_lanes[i] = covered_listed_row[i].covered_and;
         end
     endgenerate
-    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:233
+    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:236
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_swap_idle_of
             assign u_swap_idle[i] = finished_row[i].finished;
@@ -368,7 +368,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 `endif
 
 `ifndef SYNTHESIS
-    reg is_scanning;                                             // rtl/src/vc1/mod.rs:264
+    reg is_scanning;                                             // rtl/src/vc1/mod.rs:267
 
     always @(posedge merge_clk) begin
         if (merge_rst) is_scanning <= 1'b0;
@@ -377,27 +377,27 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_beb30a35
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:266
+        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:269
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:229
-        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:233
+        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:232
+        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:236
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:266
+        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:269
             $display("FAIL: time %0t: %m: each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame", $time);
             stop;
         end
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:229
+        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:232
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end
-        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:233
+        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:236
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a word on the bus or in a queue holds the line low", $time);
             `endif
