@@ -129,11 +129,31 @@ fn something_is_left_to_send_until_each_pixel_has_passed() {
     }
 }
 
+/// From the clock in which the merger knows of a swap, its third, until all is sent.
+#[test]
+fn a_restart_while_something_is_left_to_send_is_an_error() {
+    for (edges, is_error) in [(1, false), (2, true), (3, true), (40, true)] {
+        let mut bench = Bench::new(SMALL, 4, 30, 0);
+        bench.sim.set(bench.sim.i.swap, 1);
+        bench.clock();
+        bench.sim.set(bench.sim.i.swap, 0);
+        bench.sim.step_clock(MERGE, edges);
+        bench.sim.set(bench.sim.i.scan.restart, 1);
+        let end = bench.sim.cycles(MERGE).unwrap() + 1;
+        let mut problem = None;
+        while bench.sim.cycles(MERGE).unwrap() < end && problem.is_none() {
+            problem = bench.sim.try_step().err().map(|problem| problem.to_string());
+        }
+        let says = problem.map(|problem| problem.contains("the scan restarts when nothing is left to send"));
+        assert_eq!(says, is_error.then_some(true), "{edges} edges behind a swap");
+    }
+}
+
 /// Neither what is left to send, nor the pixel that the scan has sought and not sent.
 #[test]
 fn a_reset_forgets_what_was_to_be_sent() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
-    for phase in 0..40 {
+    for (phase, swaps) in (0..40).flat_map(|phase| [(phase, 1), (phase, 2)]) {
         let mut sim = Simulation::of(&unit).unwrap().seeded(phase);
         let i = sim.i;
         sim.reset();
@@ -142,7 +162,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
         sim.set(i.scan.restart, 0);
         sim.set(i.scan.enable, 1);
         // After two swaps the buffers are where they are after a reset.
-        for word in [5, 6] {
+        for word in 0..swaps {
             for x in 8..12 {
                 sim.set(i.request.x, x);
                 sim.set(i.request.word, word);
@@ -169,6 +189,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
         sim.set(i.scan.enable, 0);
         sim.step_clock(MERGE, 1);
         sim.reset();
+        assert_eq!(sim.get_u64(sim.o.sending), 0);
         sim.set(i.scan.restart, 1);
         sim.step_clock(MERGE, 1);
         sim.set(i.scan.restart, 0);
