@@ -198,7 +198,7 @@ fn know_of_each_other(phase: u32) {
     // A chain that changes nothing, of pixels that are 0; then a reset while both bits are other than behind one.
     bench.sim.set(bench.sim.i.host.background, 0);
     bench.frame(&[vec![0; 14]]);
-    while bench.sim.get_u64(bench.sim.o.blanking) == 0 || peek(&mut bench, "shown_bank") == 1 {
+    while ["window", "window_meta", "shown_bank"].map(|name| peek(&mut bench, name)) != [1, 1, 0] {
         bench.clock();
     }
     bench.sim.set(bench.sim.i.merged, 0);
