@@ -52,9 +52,9 @@ fn render_all(config: Config, views: &[Projection]) -> Report {
 }
 
 /// The views of a scene from a camera that turns.
-fn turning(scene: &str, width: u32, height: u32, frames: u32, degrees: f64) -> Vec<Projection> {
+pub fn turning(scene: &str, size: Size, frames: u32, degrees: f64) -> Vec<Projection> {
     let mut scene = Scene::builtin(scene).expect("a built-in scene");
-    let (camera, size) = (scene.camera, Size::new(width, height).expect("in range"));
+    let camera = scene.camera;
     let view = |number: u32| {
         scene.camera = camera.orbited(degrees * f64::from(number));
         project(&scene, size).expect("the scene is in sight")
@@ -68,7 +68,7 @@ fn frame_of(report: &Report) -> &FrameReport {
 }
 
 /// The machine for a small screen, with a display as much faster than the paper's as T_m is shorter.
-fn small(size: Size) -> Config {
+pub fn small(size: Size) -> Config {
     let refresh = 60.0 * 640.0 * 480.0 / size.pixels() as f64;
     Config { refresh, ..Config::new(size) }
 }
@@ -127,7 +127,7 @@ fn the_report_counts_what_the_dry_run_expects() {
 /// The times of a frame follow each other, and the clocks of each processing element are those until its swap.
 #[test]
 fn every_clock_is_in_one_class() {
-    let views = turning("teapot", 96, 72, 3, 20.0);
+    let views = turning("teapot", Size::new(96, 72).unwrap(), 3, 20.0);
     let config = Config { processors: 5, costs: HASTY, ..small(views[0].size) };
     let report = render_all(config, &views);
     let mut clocks = 0;
@@ -146,7 +146,7 @@ fn every_clock_is_in_one_class() {
 /// drawn by all; with 256 of them too.
 #[test]
 fn frames_of_a_moving_camera_are_golden() {
-    let views = turning("table", 80, 60, 3, 25.0);
+    let views = turning("table", Size::new(80, 60).unwrap(), 3, 25.0);
     let overflows = |processors, pages, apr, queue| {
         let config = Config { processors, pages: Some(pages), apr, queue, costs: HASTY, ..small(views[0].size) };
         let report = render_all(config, &views);
@@ -164,7 +164,7 @@ fn frames_of_a_moving_camera_are_golden() {
 /// With queues of one polygon and a fast bus: all send at once; all overflow while others send to them; with both, nobody hangs.
 #[test]
 fn queues_of_one_polygon_do_not_lock() {
-    let views = turning("table", 80, 60, 2, 25.0);
+    let views = turning("table", Size::new(80, 60).unwrap(), 2, 25.0);
     let processors = |pages, apr, word_clocks| {
         let config = Config {
             processors: 4,
@@ -189,7 +189,7 @@ fn queues_of_one_polygon_do_not_lock() {
 /// While frames are drawn in less than two refreshes of the paper's display, one comes every two (VC1-SW2): T_m is 1.52 of them.
 #[test]
 fn a_frame_comes_every_two_refreshes() {
-    let views = turning("teapot", 80, 60, 6, 3.0);
+    let views = turning("teapot", Size::new(80, 60).unwrap(), 6, 3.0);
     let config = Config { processors: 16, costs: HASTY, ..small(views[0].size) };
     let t_m = 80e-9 * merge_clocks(&config) as f64;
     let report = render_all(Config { refresh: 1.52 / t_m, ..config }, &views);

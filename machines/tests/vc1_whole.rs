@@ -6,20 +6,10 @@ use std::collections::HashSet;
 
 use tilewright_machines::Watch;
 use tilewright_machines::vc1::{Assign, Assignment, Config, CostTable, Machine, Shown};
-use tilewright_scenes::{Projection, Scene, Size, Triangle, compare, golden, project};
+use tilewright_scenes::{Projection, Size, Triangle, compare, golden};
 
+use crate::vc1::{small, turning};
 use crate::vc1_campaign::BACKGROUND;
-
-/// The views of a scene from a camera that turns, on a screen of that size.
-fn turning(scene: &str, size: Size, frames: u32, degrees: f64) -> Vec<Projection> {
-    let mut scene = Scene::builtin(scene).expect("a built-in scene");
-    let camera = scene.camera;
-    let view = |number: u32| {
-        scene.camera = camera.orbited(degrees * f64::from(number));
-        project(&scene, size).expect("the scene is in sight")
-    };
-    (0..frames).map(view).collect()
-}
 
 /// How often a processing element runs out of pages that draws these packets one after the other, row by row: a plain model of
 /// VC1-PT and VC1-SW4.
@@ -79,15 +69,10 @@ fn draw(name: &str, config: Config, views: &[Projection]) -> Vec<u64> {
     overflows
 }
 
-/// For a screen of that size, with a display as much faster than the paper's as T_m is shorter.
-fn config(size: Size) -> Config {
-    Config { refresh: 60.0 * 640.0 * 480.0 / size.pixels() as f64, ..Config::new(size) }
-}
-
 /// Pages, patches, clusters and thresholds of all kinds, at that size, by programs of those costs.
 fn range(size: Size, scene: &str, processors: &[u32], costs: CostTable) {
     let views = turning(scene, size, 3, 15.0);
-    let plain = Config { apr: None, costs, ..config(size) };
+    let plain = Config { apr: None, costs, ..small(size) };
     let patches = plain.patches().expect("4x4 fits").count();
     for &processors in processors {
         draw(scene, Config { processors, ..plain }, &views[..1]);
@@ -122,7 +107,7 @@ fn frames_are_golden_over_the_whole_range() {
 #[ignore = "a minute"]
 fn four_pages_are_enough() {
     let size = Size::new(160, 120).unwrap();
-    let config = Config { processors: 4, pages: Some(4), apr: None, ..config(size) };
+    let config = Config { processors: 4, pages: Some(4), apr: None, ..small(size) };
     println!("{:?} overflows", draw("star", config, &turning("star", size, 2, 20.0)));
 }
 
