@@ -84,9 +84,9 @@ fn covered(projection: &Projection) -> u64 {
 }
 
 /// (M + beta) * N + 4 * n (VC1-TM).
-fn merge_clocks(config: &Config) -> u64 {
+pub fn merge_clocks(config: &Config) -> u64 {
     let (width, height) = (u64::from(config.size.width()), u64::from(config.size.height()));
-    (width + 20) * height + 4 * u64::from(config.processors)
+    (width + u64::from(config.overhead)) * height + 4 * u64::from(config.processors)
 }
 
 #[test]

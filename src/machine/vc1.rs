@@ -147,9 +147,8 @@ impl Vc1Options {
     /// # Errors
     /// The scene cannot be set up, or a cost is given twice.
     pub fn job(&self, scene: &Scene) -> Result<Vc1Job, Failure> {
-        let turn = Turn { config: self.config(scene)?, scene, pictures: 1, degrees: 0.0 };
-        let views = turn.views()?;
-        Ok(Vc1Job { config: self.with_pages(turn.config, &turn)?, views, background: scene.background })
+        let turn = self.turn_of(scene, 1, 0.0)?;
+        Ok(Vc1Job { config: turn.config, views: turn.views()?, background: scene.background })
     }
 
     /// A turn around a scene, if it is of several pictures.
@@ -165,31 +164,18 @@ impl Vc1Options {
                 format!("a turn of {degrees} degrees: give a number, such as 7.5"),
             ));
         }
-        if pictures == 1 {
-            return Ok(None);
-        }
-        let turn = Turn { config: self.config(scene)?, scene, pictures, degrees };
-        let config = self.with_pages(turn.config, &turn)?;
-        Ok(Some(Turn { config, ..turn }))
+        (pictures > 1).then(|| self.turn_of(scene, pictures, degrees)).transpose()
     }
 
-    /// With as many pages as the frames of a turn need, if that is asked for.
-    fn with_pages(&self, config: Config, turn: &Turn) -> Result<Config, Failure> {
-        let pages = match self.pages {
+    /// A turn of that many pictures, on the machine that is asked for.
+    fn turn_of<'a>(&self, scene: &'a Scene, pictures: u32, degrees: f64) -> Result<Turn<'a>, Failure> {
+        let mut turn = Turn { config: self.config(scene)?, scene, pictures, degrees };
+        turn.config.pages = match self.pages {
             None => None,
             Some(Pages::Number(pages)) => Some(pages),
-            Some(Pages::Auto) => {
-                let mut failure = None;
-                let views =
-                    (0..turn.frames()).map_while(|number| turn.view(number).map_err(|it| failure = Some(it)).ok());
-                let pages = config.sufficient_pages(views).map_err(tilewright_machines::Error::from)?;
-                if let Some(failure) = failure {
-                    return Err(failure);
-                }
-                Some(pages.max(LEAST_PAGES))
-            }
+            Some(Pages::Auto) => Some(sufficient_pages(&turn)?.max(LEAST_PAGES)),
         };
-        Ok(Config { pages, ..config })
+        Ok(turn)
     }
 
     fn config(&self, scene: &Scene) -> Result<Config, Failure> {
@@ -212,6 +198,14 @@ impl Vc1Options {
             ..usual
         })
     }
+}
+
+/// As many pages as the frames of a turn need, of which it holds one view at a time.
+fn sufficient_pages(turn: &Turn) -> Result<u32, Failure> {
+    let mut failure = None;
+    let views = (0..turn.frames()).map_while(|number| turn.view(number).map_err(|it| failure = Some(it)).ok());
+    let pages = turn.config.sufficient_pages(views).map_err(tilewright_machines::Error::from)?;
+    failure.map_or(Ok(pages), Err)
 }
 
 /// How many pages each local frame buffer has.

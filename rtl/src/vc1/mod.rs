@@ -97,7 +97,7 @@ block! {
     }
     ranges(self) {
         /// Each scan counter runs 4 pixels ahead of the succeeding one, and all lie within the screen.
-        processors: 1..=(self.lfb.patches.screen().pixels() - 3) / crate::merger::STAGES,
+        processors: 1..=(self.lfb.patches.screen().pixels() - 3) / STAGES,
         overhead: 1..,
     }
     latency(self) = format!("a frame is merged in {} clocks of the merger", self.gfb().sequencer().stored_clocks());
