@@ -174,7 +174,7 @@ pub(crate) trait Engine: Send {
         false
     }
 
-    /// At how many edges units had nothing to do and were left out, of all units together.
+    /// At how many edges units had nothing to do and were left out, of all units together; or how many edges of clocks were left out.
     fn left_out(&self) -> u64 {
         0
     }

@@ -58,6 +58,9 @@ pub struct Passes {
     pub apart_from: u32,
     /// How many operations on single values such an instance has, at the least.
     pub apart_single: usize,
+    /// How many operations on vectors an edge of a clock takes, about and at the least, so that it is left out where nothing happens at it,
+    /// in a circuit of several clocks.
+    pub idle_from: usize,
     /// No machine code is made of operations: what it would be made of is evaluated instead, by what operations mean. Slow; it
     /// tells whether a mistake is made before code or in it.
     pub evaluated: bool,
@@ -89,6 +92,7 @@ impl Default for Passes {
             versions_from: 4096,
             apart_from: 64,
             apart_single: 200,
+            idle_from: 500,
             evaluated: false,
             guarded: cfg!(debug_assertions),
         }
@@ -126,6 +130,7 @@ impl Passes {
             versions_from: usize::MAX,
             apart_from: u32::MAX,
             apart_single: usize::MAX,
+            idle_from: usize::MAX,
             evaluated: false,
             guarded: cfg!(debug_assertions),
         }

@@ -190,7 +190,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     }
 
     /// At how many edges instances that run one by one had nothing to do, and were left out, all of them together
-    /// ([`Passes::apart_from`] says which they are); 0 on engines that leave nothing out.
+    /// ([`Passes::apart_from`] says which they are); or how many edges of clocks were left out, where there are several
+    /// ([`Passes::idle_from`]). 0 on engines that leave nothing out.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -49,6 +49,11 @@ impl Timeline {
         self.clocks.iter().filter_map(Ticks::next).min()
     }
 
+    /// When a clock rises next; `u64::MAX` if that time has no room in 64 bits.
+    pub fn next_of(&self, clock: usize) -> u64 {
+        self.clocks[clock].next().unwrap_or(u64::MAX)
+    }
+
     /// Why there is no next instant.
     pub fn ended(&self) -> Error {
         if self.clocks.is_empty() { Error::NoClock } else { Error::Late }

@@ -8,6 +8,7 @@ mod engine;
 mod engines;
 mod every_engine;
 mod fields;
+mod idle;
 mod lanes_by_name;
 mod looking;
 mod looking_on;

@@ -19,3 +19,9 @@ impl Random {
         of[self.below(of.len() as u64) as usize]
     }
 }
+
+/// The number in a variable of the environment, for a campaign by hand.
+pub fn number(name: &str) -> u64 {
+    let text = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
+    text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}"))
+}

@@ -6,7 +6,7 @@ use tilewright_hdl::{
 };
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
-use crate::circuits::random::Random;
+use crate::circuits::random::{Random, number};
 
 bundle! {
     struct LaneIn<T> { go: T, x: T, own: T }
@@ -257,10 +257,6 @@ fn random_machines_run_as_on_the_reference_engine() {
 #[test]
 #[ignore = "tries as many machines as UNITS_MACHINES says, from UNITS_SEED on"]
 fn random_machines_from_a_seed_run_as_on_the_reference_engine() {
-    let number = |name| {
-        let text: String = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
-        text.parse::<u64>().unwrap_or_else(|_| panic!("{name} is no number: {text}"))
-    };
     let seed = number("UNITS_SEED");
     let left_out: u64 = (seed..seed + number("UNITS_MACHINES")).map(run).sum();
     println!("edges of units that were left out: {left_out}");

@@ -76,7 +76,7 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
         0 => Passes { apart_from: 1, apart_single: 0, ..passes },
         _ => passes,
     };
-    let passes = Passes { guarded: true, ..passes };
+    let passes = Passes { guarded: true, idle_from: 0, ..passes };
     let steps = |passes: &Passes| {
         let sim = Simulation::with_passes(design, passes).unwrap_or_else(|error| panic!("{error}"));
         let run = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));

@@ -32,6 +32,11 @@ impl Edge {
         (self.rising.clone(), self.resets.clone())
     }
 
+    /// So many of those that were to be done have not been.
+    fn give_back(&mut self, edges: u64) {
+        self.quiet = self.quiet.saturating_sub(edges);
+    }
+
     /// So many were done with inputs as they are.
     pub fn pass(&mut self, edges: u64) {
         self.quiet = self.quiet.saturating_add(edges);
@@ -59,19 +64,49 @@ pub(super) struct Quick {
 }
 
 impl Compiled {
+    /// So many edges of these clocks.
+    #[inline]
+    pub(super) fn usual_edges(&mut self, rising: &[usize], count: u64) -> Done {
+        match self.ready_edges(rising, count) {
+            Some(done) => done,
+            None => self.other_edges(rising, count),
+        }
+    }
+
     /// So many edges of these clocks, if it is known what to call for them.
     #[inline]
     pub(super) fn ready_edges(&mut self, rising: &[usize], count: u64) -> Option<Done> {
-        let (Some(ready), &[clock]) = (&self.ready, rising) else { return None };
-        if clock != ready.clock || count > self.ready_for || self.held_changed {
+        let &[clock] = rising else { return None };
+        if self.held_changed || !self.is_ready(clock) || count > self.ready_for {
             return None;
         }
+        let ready = self.ready.as_ref()?;
         let (code, changed) = (ready.code, ready.changes);
         self.spend(count);
         self.looked = false;
         let edges = count - self.call(code, count);
         self.change(changed);
         Some(Done { edges, changed })
+    }
+
+    /// Whether it is known what to call for edges of a clock; of several, each may rise while another one is ready.
+    #[inline]
+    fn is_ready(&mut self, clock: usize) -> bool {
+        if self.ready.as_ref().is_some_and(|ready| ready.clock == clock) {
+            return true;
+        }
+        let Some(parked) = self.parked.get_mut(clock).and_then(Option::take) else { return false };
+        self.park();
+        (self.ready, self.ready_for) = (Some(parked.0), parked.1);
+        true
+    }
+
+    /// Keeps what is ready for when its clock rises again.
+    fn park(&mut self) {
+        if let Some(ready) = self.ready.take() {
+            let clock = ready.clock;
+            self.parked[clock] = Some((ready, self.ready_for));
+        }
     }
 
     /// An edge of the only clock, if it is known what to call for it; whether it was done. A testbench does this and little
@@ -112,7 +147,7 @@ impl Compiled {
         if count == 0 {
             return Done { edges: 0, changed: Triggers::NONE };
         }
-        self.unready();
+        self.put_away(rising);
         self.looked = false;
         let index = self.edge(rising);
         let code = self.edge_code(index, count);
@@ -146,15 +181,28 @@ impl Compiled {
         self.quick = (is_only && count > 0).then_some(Quick { code, changes });
     }
 
+    /// It has to be found out what to call for edges of these clocks.
+    fn put_away(&mut self, rising: &[usize]) {
+        // Where versions are made, what is ready is asked for anew every few edges.
+        if self.parked.is_empty() || self.held_changed || !self.versions.is_empty() {
+            return self.unready();
+        }
+        self.park();
+        if let &[clock] = rising
+            && let Some((ready, left)) = self.parked[clock].take()
+        {
+            self.edges[ready.edge].give_back(left);
+        }
+    }
+
     /// It has to be found out again what to call.
     #[cold]
     pub(super) fn unready(&mut self) {
         self.again = None;
         self.quick = None;
-        if let Some(Ready { edge, .. }) = self.ready.take() {
-            // Those that have not been.
-            let quiet = &mut self.edges[edge].quiet;
-            *quiet = quiet.saturating_sub(self.ready_for);
+        let ready = self.ready.take().map(|ready| (ready, self.ready_for));
+        for (ready, left) in ready.into_iter().chain(self.parked.iter_mut().filter_map(Option::take)) {
+            self.edges[ready.edge].give_back(left);
         }
     }
 
@@ -169,9 +217,12 @@ impl Compiled {
             self.check_asserts(checked);
             return latest;
         }
-        let mut asserting = rising.iter().filter(|&&clock| !self.program.clocks[clock].asserts.is_empty());
+        let mut asserting = rising.iter().filter(|&&clock| !self.program.clocks[clock].asserts.is_empty()).peekable();
+        let states_something = asserting.peek().is_some();
         let unchecked = asserting.all(|&clock| self.resets[clock]);
-        self.check_asserts(!unchecked);
+        if states_something {
+            self.check_asserts(!unchecked);
+        }
         let matches = |of: &[bool]| if unchecked { !of.contains(&true) } else { *of == *self.resets };
         let made = self.edges.iter().position(|edge| edge.rising.iter().eq(rising) && matches(&edge.resets));
         let index = made.unwrap_or_else(|| {
@@ -182,7 +233,7 @@ impl Compiled {
             self.edges.push(Edge { rising, resets, code, changes, inputs_version: 0, quiet: 0, special: None });
             self.edges.len() - 1
         });
-        self.latest = Some((index, !unchecked));
+        self.latest = Some((index, self.checked));
         index
     }
 

@@ -5,7 +5,7 @@ use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
 use tilewright_hdl::{Bits, limbs_for};
 
 use crate::engine::LINE;
-use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, ValueId};
+use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, Register, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
 
 /// What a function does with what it computes.
@@ -195,6 +195,11 @@ impl<'a> Maker<'a> {
         &self.function.cell(id).kind
     }
 
+    /// How many lanes a value of the function has.
+    pub fn lanes(&self, id: ValueId) -> u32 {
+        self.function.cell(id).lanes
+    }
+
     /// These values are known.
     pub fn hold(mut self, held: &Held) -> Self {
         for &(id, ref bits) in held {
@@ -255,12 +260,7 @@ impl<'a> Maker<'a> {
     pub fn edge(mut self, rising: &[usize]) -> (Function, Became) {
         let program = self.program;
         for &clock in rising {
-            for &index in &program.clocks[clock].registers {
-                let register = &program.registers[index as usize];
-                let (next, enable) = (self.take(register.next), register.enable.map(|enable| self.take(enable)));
-                let state = self.became[&register.value];
-                self.function.sinks.push(Sink::Register { state, next, enable });
-            }
+            self.registers(program.clocks[clock].registers.iter().map(|&index| &program.registers[index as usize]));
             for &(memory, port) in &program.clocks[clock].reads {
                 let sink = self.synchronous_read(memory, port, rising);
                 self.function.sinks.push(sink);
@@ -276,13 +276,31 @@ impl<'a> Maker<'a> {
         self.finish()
     }
 
+    /// An edge for these registers alone.
+    pub fn registers<'r>(&mut self, registers: impl IntoIterator<Item = &'r Register>) {
+        for register in registers {
+            let (next, enable) = (self.take(register.next), register.enable.map(|enable| self.take(enable)));
+            let state = self.became[&register.value];
+            self.function.sinks.push(Sink::Register { state, next, enable });
+        }
+    }
+
     /// What must hold at an edge of these clocks, but for those in reset; `None` if there is nothing.
     pub fn check(mut self, rising: &[usize], resets: &[bool]) -> Option<Function> {
         let clocks = rising.iter().filter(|&&clock| !resets[clock]);
         let asserts = clocks.flat_map(|&clock| &self.program.clocks[clock].asserts);
+        let conditions: Vec<ValueId> =
+            asserts.map(|&assert| self.take(self.program.asserts[assert as usize].condition)).collect();
+        if !self.go_on_if_all(&conditions) {
+            return None;
+        }
+        Some(self.finish().0)
+    }
+
+    /// The function goes on only if these values of its own, of 1 bit, are 1 in all lanes; whether there are any.
+    pub fn go_on_if_all(&mut self, conditions: &[ValueId]) -> bool {
         let mut all = None;
-        for &assert in asserts {
-            let of = self.take(self.program.asserts[assert as usize].condition);
+        for &of in conditions {
             let axis = Axis::last(self.function.cell(of).lanes);
             let condition = self.add(Kind::Reduce { by: Reduction::And, of, axis }, 1, 1);
             all = Some(match all {
@@ -290,8 +308,7 @@ impl<'a> Maker<'a> {
                 Some(before) => self.add(Kind::Binary(Binary::And, before, condition), 1, 1),
             });
         }
-        self.function.sinks.push(Sink::Hold(all?));
-        Some(self.finish().0)
+        all.map(|all| self.go_on_if(all)).is_some()
     }
 
     /// A synchronous read is a register that takes the word; where its word is written at the same edge and the

@@ -13,6 +13,7 @@ mod emitter;
 mod evaluate;
 mod explain;
 mod function;
+mod idle;
 mod jit;
 mod kernel;
 mod lanes;
@@ -55,6 +56,7 @@ use emitter::MemoryAt;
 use evaluate::Functions;
 pub(super) use explain::explain;
 use function::Maker;
+use idle::Idle;
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
 use layout::{Layout, Place};
@@ -101,6 +103,8 @@ pub(crate) struct Compiled {
     /// The next edges, if they are of one clock; and for how many of them.
     ready: Option<Ready>,
     ready_for: u64,
+    /// Per clock, if there are several: what was ready when another one rose, and for how many edges.
+    parked: Vec<Option<(Ready, u64)>>,
     /// What is ready, if it is for the only clock and nothing has to be looked at before.
     quick: Option<Quick>,
     /// The inputs that a function may be made for, and how many functions still may.
@@ -110,6 +114,12 @@ pub(crate) struct Compiled {
     inputs_version: u64,
     /// One was changed since the last edge.
     held_changed: bool,
+    /// Per clock, if there are several: what is known of edges at which nothing happens.
+    idle: Vec<Option<Idle>>,
+    /// An input was changed since the last edge.
+    stirred: bool,
+    /// Counts edges of clocks that rest.
+    idle_edges: u64,
     /// 1 while edges are not to check assertions.
     unchecked: Place,
     checked: bool,
@@ -173,6 +183,8 @@ impl Compiled {
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let inputs = held_inputs(&program).collect();
+        let has_idle = program.clocks.len() > 1 && apart.is_none();
+        let idle = if has_idle { Idle::of(&program, &places) } else { Vec::new() };
         let mut engine = Compiled {
             jit,
             state: Store::new(layout.size, program.passes.guarded),
@@ -189,6 +201,7 @@ impl Compiled {
             latest: None,
             ready: None,
             ready_for: 0,
+            parked: (0..program.clocks.len()).filter(|_| program.clocks.len() > 1).map(|_| None).collect(),
             quick: None,
             unchecked,
             checked: true,
@@ -210,6 +223,9 @@ impl Compiled {
             special: SPECIAL,
             inputs_version: 0,
             held_changed: false,
+            idle,
+            stirred: false,
+            idle_edges: 0,
             mirror: vec![0; program.schedule.storage],
             program,
             parts,
@@ -313,6 +329,7 @@ impl Engine for Compiled {
     fn set_word(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         self.set_word_in_parts(memory, lane, address, limbs);
         self.wake();
+        self.wake_clocks();
         self.change(Triggers::ALL);
     }
 
@@ -347,10 +364,12 @@ impl Engine for Compiled {
             let changed = self.ready.as_ref().map_or(Triggers::ALL, |ready| ready.changes);
             return Ok(Done { edges: 1, changed });
         }
-        match self.ready_edges(rising, count) {
-            Some(done) => Ok(done),
-            None => Ok(self.other_edges(rising, count)),
+        if !self.idle.is_empty()
+            && let Some(done) = self.idle_edge(rising, count)
+        {
+            return Ok(done);
         }
+        Ok(self.usual_edges(rising, count))
     }
 
     fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
@@ -372,7 +391,7 @@ impl Engine for Compiled {
     }
 
     fn left_out(&self) -> u64 {
-        self.edges_left_out()
+        self.edges_left_out() + self.idle_edges
     }
 
     fn watch(&mut self, values: &[ValueId]) {

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 
 use super::layout::Place;
+use super::units::Span;
 use super::words::{LINE, Words};
 
 /// Zeros at first.
@@ -89,6 +90,23 @@ impl Store {
         seen.clear();
         seen.extend(now.iter().map(Cell::get));
         false
+    }
+
+    /// Puts the limbs of these runs one behind the other.
+    pub fn keep(&self, spans: impl Iterator<Item = Span>, kept: &mut Vec<u64>) {
+        kept.clear();
+        for Span { offset, limbs, .. } in spans {
+            kept.extend(self.words[offset / 8..][..limbs].iter().map(Cell::get));
+        }
+    }
+
+    /// Whether a run of limbs differs from what was kept of it, as far as it counts.
+    pub fn differs(&self, span: Span, kept: &[u64]) -> bool {
+        let Some((last, all)) = kept.split_last() else { return false };
+        let now = &self.words[span.offset / 8..][..span.limbs];
+        let (last_now, all_now) = now.split_last().expect("as many were kept");
+        let differs = all_now.iter().zip(all).fold(0, |differs, (now, kept)| differs | now.get() ^ kept);
+        differs | (last_now.get() ^ last) & span.mask != 0
     }
 
     /// All lanes of a value.

@@ -26,6 +26,7 @@ impl Compiled {
     /// gives how many.
     pub(super) fn until_edges(&mut self, rising: &[usize], count: u64, until: &Until) -> u64 {
         self.unready();
+        self.wake_clocks();
         let edge = self.edge(rising);
         let edges = count - self.call_until(edge, count, until);
         self.edges[edge].pass(edges);

@@ -189,6 +189,7 @@ impl Compiled {
         if !triggers.within(self.pending) {
             self.change(triggers);
         }
+        self.stirred = true;
         if is_held {
             self.held_changed = true;
             self.quick = None;

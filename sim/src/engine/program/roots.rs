@@ -1,6 +1,6 @@
 //! The values that something outside the expressions refers to.
 
-use super::{Clock, Program, ValueId};
+use super::{Clock, Program, Register, ValueId};
 
 impl Program {
     /// Calls `visit` with every reference from outside the cells, which it may replace: ports, registers, memories,
@@ -37,9 +37,20 @@ impl Program {
 
     /// What an edge of a clock samples: for registers, read ports and write ports, and assertions if they are asked for.
     pub(crate) fn sampled(&self, clock: usize, with_asserts: bool) -> Vec<ValueId> {
+        self.sampled_but_by(clock, with_asserts, |_| false)
+    }
+
+    /// The same, but for what only these registers sample.
+    pub(crate) fn sampled_but_by(
+        &self,
+        clock: usize,
+        with_asserts: bool,
+        is_left_out: impl Fn(&Register) -> bool,
+    ) -> Vec<ValueId> {
         let Clock { registers, reads, writes, asserts, .. } = &self.clocks[clock];
         let mut all = Vec::new();
-        for register in registers.iter().map(|&index| &self.registers[index as usize]) {
+        let registers = registers.iter().map(|&index| &self.registers[index as usize]);
+        for register in registers.filter(|register| !is_left_out(register)) {
             all.extend([Some(register.next), register.enable].into_iter().flatten());
         }
         for read in reads.iter().map(|&(memory, port)| &self.memories[memory as usize].reads[port as usize]) {

@@ -23,7 +23,8 @@ use super::layout::{Layout, Place};
 use super::prepare::Prepared;
 use crate::engine::Passes;
 use crate::engine::program::{Kind, Program, UnitId, ValueId};
-use run::{Changes, Crossing, Running, Span, Task};
+pub(super) use run::Span;
+use run::{Changes, Crossing, Running, Task};
 pub(super) use split::{From, Part, Split, Units, split};
 
 /// Limbs that are compared at most to see whether a unit takes the same as before.
@@ -347,7 +348,7 @@ impl Guard {
 }
 
 /// Where a value stands, in whole limbs.
-fn span(place: Place) -> Span {
+pub(super) fn span(place: Place) -> Span {
     let bytes = place.lanes as usize * place.bytes();
     let rest = bytes % 8 * 8;
     let mask = if rest == 0 { u64::MAX } else { (1 << rest) - 1 };

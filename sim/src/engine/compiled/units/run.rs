@@ -15,7 +15,7 @@ const MOST: u64 = 64;
 
 /// A run of limbs of the state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Span {
+pub(in crate::engine::compiled) struct Span {
     /// In bytes, a multiple of 8.
     pub offset: usize,
     pub limbs: usize,

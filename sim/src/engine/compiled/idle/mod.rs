@@ -1,0 +1,269 @@
+//! Edges of a clock at which nothing happens are left out.
+//!
+//! In a circuit of several clocks, one often has nothing to do while the others go on. Its edges change nothing then, or only registers
+//! that count ([`counting`]). An edge is compared with the state before it from time to time. If it has changed nothing else, the clock
+//! *rests*: as long as its edges look at the same, each does only what is left of it. That they do is known from inputs, which nobody
+//! has set; from what other clocks change, which is compared with what it was; and from flags of what counts, which the code for
+//! what is left looks at before it.
+
+mod counting;
+mod way;
+
+use std::collections::BTreeSet;
+
+use super::Compiled;
+use super::jit::Code;
+use super::layout::Place;
+use super::units::{Span, span};
+use crate::engine::Done;
+use crate::engine::program::{Program, Triggers, ValueId};
+use way::Way;
+
+/// Edges between two comparisons: after a rest, and at most.
+const FIRST: u64 = 3;
+const MOST: u64 = 4096;
+/// Comparisons after a rest until they become fewer.
+const EAGER: u32 = 8;
+/// The most registers that count while a clock rests.
+const COUNTING: usize = 8;
+/// After how many comparisons that find the same registers counting there is code for them; for how many such sets at most.
+const SEEN: u32 = 4;
+const WAYS: usize = 8;
+
+/// What is known of the edges of a clock.
+pub(super) struct Idle {
+    /// Its registers and the words that were read.
+    own: Vec<(ValueId, Span)>,
+    /// Those that count by themselves, and with them those that change as others count.
+    counters: BTreeSet<ValueId>,
+    may_count: BTreeSet<ValueId>,
+    /// What others change.
+    others: Vec<Span>,
+    /// Both as they were.
+    before: Vec<u64>,
+    seen: Vec<u64>,
+    rests: bool,
+    /// Edges until the next comparison, and from one to the next.
+    left: u64,
+    patience: u64,
+    eager: u32,
+    /// How it may rest, and how it did last.
+    ways: Vec<Way>,
+    latest: usize,
+    /// Registers that were alone in changing, and how often.
+    alone: Vec<(Vec<ValueId>, u32)>,
+}
+
+impl Idle {
+    /// For each clock: nothing if its edges are so short, or so made, that they are not looked at.
+    pub fn of(program: &Program, places: &[Option<Place>]) -> Vec<Option<Idle>> {
+        let span_of = |id: ValueId| places[id.index()].map(span).expect("it is state");
+        let of = |clock: usize| {
+            let cells = program.circuit.needed(program.sampled(clock, false));
+            let work: usize = cells.iter().map(|&id| program.circuit[id].lanes.div_ceil(4) as usize).sum();
+            let others = counting::others(program, clock).filter(|_| work >= program.passes.idle_from)?;
+            let counters = counting::counters(program, clock);
+            let mut own: Vec<_> = counting::states(program, clock).map(|id| (id, span_of(id))).collect();
+            // What changes only where something happens tells so at once.
+            own.sort_by_key(|(id, _)| counters.contains(id));
+            Some(Idle {
+                own,
+                may_count: counters.clone(),
+                counters,
+                others: others.into_iter().map(span_of).collect(),
+                before: Vec::new(),
+                seen: Vec::new(),
+                rests: false,
+                left: FIRST,
+                patience: FIRST,
+                eager: 0,
+                ways: Vec::new(),
+                latest: 0,
+                alone: Vec::new(),
+            })
+        };
+        (0..program.clocks.len()).map(of).collect()
+    }
+
+    /// The clock has something to do.
+    fn wake(&mut self) {
+        if std::mem::take(&mut self.rests) {
+            (self.left, self.patience, self.eager) = (FIRST, FIRST, EAGER);
+        }
+    }
+
+    /// An edge was compared, and the next one is to be some edges later.
+    fn wait(&mut self) {
+        match self.eager.checked_sub(1) {
+            Some(eager) => self.eager = eager,
+            None => self.patience = (2 * self.patience).min(MOST),
+        }
+        self.left = self.patience;
+    }
+}
+
+impl Compiled {
+    /// An edge of these clocks, if one of them rests or is to be compared; nothing, if all is to be done as usual. Wakes clocks that have
+    /// something to do.
+    pub(super) fn idle_edge(&mut self, rising: &[usize], count: u64) -> Option<Done> {
+        if std::mem::take(&mut self.stirred) {
+            self.wake_clocks();
+        }
+        if count > 1 || self.any_reset {
+            self.wake_clocks();
+            return None;
+        }
+        let &[clock] = rising else { return self.edge_together(rising) };
+        let idle = self.idle[clock].as_mut()?;
+        if idle.rests {
+            return self.resting_edge(clock);
+        }
+        idle.left = idle.left.saturating_sub(1);
+        if idle.left > 0 { None } else { Some(self.compared_edge(clock)) }
+    }
+
+    /// All clocks have something to do.
+    pub(super) fn wake_clocks(&mut self) {
+        self.idle.iter_mut().flatten().for_each(Idle::wake);
+    }
+
+    /// An edge of several clocks. One that rests has what is left of it done after those of the others, if that looks at nothing that they
+    /// change.
+    fn edge_together(&mut self, rising: &[usize]) -> Option<Done> {
+        let mut resting = None;
+        for &clock in rising {
+            let Some(idle) = self.idle[clock].as_mut() else { continue };
+            if !idle.rests {
+                continue;
+            }
+            let idle = self.idle[clock].as_ref().expect("it is there");
+            let way = &idle.ways[idle.latest];
+            let is_alone = rising.iter().all(|other| *other == clock || !way.looks_at.contains(other));
+            let (same, go) = (way.same, way.go);
+            if !(self.sees_same(idle) && self.call_or_true(same)) {
+                self.idle[clock].as_mut().expect("it is there").wake();
+            } else if is_alone {
+                resting = Some((clock, go));
+            }
+        }
+        let (clock, go) = resting?;
+        let others: Vec<usize> = rising.iter().copied().filter(|other| *other != clock).collect();
+        let done = self.usual_edges(&others, 1);
+        if done.edges == 0 {
+            return Some(done);
+        }
+        Some(Done { changed: done.changed.with(self.go(clock, go)), ..done })
+    }
+
+    /// Does what is left of an edge of a clock that rests; gives what it changes.
+    fn go(&mut self, clock: usize, go: Option<Code>) -> Triggers {
+        self.idle_edges += 1;
+        match go {
+            None => Triggers::NONE,
+            Some(go) => {
+                self.call(go, 1);
+                self.change(Triggers::state(clock));
+                Triggers::state(clock)
+            }
+        }
+    }
+
+    /// What is left of an edge of a clock that rests, unless it has something to do.
+    fn resting_edge(&mut self, clock: usize) -> Option<Done> {
+        let idle = self.idle[clock].as_ref()?;
+        let step = idle.ways[idle.latest].step;
+        if !self.sees_same(idle) || !self.call_or_true(step) {
+            self.idle[clock].as_mut()?.wake();
+            return None;
+        }
+        self.idle_edges += 1;
+        let changed = if step.is_some() { Triggers::state(clock) } else { Triggers::NONE };
+        if step.is_some() {
+            self.change(changed);
+        }
+        Some(Done { edges: 1, changed })
+    }
+
+    /// Whether what others change is as it was when a clock began to rest.
+    fn sees_same(&self, idle: &Idle) -> bool {
+        let mut seen = idle.seen.as_slice();
+        idle.others.iter().all(|span| {
+            let (kept, rest) = seen.split_at(span.limbs);
+            seen = rest;
+            !self.state.differs(*span, kept)
+        })
+    }
+
+    /// Whether code, if there is some, goes on to its end.
+    fn call_or_true(&mut self, code: Option<Code>) -> bool {
+        code.is_none_or(|code| self.call(code, 1) == 0)
+    }
+
+    /// An edge as usual; if it changes nothing but what counts, the clock rests from there on.
+    fn compared_edge(&mut self, clock: usize) -> Done {
+        let mut idle = self.idle[clock].take().expect("it is there");
+        if idle.ways.is_empty() {
+            idle.ways.extend(self.make_way(clock, &[]));
+        }
+        let leave = idle.ways.get(idle.latest).map(|way| way.leave);
+        let may_rest = leave.is_some_and(|leave| self.call_or_true(leave));
+        self.state.keep(idle.own.iter().map(|(_, span)| *span), &mut idle.before);
+        let done = self.usual_edges(&[clock], 1);
+        if done.edges == 1 {
+            self.conclude(clock, &mut idle, may_rest);
+        }
+        self.idle[clock] = Some(idle);
+        done
+    }
+
+    /// What follows from an edge for the next ones.
+    fn conclude(&mut self, clock: usize, idle: &mut Idle, may_rest: bool) {
+        idle.wait();
+        let Some(changed) = self.changed_registers(idle) else { return };
+        let fits = |way: &Way| changed.iter().all(|id| way.registers.contains(id));
+        match idle.ways.get(idle.latest) {
+            Some(way) if fits(way) => {
+                if may_rest {
+                    self.state.keep(idle.others.iter().copied(), &mut idle.seen);
+                    idle.rests = true;
+                }
+                return;
+            }
+            _ => {}
+        }
+        if let Some(way) = idle.ways.iter().position(fits) {
+            (idle.latest, idle.left) = (way, 1);
+            return;
+        }
+        if !changed.iter().all(|id| idle.counters.contains(id)) {
+            return;
+        }
+        let known = idle.alone.iter().position(|(registers, _)| *registers == changed);
+        let known = known.unwrap_or_else(|| {
+            idle.alone.push((changed.clone(), 0));
+            idle.alone.len() - 1
+        });
+        idle.alone[known].1 += 1;
+        if idle.alone[known].1 == SEEN && idle.ways.len() < WAYS {
+            let way = self.make_way(clock, &changed);
+            idle.may_count.extend(way.iter().flat_map(|way| &way.registers));
+            idle.ways.extend(way);
+        }
+    }
+
+    /// The registers that an edge has changed, if they may count and are few.
+    fn changed_registers(&self, idle: &Idle) -> Option<Vec<ValueId>> {
+        let (mut changed, mut before) = (Vec::new(), idle.before.as_slice());
+        for &(id, span) in &idle.own {
+            let (kept, rest) = before.split_at(span.limbs);
+            before = rest;
+            if self.state.differs(span, kept) {
+                changed.push(id);
+                if changed.len() > COUNTING || !idle.may_count.contains(&id) {
+                    return None;
+                }
+            }
+        }
+        Some(changed)
+    }
+}

@@ -1,0 +1,92 @@
+//! A way for a clock to rest: which registers count, and the code for that.
+
+use std::collections::BTreeSet;
+
+use tilewright_hdl::ir::{Relation, Unary};
+
+use super::COUNTING;
+use super::counting::{self, Counting};
+use crate::engine::compiled::Compiled;
+use crate::engine::compiled::function::Maker;
+use crate::engine::compiled::jit::Code;
+use crate::engine::compiled::layout::Place;
+use crate::engine::compiled::prepare::Prepared;
+use crate::engine::program::{Kind, Register, ValueId};
+
+/// A way to rest. Where there is no code, there is nothing to do.
+pub(super) struct Way {
+    /// What counts.
+    pub registers: BTreeSet<ValueId>,
+    /// Leaves the flags; ends with an edge left if a memory may change then, or be seen to.
+    pub leave: Option<Code>,
+    /// Ends with an edge left if the flags are others.
+    pub same: Option<Code>,
+    /// An edge for what counts.
+    pub go: Option<Code>,
+    /// The two, one after the other.
+    pub step: Option<Code>,
+    /// The clocks that change what registers look at to count.
+    pub looks_at: Vec<usize>,
+}
+
+impl Compiled {
+    /// Makes code for what is left of the edges of a clock where these registers count.
+    #[cold]
+    pub(super) fn make_way(&mut self, clock: usize, counters: &[ValueId]) -> Option<Way> {
+        let program = self.program.clone();
+        let Counting { registers: counting, flags, off } = Counting::of(&program, clock, counters, COUNTING)?;
+        let counts: Vec<&Register> = program.registers.iter().filter(|it| counting.contains(&it.value)).collect();
+        let looks_at = counting::looks_at(&program, &counts);
+        let shape = |id: &ValueId| (program.circuit[*id].lanes, program.circuit[*id].width);
+        let places: Vec<Place> =
+            flags.iter().map(shape).map(|(lanes, width)| self.layout.place(lanes, width)).collect();
+
+        let mut leaves = Maker::new(&program);
+        let left = leaves.own(&flags);
+        let off: Vec<ValueId> = off.iter().map(|&enable| leaves.is_off(enable)).collect();
+        leaves.go_on_if_all(&off);
+        leaves.leave(&flags, &left);
+        let mut looks = Maker::new(&program);
+        let left = looks.own(&flags);
+        let same: Vec<ValueId> = flags.iter().zip(left).map(|(&flag, left)| looks.is_same(flag, left)).collect();
+        looks.go_on_if_all(&same);
+        let mut steps = Maker::new(&program);
+        steps.registers(counts);
+
+        let leave = self.prepared(leaves, &places).map(|part| self.compile(&[part]));
+        let mut parts: Vec<Prepared> = self.prepared(looks, &places).into_iter().collect();
+        let same = (!parts.is_empty()).then(|| self.compile(&parts));
+        let is_checked = parts.len();
+        parts.extend(self.prepared(steps, &[]));
+        let go = (parts.len() > is_checked).then(|| self.compile(&parts[is_checked..]));
+        let step = (!parts.is_empty()).then(|| self.compile(&parts));
+        Some(Way { registers: counting, leave, same, go, step, looks_at })
+    }
+
+    /// A function with state at these places; nothing, if it does nothing.
+    fn prepared(&mut self, maker: Maker, places: &[Place]) -> Option<Prepared> {
+        let (function, _) = maker.finish();
+        if function.sinks.is_empty() {
+            return None;
+        }
+        let mut prepared = self.prepare(&function, places);
+        prepared.is_always_asked = true;
+        Some(prepared)
+    }
+}
+
+impl Maker<'_> {
+    /// Whether a flag of the program is 0, lane by lane.
+    fn is_off(&mut self, flag: ValueId) -> ValueId {
+        let flag = self.take(flag);
+        let lanes = self.lanes(flag);
+        self.add(Kind::Unary(Unary::Not, flag), lanes, 1)
+    }
+
+    /// Whether a flag of the program is what was left of it, lane by lane.
+    fn is_same(&mut self, flag: ValueId, left: ValueId) -> ValueId {
+        let flag = self.take(flag);
+        let lanes = self.lanes(flag);
+        self.add(Kind::Compare(Relation::Eq, false, flag, left), lanes, 1)
+    }
+}
