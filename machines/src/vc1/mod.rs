@@ -36,6 +36,7 @@ mod hardware;
 mod host;
 mod job;
 mod machine;
+pub mod model;
 mod processor;
 mod program;
 mod report;
