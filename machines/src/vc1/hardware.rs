@@ -142,7 +142,7 @@ impl Hardware {
         self.idle = if is_idle { self.idle + 1 } else { 0 };
         if self.idle > 1 {
             self.advance(display)?;
-            processors.iter_mut().for_each(|it| it.idle(1));
+            processors.iter_mut().for_each(|it| it.pass(1));
             return Ok(false);
         }
         self.present_command();
@@ -199,7 +199,7 @@ impl Hardware {
         for edges in [&mut self.pe, &mut self.merge, &mut self.crt] {
             edges.came(end);
         }
-        processors.iter_mut().for_each(|it| it.idle(clocks));
+        processors.iter_mut().for_each(|it| it.pass(clocks));
         Ok(clocks)
     }
 

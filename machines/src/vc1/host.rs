@@ -5,13 +5,11 @@
 //! drawn while frame k is merged and frame k - 1 is shown.
 
 use std::collections::{HashSet, VecDeque};
-use std::rc::Rc;
+use std::sync::Arc;
 
 use tilewright_rtl::gfb::Passes;
-use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::{Frame, Projection};
 
-use super::assignment::Assignment;
 use super::config::Config;
 use super::display::Viewer;
 use super::hardware::Hardware;
@@ -40,7 +38,7 @@ pub(crate) struct Host<'a, 'w> {
     shown: u32,
     /// When the frame before was shown, in refreshes.
     refresh: u64,
-    first: Option<Assignment>,
+    first: Option<Arc<View>>,
 }
 
 /// A scene in the processing elements' memories.
@@ -52,7 +50,7 @@ pub(crate) struct Loaded {
 }
 
 impl Loaded {
-    fn of(view: &Projection) -> Loaded {
+    pub fn of(view: &Projection) -> Loaded {
         let vertices: HashSet<_> = view.corners.iter().flatten().collect();
         Loaded { polygons: view.counts.polygons, words: 6 * vertices.len() as u64 + 3 * view.corners.len() as u64 }
     }
@@ -61,7 +59,7 @@ impl Loaded {
 /// A frame from its command until it has been seen.
 struct InFlight {
     number: u32,
-    view: Rc<View>,
+    view: Arc<View>,
     times: Times,
     /// By processing element, when it had drawn.
     pages: Vec<u32>,
@@ -158,24 +156,20 @@ impl<'a, 'w> Host<'a, 'w> {
 
     /// Begins to send the command of the next frame.
     fn command(&mut self, view: Projection) -> Result<(), Error> {
-        let (asked, size) = (view.size, self.config.size);
-        if asked != size {
-            let problem = format!("a projection of {asked} pixels on a machine of {size}: project the scene again");
-            return Err(ParameterError(problem).into());
-        }
-        if self.commanded == 0 {
-            self.scene = Loaded::of(&view);
-        }
-        let view = View::new(&self.config, view, self.first.as_ref())?;
-        self.first.get_or_insert_with(|| view.assignment.clone());
+        let view = Arc::new(View::new(&self.config, Arc::new(view), self.first.as_deref().map(|it| &it.assignment))?);
+        self.first.get_or_insert_with(|| view.clone());
         let number = self.commanded;
+        if number == 0 {
+            self.scene = Loaded::of(&view.projection);
+        }
+        self.views.insert(number, view.clone());
         let mut packets = if self.config.immediate { Message::scene(self.scene.words) } else { Vec::new() };
         packets.push(Message::Command { frame: number });
         self.words.extend(packets.iter().flat_map(Message::words));
         let times = Times { command: self.hardware.time(), ..Times::default() };
         self.frames.push_back(InFlight {
             number,
-            view: self.views.insert(number, view),
+            view,
             times,
             pages: Vec::new(),
             refreshes: 0,
@@ -251,7 +245,8 @@ impl<'a, 'w> Host<'a, 'w> {
         let processors: Vec<ProcessorReport> = processors.iter().enumerate().map(report).collect();
         let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
         let words = words + broadcast * POLYGON_WORDS as u64;
-        let report = FrameReport { packets: view.packets.len() as u64, words, times, refreshes, processors };
+        let report =
+            FrameReport { packets: view.projection.triangles.len() as u64, words, times, refreshes, processors };
         Shown { number, frame: frame.expect("it has come on display"), average, report }
     }
 
@@ -268,7 +263,7 @@ impl<'a, 'w> Host<'a, 'w> {
             _ => {
                 let left = |(k, it): (usize, &Processor)| it.polygons_left(frame.view.polygons(k as u32).len());
                 let left: usize = processors.iter().enumerate().map(left).sum();
-                ("drawing", 1.0 - left as f64 / f64::from(frame.view.count.max(1)))
+                ("drawing", 1.0 - left as f64 / f64::from(frame.view.projection.counts.polygons.max(1)))
             }
         };
         self.watch.go_on(phase, fraction, time)

@@ -3,9 +3,10 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_scenes::{Projection, ScreenVertex, Triangle};
+use tilewright_scenes::Projection;
 
 use super::assignment::{Assignment, Polygon};
 use super::config::Config;
@@ -15,18 +16,25 @@ use super::demand::demand;
 #[derive(Debug)]
 pub(crate) struct View {
     pub assignment: Assignment,
-    pub packets: Vec<Triangle>,
-    /// The three vertices of each packet.
-    pub vertices: Vec<[ScreenVertex; 3]>,
-    /// Polygons of the scene.
-    pub count: u32,
+    pub projection: Arc<Projection>,
 }
 
 impl View {
     /// `first` is the assignment of the first view, unless this is it.
-    pub fn new(config: &Config, view: Projection, first: Option<&Assignment>) -> Result<View, ParameterError> {
-        let assignment = config.assignment(&view, first)?;
-        Ok(View { assignment, packets: view.triangles, vertices: view.vertices, count: view.counts.polygons })
+    ///
+    /// # Errors
+    /// The projection is for another screen, or of another scene than the first one.
+    pub fn new(
+        config: &Config,
+        projection: Arc<Projection>,
+        first: Option<&Assignment>,
+    ) -> Result<View, ParameterError> {
+        let (asked, size) = (projection.size, config.size);
+        if asked != size {
+            let problem = format!("a projection of {asked} pixels on a machine of {size}: project the scene again");
+            return Err(ParameterError(problem));
+        }
+        Ok(View { assignment: config.assignment(&projection, first)?, projection })
     }
 
     /// The polygons of a processing element.
@@ -64,18 +72,16 @@ impl Config {
 
 /// The views that are drawn, by frame, as all processing elements know them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Views(Rc<RefCell<BTreeMap<u32, Rc<View>>>>);
+pub(crate) struct Views(Rc<RefCell<BTreeMap<u32, Arc<View>>>>);
 
 impl Views {
     /// The view of a frame that the host has commanded.
-    pub fn of(&self, frame: u32) -> Rc<View> {
+    pub fn of(&self, frame: u32) -> Arc<View> {
         self.0.borrow()[&frame].clone()
     }
 
-    pub fn insert(&self, frame: u32, view: View) -> Rc<View> {
-        let view = Rc::new(view);
-        self.0.borrow_mut().insert(frame, view.clone());
-        view
+    pub fn insert(&self, frame: u32, view: Arc<View>) {
+        self.0.borrow_mut().insert(frame, view);
     }
 
     pub fn remove(&self, frame: u32) {

@@ -52,7 +52,7 @@ pub(crate) struct Tally {
 
 /// What it does in a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Now {
+pub(crate) enum Now {
     /// Computing for so many clocks more, at least 1, before an access or the next step.
     Computing(u64, Class, Option<Access>),
     /// At a port.
@@ -148,15 +148,75 @@ impl Processor {
 
     /// Computes on at once for all but the last clock, as if that many edges had come; says how many.
     pub fn compute_ahead(&mut self) -> u64 {
-        let Now::Computing(left, class, _) = &mut self.now else { return 0 };
-        let clocks = std::mem::replace(left, 1) - 1;
-        *self.tally.clocks.of(*class) += clocks;
-        clocks
+        let Now::Computing(left, ..) = self.now else { return 0 };
+        self.pass(left - 1);
+        left - 1
     }
 
-    /// So many edges of its clock, while all are idle.
-    pub fn idle(&mut self, clocks: u64) {
-        self.tally.clocks.sync += clocks;
+    /// So many edges of its clock, at which it goes on with what it does, and sees nothing new.
+    pub fn pass(&mut self, clocks: u64) {
+        let class = match (self.may, &mut self.now) {
+            (SwapState::Overflow, _) => Class::Overflow,
+            (SwapState::Due, _) => Class::Swap,
+            (_, Now::Waiting) => Class::Sync,
+            (_, Now::Computing(left, class, _)) => {
+                *left -= clocks;
+                *class
+            }
+            (_, Now::Accessing(Access::Clear(_) | Access::Draw(_))) => Class::Stalled,
+            (_, Now::Accessing(Access::Send(_) | Access::Receive)) => Class::Bus,
+        };
+        *self.tally.clocks.of(class) += clocks;
+    }
+
+    /// What it does in the coming clocks.
+    pub fn now(&self) -> Now {
+        self.now
+    }
+
+    /// Whether the end of what it does leads to another pixel or entry of the same task, so that the bus is of no account to it.
+    pub fn is_by_itself(&self) -> bool {
+        match self.now {
+            Now::Computing(_, _, Some(Access::Clear(_) | Access::Draw(_))) => true,
+            Now::Computing(_, _, None) | Now::Accessing(Access::Clear(_) | Access::Draw(_)) => {
+                match self.tasks.last() {
+                    Some(Task::Scan(scan)) => scan.has_pixel(),
+                    Some(Task::Clear { patch }) => *patch < self.settings.patches,
+                    _ => false,
+                }
+            }
+            _ => false,
+        }
+    }
+
+    /// Clears so many entries at once, before one that is still to be cleared, and waits for each as long as the local frame buffer
+    /// takes one in `every` clocks.
+    pub fn clear_ahead(&mut self, entries: u32, every: u64) {
+        let (Now::Computing(_, _, Some(Access::Clear(next))) | Now::Accessing(Access::Clear(next))) = &mut self.now
+        else {
+            unreachable!("it clears");
+        };
+        let Some(Task::Clear { patch }) = self.tasks.last_mut() else { unreachable!("an entry is cleared by a task") };
+        *next += entries;
+        *patch += entries;
+        let (entries, cost) = (u64::from(entries), self.settings.costs.clear);
+        self.tally.clocks.clearing += entries * cost;
+        self.tally.clocks.stalled += entries * (every - cost);
+    }
+
+    /// The bus has taken the word that it offered.
+    pub fn taken_by_bus(&mut self) {
+        self.offered = None;
+    }
+
+    /// The word that it sees at the front of its queue.
+    pub fn front(&self) -> Option<Word> {
+        self.front
+    }
+
+    /// What the swap control says in the coming clock.
+    pub fn may(&self) -> SwapState {
+        self.may
     }
 
     /// An edge of its clock.

@@ -6,7 +6,7 @@
 //! set-up and scan conversion. A packet whose area is above a threshold it sends to all, itself too, and each draws its own rows of it
 //! (Figure 12). Between polygons it looks at its queue. It knows nothing of time: [`super::processor`] runs it.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use tilewright_rtl::swap::SwapState;
 use tilewright_scenes::{ScreenVertex, Size, Triangle, set_up};
@@ -100,14 +100,14 @@ pub(crate) enum Phase {
     /// The command has to come.
     Cleared,
     /// It has come.
-    Commanded(Rc<View>),
+    Commanded(Arc<View>),
     /// All polygons of its own are drawn or sent.
     Drawn,
 }
 
 /// The polygons of a frame.
 pub(crate) struct Polygons {
-    view: Rc<View>,
+    view: Arc<View>,
     /// The next polygon, by index.
     polygon: usize,
     /// The geometry of that polygon is over.
@@ -119,6 +119,8 @@ pub(crate) struct Polygons {
 /// A packet being drawn.
 pub(crate) struct Scan {
     pixels: Pixels,
+    /// The next one.
+    pixel: Option<Pixel>,
     rows: Rows,
     /// The row from which on rows are still to be charged.
     row: u32,
@@ -130,8 +132,9 @@ pub(crate) struct Scan {
 impl Task {
     /// Draws a packet in those rows.
     fn scan(packet: &Triangle, rows: Rows, costs: &CostTable) -> Task {
-        let pixels = Pixels::of(packet, rows);
+        let mut pixels = Pixels::of(packet, rows);
         Task::Scan(Box::new(Scan {
+            pixel: pixels.next(),
             pixels,
             rows,
             row: packet.bounds.top,
@@ -199,9 +202,9 @@ impl Polygons {
 
     fn next(&mut self, sight: &Sight, settings: &Settings) -> Next {
         if let Some(index) = self.rest.next() {
-            let packet = &self.view.packets[index];
+            let packet = &self.view.projection.triangles[index];
             if Settings::is_large(settings.apr, packet) {
-                let vertices = self.view.vertices[index];
+                let vertices = self.view.projection.vertices[index];
                 let words = Message::Polygon { sender: settings.number, vertices }.words();
                 return Next::Begin(Task::Send { words, at: 0 });
             }
@@ -226,9 +229,15 @@ impl Polygons {
 }
 
 impl Scan {
+    /// Whether there is a pixel that is not begun.
+    pub fn has_pixel(&self) -> bool {
+        self.pixel.is_some()
+    }
+
     fn next(&mut self, costs: &CostTable) -> Next {
         let set_up = std::mem::take(&mut self.set_up);
-        let pixel = self.pixels.next();
+        let pixel = self.pixel;
+        self.pixel = pixel.and_then(|_| self.pixels.next());
         if pixel.is_none() && self.row > self.bottom && set_up == 0 {
             return Next::End;
         }

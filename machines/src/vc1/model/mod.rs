@@ -15,16 +15,25 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bus;
 mod estimate;
 mod event;
+mod host;
+mod lfb;
+mod merger;
+mod processor;
 mod regions;
+mod timing;
 
 use std::sync::Arc;
 
 use tilewright_rtl::parameter::ParameterError;
+use tilewright_rtl::vc1::Vc1;
 use tilewright_scenes::Projection;
 
-use super::config::Config;
+use self::host::Run;
+use super::config::{Built, Config};
+use super::job::View;
 use super::report::Report;
 
 pub use estimate::Estimate;
@@ -35,13 +44,15 @@ pub use regions::{RegionFrame, Regions};
 #[derive(Clone, Debug)]
 pub struct Model {
     config: Config,
+    built: Built,
+    vc1: Vc1,
+    /// When its reset ends.
+    reset: u64,
 }
 
 /// A view whose polygons are dealt to the processing elements of a machine. A clone shares it.
 #[derive(Clone, Debug)]
-pub struct Dealt {
-    view: Arc<Projection>,
-}
+pub struct Dealt(Arc<View>);
 
 impl Model {
     /// The model of the machine of that configuration.
@@ -49,8 +60,8 @@ impl Model {
     /// # Errors
     /// A parameter is out of range, as [`Config::hardware`] says.
     pub fn new(config: Config) -> Result<Model, ParameterError> {
-        config.hardware()?;
-        Ok(Model { config })
+        let vc1 = config.hardware()?;
+        Ok(Model { config, built: config.built()?, reset: timing::reset_time(&vc1), vc1 })
     }
 
     /// Deals the polygons of a view as [`Config::assign`] says; `first` is what came of the first view, unless this is it.
@@ -58,11 +69,12 @@ impl Model {
     /// # Errors
     /// The view is for another screen, or of another scene than the first one.
     pub fn deal(&self, view: &Arc<Projection>, first: Option<&Dealt>) -> Result<Dealt, ParameterError> {
-        let _ = (&self.config, first);
-        Ok(Dealt { view: view.clone() })
+        let first = first.map(|Dealt(view)| &view.assignment);
+        Ok(Dealt(Arc::new(View::new(&self.config, view.clone(), first)?)))
     }
 
-    /// Renders a frame of each of those views, all of one scene; the report is that of [`Machine::render_frames`](super::Machine::render_frames).
+    /// Renders a frame of each of those views, all of one scene; the report is that of
+    /// [`Machine::render_frames`](super::Machine::render_frames), with no refresh judged.
     pub fn render(&self, views: impl IntoIterator<Item = Dealt>) -> Report {
         self.observe(views, |_| {})
     }
@@ -78,7 +90,24 @@ impl Model {
 
     /// As [`Model::render`]; `seen` gets all that happens. What happens at one place comes in order.
     pub fn observe(&self, views: impl IntoIterator<Item = Dealt>, seen: impl FnMut(Event)) -> Report {
-        let _ = (views.into_iter().map(|it| it.view).count(), seen);
-        todo!("under way")
+        let mut run = Run::new(self, seen);
+        for Dealt(view) in views {
+            run.advance(u64::MAX, true);
+            run.command(view);
+        }
+        run.advance(u64::MAX, true);
+        run.advance(u64::MAX, false);
+        let scene = run.scene();
+        Report {
+            machine: self.built.clone(),
+            polygons: scene.polygons,
+            load_words: scene.words,
+            merge_clocks: self.vc1.gfb().sequencer().merge_clocks(),
+            judged: 0,
+            frames: run.shown.into(),
+        }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,10 +1,10 @@
-use std::rc::Rc;
+use std::sync::Arc;
 
 use super::*;
 use crate::vc1::assignment::{Assignment, Polygon};
 use crate::vc1::cost::CostTable;
 use crate::vc1::job::View;
-use tilewright_scenes::{ScreenVertex, Size, set_up};
+use tilewright_scenes::{Counts, Projection, ScreenVertex, Size, set_up};
 
 const COSTS: CostTable =
     CostTable { vertex: 1, polygon: 2, area: 0, clip: 0, set_up: 0, row: 0, pixel: 2, clear: 1, send: 1, receive: 1 };
@@ -20,16 +20,12 @@ fn processor(costs: CostTable, patches: u32, polygons: u32, apr: Option<u32>) ->
     let packet = set_up(&vertices(), size).expect("covers pixels");
     let own = |number| Polygon { number, packets: number.min(1) as usize..1, vertices: 1, clipped: 0 };
     let views = Views::default();
-    let of: Rc<View> = views.insert(
-        0,
-        View {
-            assignment: Assignment { polygons: vec![(0..polygons).map(own).collect(), Vec::new()], loads: vec![0; 2] },
-            packets: vec![packet],
-            vertices: vec![vertices()],
-            count: polygons,
-        },
-    );
-    assert_eq!(of.polygons(0).len(), polygons as usize);
+    let assignment = Assignment { polygons: vec![(0..polygons).map(own).collect(), Vec::new()], loads: vec![0; 2] };
+    let (triangles, vertices) = (vec![packet], vec![vertices()]);
+    let projection = Projection { size, triangles, vertices, corners: Vec::new(), counts: Counts::default() };
+    let view = View { assignment, projection: Arc::new(projection) };
+    assert_eq!(view.polygons(0).len(), polygons as usize);
+    views.insert(0, Arc::new(view));
     Processor::new(Settings { number: 0, processors: 2, size, patches, costs, apr }, views)
 }
 

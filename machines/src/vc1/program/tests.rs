@@ -2,7 +2,7 @@ use super::*;
 use crate::vc1::assignment::{Assign, Assignment, Polygon};
 use crate::vc1::clocks::Clocks;
 use crate::vc1::config::Config;
-use tilewright_scenes::{Projection, Scene, project};
+use tilewright_scenes::{Counts, Projection, Scene, project};
 
 /// A task from its beginning to its end, with those that it begins and without words from the bus: clocks, class, and what stands at a
 /// port.
@@ -21,7 +21,7 @@ fn steps(task: Task, settings: &Settings) -> Vec<(u64, Class, Option<Access>)> {
     steps
 }
 
-fn drawing(view: Rc<View>) -> Task {
+fn drawing(view: Arc<View>) -> Task {
     Task::Polygons(Polygons { view, polygon: 0, is_transformed: false, rest: 0..0 })
 }
 
@@ -31,16 +31,20 @@ fn at(x: i32, y: i32) -> ScreenVertex {
 
 /// Three polygons on a screen of 8 x 8: a triangle of 3 pixels, in a box of 3 rows of which the last has none; a polygon without
 /// packets; a triangle of 1 pixel. The first has three vertices, the last one more and a packet that crosses the border.
-fn view() -> Rc<View> {
+fn view() -> Arc<View> {
     let size = Size::new(8, 8).unwrap();
     let vertices = [[at(0, 0), at(40, 0), at(0, 40)], [at(0, 48), at(20, 48), at(0, 68)]];
     let polygons = [(0, 0..1, 3, 0), (1, 1..1, 0, 0), (2, 1..2, 1, 1)]
         .map(|(number, packets, vertices, clipped)| Polygon { number, packets, vertices, clipped });
-    Rc::new(View {
+    Arc::new(View {
         assignment: Assignment { polygons: vec![polygons.to_vec()], loads: vec![0] },
-        packets: vertices.iter().map(|vertices| set_up(vertices, size).expect("covers pixels")).collect(),
-        vertices: vertices.to_vec(),
-        count: 3,
+        projection: Arc::new(Projection {
+            size,
+            triangles: vertices.iter().map(|vertices| set_up(vertices, size).expect("covers pixels")).collect(),
+            vertices: vertices.to_vec(),
+            corners: Vec::new(),
+            counts: Counts::default(),
+        }),
     })
 }
 
@@ -101,7 +105,7 @@ fn a_packet_above_the_threshold_is_sent_and_drawn_in_shares() {
         })
         .collect();
     let Some(Message::Polygon { sender: 0, vertices }) = Message::of_words(&words) else { panic!("{words:?}") };
-    assert_eq!(vertices, view().vertices[0]);
+    assert_eq!(vertices, view().projection.vertices[0]);
     let drawn = |steps: &[(u64, Class, Option<Access>)]| {
         let pixels = steps.iter().filter_map(|(.., access)| match access {
             Some(Access::Draw(pixel)) => Some((pixel.x, pixel.y)),
@@ -131,7 +135,7 @@ fn views() -> Vec<Projection> {
 /// What the program of each processing element takes, cleared tables apart, without packets that all draw.
 fn works(config: &Config, first: Option<&Assignment>, view: &Projection) -> Vec<Clocks> {
     let size = config.size;
-    let view = Rc::new(View::new(config, view.clone(), first).unwrap());
+    let view = Arc::new(View::new(config, Arc::new(view.clone()), first).unwrap());
     let work = |number| {
         let Config { processors, costs, .. } = *config;
         let settings = Settings { number, processors, size, patches: 0, costs, apr: None };

@@ -1,0 +1,339 @@
+//! The host's program, and the order of all that happens: from event to event, and none before what it follows from.
+//!
+//! A processing element is run ahead of the others as long as nothing on the bus is of account to it. At an edge of several, the bus comes
+//! first, as it sees what processing elements offered before that edge.
+
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, VecDeque};
+use std::sync::Arc;
+
+use tilewright_rtl::swap::SwapState;
+
+use super::Model;
+use super::bus::Bus;
+use super::event::{Event, Place, What};
+use super::lfb::Lfb;
+use super::merger::{Merger, Showing};
+use super::processor::Element;
+use super::timing::PE_PERIOD;
+use crate::vc1::host::Loaded;
+use crate::vc1::job::{View, Views};
+use crate::vc1::processor::Processor;
+use crate::vc1::program::Settings;
+use crate::vc1::report::{FrameReport, ProcessorReport, Times};
+use crate::vc1::words::{Message, POLYGON_WORDS, Word};
+
+/// A run of the model.
+pub(super) struct Run<'a, S> {
+    model: &'a Model,
+    views: Views,
+    elements: Vec<Element>,
+    /// The next edges of processing elements; of each the one that is its own counts.
+    due: BinaryHeap<Reverse<(u64, usize)>>,
+    /// How many have drawn their frame.
+    ready: usize,
+    bus: Bus,
+    merger: Merger,
+    /// T_m in clocks of the processing elements.
+    merge_clocks: u64,
+    /// Words of the command that the host sends, behind the one that it offers.
+    words: VecDeque<Word>,
+    /// The last edge at which the bus did something.
+    carried: u64,
+    scene: Option<Loaded>,
+    /// Frames that are commanded and not yet shown.
+    frames: VecDeque<Frame>,
+    commanded: u32,
+    /// When the host may command the next frame.
+    may_command: Option<u64>,
+    /// The frame that is shown next.
+    showing: Option<Showing>,
+    /// The refresh of the last frame that was shown.
+    refresh: u64,
+    /// The last edge that it goes through for now.
+    until: u64,
+    pub shown: VecDeque<FrameReport>,
+    seen: S,
+}
+
+/// A frame from its command until it is shown.
+struct Frame {
+    number: u32,
+    view: Arc<View>,
+    times: Times,
+    pages: Vec<u32>,
+    words: u64,
+}
+
+impl<'a, S: FnMut(Event)> Run<'a, S> {
+    /// One that begins behind the reset.
+    pub fn new(model: &'a Model, seen: S) -> Run<'a, S> {
+        let config = &model.config;
+        let (patches, views) = (model.vc1.lfb.patches, Views::default());
+        let reset = model.reset / PE_PERIOD;
+        let element = |number| {
+            let settings = Settings {
+                number,
+                processors: config.processors,
+                size: config.size,
+                patches: patches.count(),
+                costs: config.costs,
+                apr: config.apr,
+            };
+            let lfb = Lfb::new(patches.count(), model.vc1.lfb.pages);
+            Element::new(number, Processor::new(settings, views.clone()), lfb, patches, config.costs.clear, reset)
+        };
+        let elements: Vec<Element> = (0..config.processors).map(element).collect();
+        let merger = Merger::new(&model.vc1, config.accumulate);
+        let mut run = Run {
+            due: elements.iter().zip(0..).map(|(it, k)| Reverse((it.due, k))).collect(),
+            bus: Bus::new(elements.len(), config.queue, config.word_clocks),
+            merge_clocks: model.vc1.lfb_swap().merge_clocks,
+            model,
+            views,
+            elements,
+            ready: 0,
+            merger,
+            words: VecDeque::new(),
+            carried: 0,
+            scene: None,
+            frames: VecDeque::new(),
+            commanded: 0,
+            may_command: Some(reset),
+            showing: None,
+            refresh: 0,
+            until: 0,
+            shown: VecDeque::new(),
+            seen,
+        };
+        let clock = run.merger.restart;
+        (run.seen)(Event { clock, place: Place::Merger, what: What::Restarts });
+        run
+    }
+
+    pub fn scene(&self) -> Loaded {
+        self.scene.unwrap_or_default()
+    }
+
+    /// The command of a frame of that view, if the host may command one by now.
+    pub fn command(&mut self, view: Arc<View>) {
+        let edge = self.may_command.take().expect("the frame before is drawn");
+        let scene = *self.scene.get_or_insert_with(|| Loaded::of(&view.projection));
+        let number = self.commanded;
+        let mut packets = if self.model.config.immediate { Message::scene(scene.words) } else { Vec::new() };
+        packets.push(Message::Command { frame: number });
+        self.words = packets.iter().flat_map(Message::words).collect();
+        // The first one comes while the display's clock may have an edge later than the last of the processing elements.
+        let time = if number == 0 { self.model.reset } else { edge * PE_PERIOD };
+        let times = Times { command: time, ..Times::default() };
+        self.views.insert(number, view.clone());
+        self.frames.push_back(Frame { number, view, times, pages: Vec::new(), words: self.words.len() as u64 });
+        self.commanded += 1;
+        self.offer_command(edge);
+    }
+
+    fn offer_command(&mut self, edge: u64) {
+        if let Some(word) = self.words.pop_front() {
+            self.bus.offer(self.elements.len(), word, edge);
+        }
+    }
+
+    /// Whether the host waits for nothing but another view.
+    pub fn may_command(&self) -> bool {
+        self.may_command.is_some()
+    }
+
+    /// Whether all frames that are commanded are shown.
+    pub fn is_over(&self) -> bool {
+        self.frames.is_empty()
+    }
+
+    /// Goes through all that happens until that edge, or until the host may command a frame, if `pauses`.
+    pub fn advance(&mut self, until: u64, pauses: bool) {
+        self.until = until;
+        while !(pauses && self.may_command()) {
+            let due = self.next_due();
+            let line = self.line();
+            let shows = self.showing.map_or(u64::MAX, |it| it.shown);
+            let edge = due.min(line).min(self.bus.next).min(shows);
+            if edge > until || edge == u64::MAX {
+                return;
+            }
+            if self.bus.next == edge {
+                self.carry(edge);
+            } else if due == edge {
+                let Some(Reverse((_, k))) = self.due.pop() else { unreachable!("one is due") };
+                self.process(k);
+            } else if line == edge {
+                self.end_frame(edge);
+            } else {
+                self.show();
+            }
+        }
+    }
+
+    /// The next edge of any processing element.
+    fn next_due(&mut self) -> u64 {
+        while let Some(&Reverse((edge, k))) = self.due.peek() {
+            if self.elements[k].due == edge {
+                return edge;
+            }
+            self.due.pop();
+        }
+        u64::MAX
+    }
+
+    /// The edge at which all see the sync line, as far as nothing happens before.
+    fn line(&self) -> u64 {
+        if self.ready < self.elements.len() || !self.bus.is_idle() {
+            return u64::MAX;
+        }
+        let last = self.elements.iter().map(Element::lets_go).max().unwrap_or_default();
+        last.max(self.carried + 1)
+    }
+
+    /// An edge at which the bus does something.
+    fn carry(&mut self, edge: u64) {
+        let carried = self.bus.go();
+        self.carried = edge;
+        let host = self.elements.len();
+        if let Some((sender, word)) = carried.takes {
+            let what = What::Carries(sender as u32, word.word);
+            (self.seen)(Event { clock: edge, place: Place::Bus, what });
+            if sender == host {
+                self.offer_command(edge);
+            } else if self.elements[sender].waits_for_bus() {
+                self.go(sender, edge, false, true);
+            } else {
+                self.elements[sender].program.taken_by_bus();
+            }
+        }
+        if carried.delivers {
+            for k in 0..host {
+                let element = &mut self.elements[k];
+                if self.bus.has_one(k) && element.looks_at_queue() && element.at < edge && element.due > edge {
+                    element.due = edge;
+                    self.due.push(Reverse((edge, k)));
+                }
+            }
+        }
+    }
+
+    /// What a processing element does at its next edge, and then as long as it is by itself, until that edge at most.
+    fn process(&mut self, k: usize) {
+        self.go(k, self.elements[k].due, false, false);
+        let element = &mut self.elements[k];
+        while element.is_by_itself() && element.due <= self.until {
+            let front = element.program.front();
+            let done = element.go(element.due, false, false, [front; 2], &mut self.seen);
+            if done.cleared {
+                element.clear_ahead(self.until, &mut self.seen);
+            }
+            element.plan();
+        }
+        self.schedule(k);
+    }
+
+    fn schedule(&mut self, k: usize) {
+        let due = self.elements[k].due;
+        if due < u64::MAX {
+            self.due.push(Reverse((due, k)));
+        }
+    }
+
+    /// An edge of a processing element, with all that follows from it.
+    fn go(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
+        let element = &mut self.elements[k];
+        let was_ready = element.is_ready();
+        let done = element.go(edge, is_due, sent, self.bus.queue(k), &mut self.seen);
+        if done.received {
+            self.bus.receive(k, edge);
+        }
+        if let Some(word) = done.offers {
+            self.bus.offer(k, word, edge);
+        }
+        if done.cleared {
+            element.clear_ahead(self.until, &mut self.seen);
+        }
+        let is_ready = element.is_ready();
+        self.ready = self.ready + usize::from(is_ready) - usize::from(was_ready);
+        match done.swapped {
+            Some(state) => self.swapped(k, edge, state),
+            None => self.allow_swap(k, edge + 1),
+        }
+        self.elements[k].plan();
+        self.schedule(k);
+    }
+
+    /// A processing element has swapped.
+    fn swapped(&mut self, k: usize, edge: u64, state: SwapState) {
+        let element = &mut self.elements[k];
+        element.waited = edge + 1 + self.merge_clocks;
+        element.sent = self.merger.sent(k as u32, edge);
+        if state != SwapState::Due {
+            return;
+        }
+        element.frames += 1;
+        let Some(showing) = self.merger.end(edge) else { return };
+        let frame = self.frames.front_mut().expect("its frame ends");
+        frame.times.swapped = Some(edge * PE_PERIOD);
+        self.showing = Some(showing);
+        for k in 0..self.elements.len() {
+            self.allow_swap(k, edge + 1);
+            self.elements[k].plan();
+            self.schedule(k);
+        }
+    }
+
+    /// Says when a processing element that waits swaps, if all that it waits for is known; from that clock on at the earliest.
+    fn allow_swap(&mut self, k: usize, clock: u64) {
+        let element = &mut self.elements[k];
+        if element.is_halted() && element.swap.is_none() && element.frames == self.merger.shown {
+            let guards = element.waited.max(element.sent).max(self.merger.shown_from);
+            element.swap = Some(clock.max(guards));
+        }
+    }
+
+    /// All have drawn the frame.
+    fn end_frame(&mut self, edge: u64) {
+        for k in 0..self.elements.len() {
+            self.go(k, edge, true, false);
+        }
+        let frame = self.frames.back_mut().expect("a frame was commanded");
+        frame.times.drawn = Some(edge * PE_PERIOD);
+        frame.pages = self.elements.iter().map(|it| it.lfb.used).collect();
+        self.may_command = Some(edge);
+    }
+
+    /// The banks change.
+    fn show(&mut self) {
+        let showing = self.showing.take().expect("a frame is shown");
+        let frame = self.frames.pop_front().expect("a frame is shown");
+        let what = What::Shows(frame.number + 1);
+        for what in [what, What::Restarts] {
+            (self.seen)(Event { clock: showing.edge, place: Place::Merger, what });
+        }
+        let [merged, shown] = [showing.merged, showing.shown].map(|edge| Some(edge * PE_PERIOD));
+        let averaged = showing.averaged.map(|edge| edge * PE_PERIOD);
+        let times = Times { merged, shown, averaged, ..frame.times };
+        let refreshes = showing.refresh - std::mem::replace(&mut self.refresh, showing.refresh);
+        let processor = |(k, element): (usize, &Element)| {
+            let tally = element.program.frames()[frame.number as usize];
+            ProcessorReport {
+                polygons: frame.view.polygons(k as u32).len() as u32,
+                expected: frame.view.assignment.loads[k],
+                pixels: tally.pixels,
+                pages: frame.pages[k],
+                overflows: tally.overflows,
+                broadcast: tally.broadcast,
+                clocks: tally.clocks,
+            }
+        };
+        let processors: Vec<ProcessorReport> = self.elements.iter().enumerate().map(processor).collect();
+        let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
+        let words = frame.words + broadcast * POLYGON_WORDS as u64;
+        let packets = frame.view.projection.triangles.len() as u64;
+        self.views.remove(frame.number);
+        self.shown.push_back(FrameReport { packets, words, times, refreshes, processors });
+    }
+}
