@@ -94,7 +94,7 @@ impl Element {
 
     /// Whether its next edge is of account to nobody else, and nothing that others do to it.
     pub fn is_by_itself(&self) -> bool {
-        self.swap.is_none() && self.lfb.overflows.is_none() && self.program.is_by_itself()
+        !self.is_halted() && self.lfb.overflows.is_none() && self.program.is_by_itself()
     }
 
     /// Finds its next edge.
