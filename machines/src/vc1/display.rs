@@ -87,6 +87,11 @@ impl Viewer {
         self.refresh.is_some()
     }
 
+    /// Whether it has seen a pixel of the refresh.
+    pub fn has_begun(&self) -> bool {
+        self.refresh.as_ref().is_some_and(|refresh| !refresh.colours.is_empty())
+    }
+
     /// Where the colours of the refresh go, if it is looked at.
     pub fn colours(&mut self) -> Option<&mut Vec<u32>> {
         self.refresh.as_mut().map(|refresh| &mut refresh.colours)

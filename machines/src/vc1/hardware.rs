@@ -11,6 +11,7 @@ use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
 use tilewright_sim::{Port, Simulation};
 
+use super::model::{Event, Place, What};
 use super::processor::{Edge, Processor};
 use super::program::Access;
 use super::words::Word;
@@ -31,6 +32,12 @@ pub(crate) struct Hardware {
     command_port: Option<Word>,
     /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
     writes: VecDeque<(u32, u64)>,
+    /// What happened since it was taken last.
+    pub events: Vec<Event>,
+    shown_before: bool,
+    /// How often the banks have changed.
+    changes: u32,
+    first_round_before: bool,
     /// For how many clocks no processing element has done anything, so that nothing stands at any port.
     idle: u64,
     /// After as many nothing is on the bus any more.
@@ -38,6 +45,9 @@ pub(crate) struct Hardware {
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
     #[cfg(test)]
     pub flips: u32,
+    /// What is noted in place of an event, to see that the model differs then.
+    #[cfg(test)]
+    pub falsify: Option<fn(Event) -> Event>,
     pe: Edges,
     merge: Edges,
     crt: Edges,
@@ -45,6 +55,8 @@ pub(crate) struct Hardware {
     dawn: Edges,
     /// In the last clock one ended.
     dawns: bool,
+    /// The pixels of a row of the screen.
+    width: u32,
     /// The clocks of a line of the display, and of a refresh.
     line_clocks: u64,
     refresh_clocks: u64,
@@ -99,10 +111,17 @@ impl Hardware {
             command: None,
             command_port: None,
             writes: VecDeque::new(),
+            events: Vec::new(),
+            shown_before: false,
+            changes: 0,
+            width: gfb.screen.width,
+            first_round_before: true,
             idle: 0,
             bus_clocks: u64::from(4 * machine.word_clocks + 16),
             #[cfg(test)]
             flips: 0,
+            #[cfg(test)]
+            falsify: None,
             pe: Edges::after(0, PE.period.picoseconds()),
             merge: Edges::after(0, MERGE.period.picoseconds()),
             crt: Edges::after(0, machine.display.period.picoseconds()),
@@ -143,6 +162,7 @@ impl Hardware {
         if self.idle > 1 {
             self.advance(display)?;
             processors.iter_mut().for_each(|it| it.pass(1));
+            self.note_merger();
             return Ok(false);
         }
         self.present_command();
@@ -164,8 +184,9 @@ impl Hardware {
         let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
         let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
         self.advance(display)?;
-        if command {
-            self.command = None;
+        let clock = self.edge();
+        if command && let Some(word) = self.command.take() {
+            self.note(clock, Place::Bus, What::Carries(processors.len() as u32, word.word));
         }
         for (k, processor) in processors.iter_mut().enumerate() {
             if self.ports[k].ahead > 0 {
@@ -181,9 +202,65 @@ impl Hardware {
             #[cfg(test)]
             let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
             let Ports { taken, sent, .. } = self.ports[k];
+            let (before, ended, receives) = (processor.may(), processor.done(), processor.receives());
+            let received = processor.front().filter(|_| receives);
             processor.edge(Edge { taken, sent, may, front });
+            self.note_edge(clock, k, [before, may], received);
+            if processor.done() && !ended {
+                self.note(clock, Place::Processor(k as u32), What::Ends);
+            }
         }
+        self.note_merger();
         Ok(line)
+    }
+
+    /// Notes what happened at the edge of a processing element.
+    fn note_edge(&mut self, clock: u64, k: usize, may: [SwapState; 2], received: Option<Word>) {
+        let place = Place::Processor(k as u32);
+        let Ports { access, sends, taken, sent, .. } = self.ports[k];
+        match access {
+            Some(Access::Draw(pixel)) if taken => self.note(clock, place, What::Draws(pixel.y * self.width + pixel.x)),
+            Some(Access::Clear(patch)) if taken => self.note(clock, place, What::Clears(patch)),
+            _ => {}
+        }
+        match may {
+            [SwapState::Clear, SwapState::Draw] => self.note(clock, place, What::Resumes),
+            [SwapState::Draw, SwapState::Due] => self.note(clock, place, What::Due),
+            [SwapState::Draw, SwapState::Overflow] => self.note(clock, place, What::Overflows),
+            [before, after] if before != after => self.note(clock, place, What::Swaps),
+            _ => {}
+        }
+        if let Some(word) = received {
+            self.note(clock, place, What::Receives(word.word));
+        }
+        if let Some(word) = sends.filter(|_| sent) {
+            self.note(clock, Place::Bus, What::Carries(k as u32, word.word));
+        }
+    }
+
+    /// Notes whether the banks have changed and the scan has begun again.
+    fn note_merger(&mut self) {
+        let clock = self.cycles(MERGE);
+        let (shown, first_round) = (self.shown(), self.flag(self.sim.o.view.first_round));
+        if shown != std::mem::replace(&mut self.shown_before, shown) {
+            self.changes += 1;
+            self.note(clock, Place::Merger, What::Shows(self.changes));
+        }
+        if !std::mem::replace(&mut self.first_round_before, first_round) && first_round {
+            self.note(clock, Place::Merger, What::Restarts);
+        }
+    }
+
+    fn note(&mut self, clock: u64, place: Place, what: What) {
+        let event = Event { clock, place, what };
+        #[cfg(test)]
+        let event = self.falsify.map_or(event, |falsify| falsify(event));
+        self.events.push(event);
+    }
+
+    /// The last edge of the processing elements' clock, counted from 1 at power-on.
+    pub fn edge(&self) -> u64 {
+        self.pe.next / self.pe.period - 1
     }
 
     /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how

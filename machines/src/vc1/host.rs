@@ -10,10 +10,12 @@ use std::sync::Arc;
 use tilewright_rtl::gfb::Passes;
 use tilewright_scenes::{Frame, Projection};
 
+use super::comparison::Comparison;
 use super::config::Config;
 use super::display::Viewer;
 use super::hardware::Hardware;
 use super::job::{View, Views};
+use super::model::Model;
 use super::processor::Processor;
 use super::report::{FrameReport, ProcessorReport, Shown, Times};
 use super::words::{Message, POLYGON_WORDS, Word};
@@ -27,6 +29,10 @@ pub(crate) struct Host<'a, 'w> {
     watch: &'a mut Watch<'w>,
     views: Views,
     viewer: Viewer,
+    /// The model, of which everything has to be the same.
+    comparison: Comparison<'a>,
+    /// The edge at which a blanking ended last.
+    dawn: u64,
     /// Words of the command that it sends.
     words: VecDeque<Word>,
     /// What is known of the scene from its first view on.
@@ -79,10 +85,13 @@ impl<'a, 'w> Host<'a, 'w> {
         watch: &'a mut Watch<'w>,
         views: Views,
         every: bool,
+        model: &'a Model,
     ) -> Host<'a, 'w> {
         let passes = config.accumulate.map(Passes::count);
         Host {
             viewer: Viewer::new(config.size, passes, config.cursor, every),
+            comparison: Comparison::new(model),
+            dawn: 0,
             scene: Loaded::default(),
             config,
             hardware,
@@ -119,20 +128,41 @@ impl<'a, 'w> Host<'a, 'w> {
             }
             if clock % PROGRESS_CLOCKS == 0 {
                 self.progress(processors)?;
+                self.compare()?;
             }
             clock += self.rest(processors, PROGRESS_CLOCKS - 1 - clock % PROGRESS_CLOCKS)? + 1;
+            let had_begun = self.viewer.has_begun();
             let line = self.hardware.clock(processors, self.viewer.colours())?;
+            if self.viewer.has_begun() && !had_begun {
+                self.comparison.refresh(self.dawn, self.hardware.edge())?;
+            }
             self.watch_frames(processors, line);
             self.watch_display()?;
             let is_seen = |it: &mut InFlight| it.times.shown.is_some() && self.viewer.has_seen(it.number);
             if let Some(frame) = self.frames.pop_front_if(is_seen) {
                 self.views.remove(frame.number);
                 let shown = self.shown(frame, processors);
+                self.comparison.show(shown.report.clone());
                 if !seen(shown) || self.frames.is_empty() && next.is_none() {
-                    return Ok(());
+                    return self.compare();
                 }
             }
         }
+    }
+
+    /// Compares all that happened with the model.
+    fn compare(&mut self) -> Result<(), Error> {
+        #[cfg(test)]
+        if self.hardware.flips != 0 {
+            return Ok(());
+        }
+        self.comparison.see(self.hardware.events.drain(..));
+        self.comparison.compare(self.hardware.edge())
+    }
+
+    /// Events that were compared with the model.
+    pub fn compared(&self) -> u64 {
+        self.comparison.compared
     }
 
     /// Goes at once through clocks, at most so many, in which nothing can become of any frame; says how many.
@@ -163,6 +193,7 @@ impl<'a, 'w> Host<'a, 'w> {
             self.scene = Loaded::of(&view.projection);
         }
         self.views.insert(number, view.clone());
+        self.comparison.command(view.clone());
         let mut packets = if self.config.immediate { Message::scene(self.scene.words) } else { Vec::new() };
         packets.push(Message::Command { frame: number });
         self.words.extend(packets.iter().flat_map(Message::words));
@@ -216,6 +247,9 @@ impl<'a, 'w> Host<'a, 'w> {
     /// Looks at the refreshes of the display.
     fn watch_display(&mut self) -> Result<(), Error> {
         self.viewer.judge()?;
+        if self.hardware.dawns() {
+            self.dawn = self.hardware.edge();
+        }
         // What the host still writes is in the next refresh.
         if self.hardware.dawns() && self.hardware.has_written() && self.viewer.begin(self.hardware.averages()) {
             let time = self.hardware.time();

@@ -8,6 +8,7 @@ use super::config::Config;
 use super::hardware::Hardware;
 use super::host::Host;
 use super::job::Views;
+use super::model::Model;
 use super::processor::Processor;
 use super::program::Settings;
 use super::report::{Report, Shown};
@@ -114,14 +115,18 @@ impl Machine {
             load_words: 0,
             merge_clocks: self.hardware.merge_clocks,
             judged: 0,
+            compared: 0,
             frames: Vec::new(),
         };
-        let mut host = Host::new(self.config, &mut self.hardware, watch, known, self.judges_every_refresh);
+        let model = Model::new(self.config)?;
+        let every = self.judges_every_refresh;
+        let mut host = Host::new(self.config, &mut self.hardware, watch, known, every, &model);
         host.run(&mut processors, &mut views, &mut |shown| {
             report.frames.push(shown.report.clone());
             seen(shown)
         })?;
-        (report.polygons, report.load_words, report.judged) = (host.scene.polygons, host.scene.words, host.judged());
+        (report.polygons, report.load_words) = (host.scene.polygons, host.scene.words);
+        (report.judged, report.compared) = (host.judged(), host.compared());
         Ok(report)
     }
 }

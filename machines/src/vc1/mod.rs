@@ -27,6 +27,7 @@
 
 mod assignment;
 mod clocks;
+mod comparison;
 mod config;
 mod cost;
 mod cursor;

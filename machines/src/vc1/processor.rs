@@ -292,7 +292,7 @@ impl Processor {
     }
 
     /// Whether it may receive a packet while its own one waits for the bus: that may not be the one which it is sending.
-    fn may_serve(&self) -> bool {
+    pub fn may_serve(&self) -> bool {
         let is_begun = matches!(self.tasks.last(), Some(Task::Send { at: 2.., .. }));
         self.front.is_some_and(|word| {
             let is_own = Message::is_of(word.word, self.settings.number);

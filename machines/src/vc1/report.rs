@@ -22,6 +22,8 @@ pub struct Report {
     pub merge_clocks: u64,
     /// Refreshes of the display that were compared with the frame buffer.
     pub judged: u64,
+    /// Events, times and counts that were compared with the [model](super::model) of the machine.
+    pub compared: u64,
     /// The frames, in order.
     pub frames: Vec<FrameReport>,
 }

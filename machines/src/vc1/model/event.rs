@@ -1,5 +1,7 @@
 //! What happens in a machine, and where: the events of which circuit and model have to have the same.
 
+use super::timing::{MERGE_PERIOD, PE_PERIOD};
+
 /// Something that happened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
@@ -12,6 +14,19 @@ pub struct Event {
     pub what: What,
 }
 
+impl Event {
+    /// Picoseconds of a clock of the processing elements.
+    pub const PE_PERIOD: u64 = PE_PERIOD;
+
+    /// When it happened, in simulated picoseconds.
+    pub fn picoseconds(&self) -> u64 {
+        match self.place {
+            Place::Processor(_) | Place::Bus => self.clock * PE_PERIOD,
+            Place::Merger => self.clock * MERGE_PERIOD,
+        }
+    }
+}
+
 /// A part of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
@@ -21,8 +36,6 @@ pub enum Place {
     Bus,
     /// The global frame buffer, which leads the merger.
     Merger,
-    /// The display.
-    Display,
 }
 
 /// What happens at a place.
@@ -46,10 +59,8 @@ pub enum What {
     Resumes,
     /// The bus takes a word of that sender; the host's number is that of the processing elements.
     Carries(u32, u32),
-    /// The scan of the merger begins again with the first pixel.
+    /// The scan of the merger begins again with the first pixel, for another frame.
     Restarts,
     /// The banks of the global frame buffer change, for the so many-th time.
     Shows(u32),
-    /// A refresh begins whose picture is looked at, by number.
-    Refreshes(u32),
 }

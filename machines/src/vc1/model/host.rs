@@ -24,7 +24,7 @@ use crate::vc1::report::{FrameReport, ProcessorReport, Times};
 use crate::vc1::words::{Message, POLYGON_WORDS, Word};
 
 /// A run of the model.
-pub(super) struct Run<'a, S> {
+pub(crate) struct Run<'a, S> {
     model: &'a Model,
     views: Views,
     elements: Vec<Element>,
@@ -85,7 +85,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         };
         let elements: Vec<Element> = (0..config.processors).map(element).collect();
         let merger = Merger::new(&model.vc1, config.accumulate);
-        let mut run = Run {
+        Run {
             due: elements.iter().zip(0..).map(|(it, k)| Reverse((it.due, k))).collect(),
             bus: Bus::new(elements.len(), config.queue, config.word_clocks),
             merge_clocks: model.vc1.lfb_swap().merge_clocks,
@@ -105,10 +105,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             until: 0,
             shown: VecDeque::new(),
             seen,
-        };
-        let clock = run.merger.restart;
-        (run.seen)(Event { clock, place: Place::Merger, what: What::Restarts });
-        run
+        }
     }
 
     pub fn scene(&self) -> Loaded {
@@ -143,9 +140,10 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         self.may_command.is_some()
     }
 
-    /// Whether all frames that are commanded are shown.
-    pub fn is_over(&self) -> bool {
-        self.frames.is_empty()
+    /// The edges at which a blanking is about to end and at which the first pixel behind it is there, of the first refresh of which the former
+    /// is not before that one.
+    pub fn refresh_from(&self, edge: u64) -> (u64, u64) {
+        self.merger.display.dawn_from(edge)
     }
 
     /// Goes through all that happens until that edge, or until the host may command a frame, if `pauses`.

@@ -16,13 +16,13 @@ pub(super) struct Merger {
     overhead: u64,
     pixels: u64,
     /// T_m in its clocks.
-    pub merge_clocks: u64,
+    merge_clocks: u64,
     /// Advances until all is stored.
     way: u64,
     processors: u32,
-    display: Display,
+    pub display: Display,
     /// The edge of the last restart.
-    pub restart: u64,
+    restart: u64,
     /// How often the banks have changed, or will have as soon as all that is known comes to pass.
     pub shown: u32,
     /// The clock of the processing elements from which on they know of the last change.

@@ -31,7 +31,7 @@ use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::vc1::Vc1;
 use tilewright_scenes::Projection;
 
-use self::host::Run;
+pub(crate) use self::host::Run;
 use super::config::{Built, Config};
 use super::job::View;
 use super::report::Report;
@@ -62,6 +62,11 @@ impl Model {
     pub fn new(config: Config) -> Result<Model, ParameterError> {
         let vc1 = config.hardware()?;
         Ok(Model { config, built: config.built()?, reset: timing::reset_time(&vc1), vc1 })
+    }
+
+    /// How many processing elements there are.
+    pub(crate) fn processors(&self) -> u32 {
+        self.config.processors
     }
 
     /// Deals the polygons of a view as [`Config::assign`] says; `first` is what came of the first view, unless this is it.
@@ -104,6 +109,7 @@ impl Model {
             load_words: scene.words,
             merge_clocks: self.vc1.gfb().sequencer().merge_clocks(),
             judged: 0,
+            compared: 0,
             frames: run.shown.into(),
         }
     }

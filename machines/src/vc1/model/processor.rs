@@ -102,11 +102,15 @@ impl Element {
         let next = self.at + 1;
         let due = match self.program.now() {
             _ if self.is_halted() => self.swap.unwrap_or(u64::MAX),
+            // A word that came while it was halted is seen now.
+            Now::Waiting if self.program.front().is_some() => next,
             Now::Waiting => u64::MAX,
             Now::Computing(left, ..) => self.at + left,
             Now::Accessing(Access::Clear(_)) => self.lfb.takes_clear(next),
             Now::Accessing(Access::Draw(_)) => self.lfb.takes_draw(next),
-            Now::Accessing(Access::Send(_)) if self.program.offered().is_some() => u64::MAX,
+            Now::Accessing(Access::Send(_)) if self.program.offered().is_some() && !self.program.may_serve() => {
+                u64::MAX
+            }
             Now::Accessing(Access::Receive) if self.program.front().is_none() => u64::MAX,
             Now::Accessing(Access::Send(_) | Access::Receive) => next,
         };

@@ -27,6 +27,7 @@ fn report() -> Report {
     };
     let processors = vec![of(4, 30, one), of(3, 10, other)];
     Report {
+        compared: 0,
         machine: config.built().expect("can be built"),
         polygons: 7,
         load_words: 1000,
