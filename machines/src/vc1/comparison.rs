@@ -171,8 +171,11 @@ impl<'a> Comparison<'a> {
     }
 }
 
+/// A number of a report, and what it is.
+type Number<Report> = (&'static str, fn(&Report) -> u64);
+
 /// Numbers of a frame.
-const FRAME: [(&str, fn(&FrameReport) -> u64); 9] = [
+const FRAME: [Number<FrameReport>; 9] = [
     ("the number of packets", |it| it.packets),
     ("the number of words on the bus", |it| it.words),
     ("the time of the command in ps", |it| it.times.command),
@@ -185,7 +188,7 @@ const FRAME: [(&str, fn(&FrameReport) -> u64); 9] = [
 ];
 
 /// Numbers of a processing element in a frame.
-const PROCESSOR: [(&str, fn(&ProcessorReport) -> u64); 6] = [
+const PROCESSOR: [Number<ProcessorReport>; 6] = [
     ("the number of polygons", |it| it.polygons.into()),
     ("the number of expected clocks", |it| it.expected),
     ("the number of pixels", |it| it.pixels),
@@ -225,7 +228,7 @@ fn difference(event: Event, seen: Option<Event>, expected: Option<Event>) -> Err
 
 impl What {
     /// Whether it happens.
-    fn kind(self) -> &'static str {
+    pub(crate) fn kind(self) -> &'static str {
         match self {
             What::Draws(_) => "whether a pixel is taken",
             What::Clears(_) => "whether an entry is cleared",
@@ -261,3 +264,6 @@ impl What {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

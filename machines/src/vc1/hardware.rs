@@ -3,6 +3,8 @@
 //! They see the ports of the local frame buffer units and of the bus, what the swap control wants and says, the display, and time.
 
 use std::collections::VecDeque;
+#[cfg(test)]
+use std::rc::Rc;
 
 use tilewright_rtl::clocks::{CRT, MERGE, PE};
 use tilewright_rtl::gfb::{BLANK_LINES, Multipass, Passes};
@@ -47,7 +49,7 @@ pub(crate) struct Hardware {
     pub flips: u32,
     /// What is noted in place of an event, to see that the model differs then.
     #[cfg(test)]
-    pub falsify: Option<fn(Event) -> Event>,
+    pub falsify: Option<Rc<dyn Fn(Event) -> Option<Event>>>,
     pe: Edges,
     merge: Edges,
     crt: Edges,
@@ -252,10 +254,10 @@ impl Hardware {
     }
 
     fn note(&mut self, clock: u64, place: Place, what: What) {
-        let event = Event { clock, place, what };
+        let event = Some(Event { clock, place, what });
         #[cfg(test)]
-        let event = self.falsify.map_or(event, |falsify| falsify(event));
-        self.events.push(event);
+        let event = self.falsify.as_ref().map_or(event, |falsify| event.and_then(|it| falsify(it)));
+        self.events.extend(event);
     }
 
     /// The last edge of the processing elements' clock, counted from 1 at power-on.

@@ -96,6 +96,12 @@ impl Machine {
         Error::of_both(rendered, self.hardware.sim.finish())
     }
 
+    /// Events of the circuit are noted as that function makes them.
+    #[cfg(test)]
+    pub(crate) fn falsify(&mut self, falsify: impl Fn(super::model::Event) -> Option<super::model::Event> + 'static) {
+        self.hardware.falsify = Some(std::rc::Rc::new(falsify));
+    }
+
     fn run(
         &mut self,
         background: [u8; 3],

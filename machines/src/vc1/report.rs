@@ -196,6 +196,14 @@ impl Report {
         write!(f, "The load is {:.1} % balanced; a pixel stalls for ", 100.0 * mean(&FrameReport::balance))?;
         write!(f, "{:.3} clocks on average.", mean(&FrameReport::stalls_per_pixel))
     }
+
+    /// Nothing, where there was no circuit.
+    fn write_compared(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.compared {
+            0 => Ok(()),
+            events => write!(f, "\nThe model has the same {events} events, times and counts."),
+        }
+    }
 }
 
 impl fmt::Display for Report {
@@ -217,7 +225,8 @@ impl fmt::Display for Report {
         self.write_frames(f)?;
         self.write_pictures(f)?;
         writeln!(f, "\nclocks of each processing element")?;
-        self.write_processors(f)
+        self.write_processors(f)?;
+        self.write_compared(f)
     }
 }
 

@@ -54,6 +54,13 @@ pub struct Model {
 #[derive(Clone, Debug)]
 pub struct Dealt(Arc<View>);
 
+impl Dealt {
+    #[cfg(test)]
+    pub(crate) fn view(&self) -> Arc<View> {
+        self.0.clone()
+    }
+}
+
 impl Model {
     /// The model of the machine of that configuration.
     ///

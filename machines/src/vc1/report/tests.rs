@@ -94,4 +94,9 @@ fn it_reads_as_tables() {
          1        10        20        30         0         0         0         0         0        60         4\n\
          The load is 75.0 % balanced; a pixel stalls for 0.500 clocks on average."
     );
+    let compared = Report { compared: 12, ..report() }.to_string();
+    assert!(
+        compared.ends_with("clocks on average.\nThe model has the same 12 events, times and counts."),
+        "{compared}"
+    );
 }
