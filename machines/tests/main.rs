@@ -5,5 +5,6 @@ mod pixelflow;
 mod quadtree;
 mod vc1;
 mod vc1_campaign;
+mod vc1_model;
 mod vc1_times;
 mod vc1_whole;

@@ -1,12 +1,12 @@
 //! A frame to draw: a view of the scene, its polygons dealt to the processing elements.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use tilewright_rtl::parameter::ParameterError;
-use tilewright_scenes::Projection;
+use tilewright_scenes::{Projection, ScreenVertex, Size, Triangle, set_up};
 
 use super::assignment::{Assignment, Polygon};
 use super::config::Config;
@@ -72,19 +72,43 @@ impl Config {
 
 /// The views that are drawn, by frame, as all processing elements know them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Views(Rc<RefCell<BTreeMap<u32, Arc<View>>>>);
+pub(crate) struct Views {
+    views: Rc<RefCell<BTreeMap<u32, Arc<View>>>>,
+    /// What came of the last polygons that all draw, which each of them sets up.
+    set_ups: Rc<RefCell<VecDeque<SetUp>>>,
+}
+
+/// A polygon's vertices, and its packet if it has pixels.
+type SetUp = ([ScreenVertex; 3], Option<Triangle>);
+
+/// More polygons than the usual queue holds.
+const KEPT: usize = 16;
 
 impl Views {
     /// The view of a frame that the host has commanded.
     pub fn of(&self, frame: u32) -> Arc<View> {
-        self.0.borrow()[&frame].clone()
+        self.views.borrow()[&frame].clone()
     }
 
     pub fn insert(&self, frame: u32, view: Arc<View>) {
-        self.0.borrow_mut().insert(frame, view);
+        self.views.borrow_mut().insert(frame, view);
     }
 
     pub fn remove(&self, frame: u32) {
-        self.0.borrow_mut().remove(&frame);
+        self.views.borrow_mut().remove(&frame);
+    }
+
+    /// The packet of a polygon on a screen of that size, which is that of all calls; nothing, if it has no pixel.
+    pub fn set_up(&self, vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
+        let mut known = self.set_ups.borrow_mut();
+        if let Some((_, packet)) = known.iter().find(|(of, _)| of == vertices) {
+            return packet.clone();
+        }
+        let packet = set_up(vertices, size);
+        if known.len() == KEPT {
+            known.pop_back();
+        }
+        known.push_front((*vertices, packet.clone()));
+        packet
     }
 }

@@ -153,8 +153,17 @@ impl Processor {
         left - 1
     }
 
-    /// So many edges of its clock, at which it goes on with what it does, and sees nothing new.
-    pub fn pass(&mut self, clocks: u64) {
+    /// So many edges of its clock, at which it goes on with what it does, and sees nothing new. That may lead it to a port of its local frame
+    /// buffer, which does not take the access meanwhile.
+    pub fn pass(&mut self, mut clocks: u64) {
+        if let Now::Computing(left, class, Some(access @ (Access::Clear(_) | Access::Draw(_)))) = self.now
+            && clocks >= left
+            && !self.is_halted()
+        {
+            *self.tally.clocks.of(class) += left;
+            self.now = Now::Accessing(access);
+            clocks -= left;
+        }
         let class = match (self.may, &mut self.now) {
             (SwapState::Overflow, _) => Class::Overflow,
             (SwapState::Due, _) => Class::Swap,
@@ -177,14 +186,12 @@ impl Processor {
     /// Whether the end of what it does leads to another pixel or entry of the same task, so that the bus is of no account to it.
     pub fn is_by_itself(&self) -> bool {
         match self.now {
-            Now::Computing(_, _, Some(Access::Clear(_) | Access::Draw(_))) => true,
-            Now::Computing(_, _, None) | Now::Accessing(Access::Clear(_) | Access::Draw(_)) => {
-                match self.tasks.last() {
-                    Some(Task::Scan(scan)) => scan.has_pixel(),
-                    Some(Task::Clear { patch }) => *patch < self.settings.patches,
-                    _ => false,
-                }
-            }
+            Now::Computing(_, _, None | Some(Access::Clear(_) | Access::Draw(_)))
+            | Now::Accessing(Access::Clear(_) | Access::Draw(_)) => match self.tasks.last() {
+                Some(Task::Scan(scan)) => scan.has_pixel(),
+                Some(Task::Clear { patch }) => *patch < self.settings.patches,
+                _ => false,
+            },
             _ => false,
         }
     }
@@ -204,9 +211,26 @@ impl Processor {
         self.tally.clocks.stalled += entries * (every - cost);
     }
 
+    /// Receives a word that is not the last of its packet, when it has waited for it for so many clocks beside what it computes.
+    pub fn receive_ahead(&mut self, waits: u64, word: u32) {
+        if let Now::Computing(left, class, Some(Access::Receive)) = self.now {
+            *self.tally.clocks.of(class) += left;
+        }
+        let Some(Task::Receive { words }) = self.tasks.last_mut() else { unreachable!("a word is received by a task") };
+        words.push(word);
+        self.tally.clocks.bus += waits;
+        self.tally.clocks.receiving += 1;
+        self.compute(self.settings.costs.receive - 1, Class::Receiving, Some(Access::Receive));
+    }
+
     /// The bus has taken the word that it offered.
     pub fn taken_by_bus(&mut self) {
         self.offered = None;
+    }
+
+    /// It sees that word at the front of its queue in the coming clock.
+    pub fn see(&mut self, front: Option<Word>) {
+        self.front = front;
     }
 
     /// The word that it sees at the front of its queue.
@@ -314,7 +338,8 @@ impl Processor {
                 }
                 Some(Message::Polygon { sender, vertices }) => {
                     self.unseen -= u32::from(sender == self.settings.number && self.unseen > 0);
-                    self.tasks.extend(Task::share(&vertices, &self.settings));
+                    let packet = self.views.set_up(&vertices, self.settings.size);
+                    self.tasks.extend(packet.map(|packet| Task::share(&packet, &self.settings)));
                 }
                 // It is stored, and drawn as the command says.
                 Some(Message::Scene { .. }) | None => {}

@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use tilewright_rtl::swap::SwapState;
-use tilewright_scenes::{ScreenVertex, Size, Triangle, set_up};
+use tilewright_scenes::{Size, Triangle};
 
 use super::clocks::Class;
 use super::cost::CostTable;
@@ -143,10 +143,9 @@ impl Task {
         }))
     }
 
-    /// Draws its rows of a polygon that all draw; nothing, if it has no pixel.
-    pub fn share(vertices: &[ScreenVertex; 3], settings: &Settings) -> Option<Task> {
-        let packet = set_up(vertices, settings.size)?;
-        Some(Task::scan(&packet, settings.rows(), &settings.costs))
+    /// Draws its rows of a polygon that all draw.
+    pub fn share(packet: &Triangle, settings: &Settings) -> Task {
+        Task::scan(packet, settings.rows(), &settings.costs)
     }
 
     /// The next step.

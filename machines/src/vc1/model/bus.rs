@@ -18,11 +18,15 @@ pub(super) struct Bus {
     sender: usize,
     /// The word on the bus, and the edge at which it goes to the queues if they have room.
     word: Option<(Word, u64)>,
-    /// Words that went to the queues; the first one is of that number.
-    delivered: VecDeque<Word>,
+    /// Words that went to the queues, and when; the first one is of that number.
+    delivered: VecDeque<(Word, u64)>,
     first: u64,
+    /// The number behind the last word that ended a packet.
+    complete: u64,
     /// By processing element: words that it has taken.
     received: Vec<u64>,
+    /// No processing element has taken fewer words.
+    oldest: u64,
     /// The next edge at which it does something, if nothing else happens before.
     pub next: u64,
 }
@@ -48,7 +52,9 @@ impl Bus {
             word: None,
             delivered: VecDeque::new(),
             first: 0,
+            complete: 0,
             received: vec![0; processors],
+            oldest: 0,
             next: u64::MAX,
         }
     }
@@ -75,11 +81,12 @@ impl Bus {
         self.first + self.delivered.len() as u64
     }
 
-    fn has_room(&self) -> bool {
-        self.delivered.len() < self.queue as usize || {
-            let oldest = self.received.iter().min().copied().unwrap_or_default();
-            self.end() - oldest < self.queue
+    /// Whether no queue is full.
+    pub fn has_room(&mut self) -> bool {
+        if self.end() - self.oldest >= self.queue {
+            self.oldest = self.received.iter().min().copied().unwrap_or_default();
         }
+        self.end() - self.oldest < self.queue
     }
 
     /// Does what it does at the edge [`Bus::next`].
@@ -87,8 +94,11 @@ impl Bus {
         let edge = self.next;
         let mut carried = Carried::default();
         if let Some((word, _)) = self.word.take() {
-            self.delivered.push_back(word);
+            self.delivered.push_back((word, edge));
             carried.delivers = true;
+            if word.last {
+                self.complete = self.end();
+            }
         }
         if let Some(sender) = self.chosen() {
             let word = self.offers[sender].take().expect("it offers");
@@ -103,16 +113,35 @@ impl Bus {
 
     /// Says when it does something next, seen from that edge, behind which words may have gone from queues.
     fn look(&mut self, edge: u64) {
-        self.next = match self.word {
-            Some((_, arrives)) if self.has_room() => arrives.max(edge + 1),
-            _ => u64::MAX,
-        };
+        let arrives = self.word.map_or(u64::MAX, |(_, arrives)| arrives);
+        self.next = if self.has_room() { arrives.max(edge + 1) } else { u64::MAX };
     }
 
-    /// The word at the front of a queue, and the one behind it.
-    pub fn queue(&self, processor: usize) -> [Option<Word>; 2] {
-        let front = (self.received[processor] - self.first) as usize;
-        [front, front + 1].map(|at| self.delivered.get(at).copied())
+    /// The words at the front of a queue and behind that, behind that edge.
+    pub fn queue(&self, processor: usize, edge: u64) -> [Option<Word>; 2] {
+        [0, 1].map(|place| self.coming(processor, place).filter(|(_, came)| *came <= edge).map(|(word, _)| word))
+    }
+
+    /// The so many-th of the words that a processing element has still to take, and when it came to its queue.
+    pub fn coming(&self, processor: usize, place: u64) -> Option<(Word, u64)> {
+        let at = self.received[processor] - self.first + place;
+        self.delivered.get(at as usize).copied()
+    }
+
+    /// Whether the packet that a processing element receives next, or is receiving, is in its queue as a whole.
+    pub fn is_complete(&self, processor: usize) -> bool {
+        self.received[processor] < self.complete
+    }
+
+    /// Whether there is room for certain in that processing element's queue until that edge, seen from another one, if it takes nothing.
+    pub fn has_room_until(&self, processor: usize, now: u64, edge: u64) -> bool {
+        let coming = edge.saturating_sub(now) / self.word_clocks + 2;
+        self.end() - self.received[processor] + coming <= self.queue
+    }
+
+    /// Whether the word that went to the queues last ended a packet.
+    pub fn was_last(&self) -> bool {
+        self.complete == self.end()
     }
 
     /// Whether a queue has one word.
@@ -128,9 +157,9 @@ impl Bus {
         }
         // Now and then what all have received is forgotten.
         if self.delivered.len() > 2 * self.queue as usize {
-            let oldest = self.received.iter().min().copied().unwrap_or_default();
-            self.delivered.drain(..(oldest - self.first) as usize);
-            self.first = oldest;
+            self.oldest = self.received.iter().min().copied().unwrap_or_default();
+            self.delivered.drain(..(self.oldest - self.first) as usize);
+            self.first = self.oldest;
         }
     }
 

@@ -155,6 +155,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             let shows = self.showing.map_or(u64::MAX, |it| it.shown);
             let edge = due.min(line).min(self.bus.next).min(shows);
             if edge > until || edge == u64::MAX {
+                self.catch_up(until);
                 return;
             }
             if self.bus.next == edge {
@@ -200,26 +201,51 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             (self.seen)(Event { clock: edge, place: Place::Bus, what });
             if sender == host {
                 self.offer_command(edge);
-            } else if self.elements[sender].waits_for_bus() {
+            } else if self.elements[sender].waits_for_bus() && !self.is_behind(sender) {
                 self.go(sender, edge, false, true);
             } else {
                 self.elements[sender].program.taken_by_bus();
             }
         }
         if carried.delivers {
-            for k in 0..host {
-                let element = &mut self.elements[k];
-                if self.bus.has_one(k) && element.looks_at_queue() && element.at < edge && element.due > edge {
-                    element.due = edge;
-                    self.due.push(Reverse((edge, k)));
-                }
+            self.wake();
+        }
+    }
+
+    /// A word has come to all queues.
+    fn wake(&mut self) {
+        let goes_on = self.bus.was_last() || !self.bus.has_room();
+        for k in 0..self.elements.len() {
+            let element = &self.elements[k];
+            let is_first = || self.bus.has_one(k) && element.looks_at_queue();
+            if if element.lags { goes_on } else { is_first() } {
+                self.plan(k);
             }
         }
     }
 
+    /// Lets those that are behind the others go on until that edge.
+    fn catch_up(&mut self, until: u64) {
+        for k in 0..self.elements.len() {
+            while self.elements[k].lags {
+                self.plan(k);
+                if self.elements[k].due > until || self.elements[k].due == u64::MAX {
+                    break;
+                }
+                self.process(k);
+            }
+        }
+    }
+
+    /// Whether a processing element has still to look at a word that came before.
+    fn is_behind(&self, k: usize) -> bool {
+        self.elements[k].lags && self.bus.coming(k, 0).is_some()
+    }
+
     /// What a processing element does at its next edge, and then as long as it is by itself, until that edge at most.
     fn process(&mut self, k: usize) {
-        self.go(k, self.elements[k].due, false, false);
+        let edge = self.elements[k].due;
+        self.go(k, edge, false, false);
         let element = &mut self.elements[k];
         while element.is_by_itself() && element.due <= self.until {
             let front = element.program.front();
@@ -227,15 +253,19 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             if done.cleared {
                 element.clear_ahead(self.until, &mut self.seen);
             }
-            element.plan();
+            element.plan(None);
         }
-        self.schedule(k);
+        element.receive_ahead(&mut self.bus, edge.max(self.carried), self.until, &mut self.seen);
+        self.plan(k);
     }
 
-    fn schedule(&mut self, k: usize) {
-        let due = self.elements[k].due;
-        if due < u64::MAX {
-            self.due.push(Reverse((due, k)));
+    /// Finds the next edge of a processing element.
+    fn plan(&mut self, k: usize) {
+        let element = &mut self.elements[k];
+        element.plan(self.bus.coming(k, 0).map(|(_, came)| came));
+        element.lags = element.may_lag() && !self.bus.is_complete(k) && self.bus.has_room();
+        if !element.lags && element.due < u64::MAX {
+            self.due.push(Reverse((element.due, k)));
         }
     }
 
@@ -243,7 +273,9 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
     fn go(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
         let element = &mut self.elements[k];
         let was_ready = element.is_ready();
-        let done = element.go(edge, is_due, sent, self.bus.queue(k), &mut self.seen);
+        let [front, _] = self.bus.queue(k, edge - 1);
+        element.program.see(front);
+        let done = element.go(edge, is_due, sent, self.bus.queue(k, edge), &mut self.seen);
         if done.received {
             self.bus.receive(k, edge);
         }
@@ -259,8 +291,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             Some(state) => self.swapped(k, edge, state),
             None => self.allow_swap(k, edge + 1),
         }
-        self.elements[k].plan();
-        self.schedule(k);
+        self.plan(k);
     }
 
     /// A processing element has swapped.
@@ -278,8 +309,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         self.showing = Some(showing);
         for k in 0..self.elements.len() {
             self.allow_swap(k, edge + 1);
-            self.elements[k].plan();
-            self.schedule(k);
+            self.plan(k);
         }
     }
 

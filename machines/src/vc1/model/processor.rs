@@ -3,6 +3,7 @@
 use tilewright_rtl::lfb::Patches;
 use tilewright_rtl::swap::SwapState;
 
+use super::bus::Bus;
 use super::event::{Event, Place, What};
 use super::lfb::{CLEAR_CLOCKS, Lfb};
 use crate::vc1::processor::{Edge, Now, Processor};
@@ -18,7 +19,9 @@ pub(super) struct Element {
     /// Clocks of a cleared entry.
     clear_clocks: u64,
     /// The last edge that it has gone through.
-    pub at: u64,
+    at: u64,
+    /// Its next edges are of account to nobody until all of a packet has come, so that it may be behind the others.
+    pub lags: bool,
     /// The next edge at which more happens to it than that a clock goes by.
     pub due: u64,
     /// The edge at which it swaps, once that is known.
@@ -55,6 +58,7 @@ impl Element {
             patches,
             clear_clocks,
             at,
+            lags: false,
             due: u64::MAX,
             swap: None,
             waited: 0,
@@ -62,7 +66,7 @@ impl Element {
             frames: 0,
             ended: None,
         };
-        element.plan();
+        element.plan(None);
         element
     }
 
@@ -97,22 +101,22 @@ impl Element {
         !self.is_halted() && self.lfb.overflows.is_none() && self.program.is_by_itself()
     }
 
-    /// Finds its next edge.
-    pub fn plan(&mut self) {
+    /// Finds its next edge. `came`: when the first word that it has not taken came to its queue, if it did.
+    pub fn plan(&mut self, came: Option<u64>) {
         let next = self.at + 1;
+        let word = came.map_or(u64::MAX, |edge| edge.max(next));
         let due = match self.program.now() {
             _ if self.is_halted() => self.swap.unwrap_or(u64::MAX),
-            // A word that came while it was halted is seen now.
-            Now::Waiting if self.program.front().is_some() => next,
-            Now::Waiting => u64::MAX,
+            Now::Waiting => word,
+            Now::Computing(left, _, Some(Access::Clear(_))) => self.lfb.takes_clear(next + left),
+            Now::Computing(left, _, Some(Access::Draw(_))) => self.lfb.takes_draw(next + left),
             Now::Computing(left, ..) => self.at + left,
             Now::Accessing(Access::Clear(_)) => self.lfb.takes_clear(next),
             Now::Accessing(Access::Draw(_)) => self.lfb.takes_draw(next),
-            Now::Accessing(Access::Send(_)) if self.program.offered().is_some() && !self.program.may_serve() => {
-                u64::MAX
-            }
-            Now::Accessing(Access::Receive) if self.program.front().is_none() => u64::MAX,
-            Now::Accessing(Access::Send(_) | Access::Receive) => next,
+            Now::Accessing(Access::Send(_)) if self.program.offered().is_none() || self.program.may_serve() => next,
+            Now::Accessing(Access::Send(_)) if self.program.front().is_some() => u64::MAX,
+            Now::Accessing(Access::Send(_)) => word,
+            Now::Accessing(Access::Receive) => came.map_or(u64::MAX, |edge| next.max(edge + 1)),
         };
         self.due = due.min(self.lfb.overflows.unwrap_or(u64::MAX));
     }
@@ -184,6 +188,42 @@ impl Element {
         done
     }
 
+    /// Whether nobody sees what it does before it has received a packet.
+    pub fn may_lag(&self) -> bool {
+        let receives = matches!(
+            self.program.now(),
+            Now::Waiting | Now::Accessing(Access::Receive) | Now::Computing(_, _, Some(Access::Receive))
+        );
+        receives && !self.is_halted() && self.lfb.overflows.is_none()
+    }
+
+    /// The first clock in which it would receive a word, if it is about to.
+    fn receives_from(&self) -> Option<u64> {
+        match self.program.now() {
+            _ if self.is_halted() || self.lfb.overflows.is_some() => None,
+            Now::Accessing(Access::Receive) => Some(self.at + 1),
+            Now::Computing(left, _, Some(Access::Receive)) => Some(self.at + left + 1),
+            _ => None,
+        }
+    }
+
+    /// Receives at once the words of a packet that are in its queue, but the last, as far as the bus does not come to wait for that. All that
+    /// happened before the edge `now` is known.
+    pub fn receive_ahead(&mut self, bus: &mut Bus, now: u64, until: u64, seen: &mut impl FnMut(Event)) {
+        let k = self.number as usize;
+        while let Some((word, came)) = bus.coming(k, 0).filter(|(word, _)| !word.last)
+            && let Some(clock) = self.receives_from()
+            && let edge = clock.max(came + 1)
+            && edge <= until
+            && (edge <= now || bus.has_room_until(k, now, edge))
+        {
+            seen(Event { clock: edge, place: Place::Processor(self.number), what: What::Receives(word.word) });
+            bus.receive(k, edge);
+            self.program.receive_ahead(edge - clock, word.word);
+            self.at = edge;
+        }
+    }
+
     /// Goes at once through the clears that are ahead of it behind one that it has just done, but the last, none after that edge.
     pub fn clear_ahead(&mut self, until: u64, seen: &mut impl FnMut(Event)) {
         let (Now::Computing(.., Some(Access::Clear(patch))) | Now::Accessing(Access::Clear(patch))) =
@@ -201,7 +241,6 @@ impl Element {
             self.program.clear_ahead(entries, every);
             self.at += u64::from(entries) * every;
             self.lfb.clear(self.at);
-            self.plan();
         }
     }
 }

@@ -2,7 +2,7 @@ use super::*;
 use crate::vc1::assignment::{Assign, Assignment, Polygon};
 use crate::vc1::clocks::Clocks;
 use crate::vc1::config::Config;
-use tilewright_scenes::{Counts, Projection, Scene, project};
+use tilewright_scenes::{Counts, Projection, Scene, ScreenVertex, project, set_up};
 
 /// A task from its beginning to its end, with those that it begins and without words from the bus: clocks, class, and what stands at a
 /// port.
@@ -114,7 +114,8 @@ fn a_packet_above_the_threshold_is_sent_and_drawn_in_shares() {
         pixels.collect::<Vec<_>>()
     };
     assert_eq!(drawn(&sent), [(0, 3)], "the small one it draws by itself");
-    let share = |number| steps(Task::share(&vertices, &Settings { number, ..settings }).unwrap(), &settings);
+    let packet = set_up(&vertices, settings.size).expect("covers pixels");
+    let share = |number| steps(Task::share(&packet, &Settings { number, ..settings }), &settings);
     assert_eq!([share(0), share(1)].map(|steps| drawn(&steps)), [vec![(0, 0), (1, 0)], vec![(0, 1)]]);
     // Set-up is of all, rows are shared: rows 0 and 2 of the box, and row 1.
     let clocks = |number| share(number).iter().map(|(clocks, ..)| clocks).sum::<u64>();
