@@ -268,9 +268,30 @@ impl Hardware {
     /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how
     /// many. There are none unless all have been idle for some clocks.
     pub fn rest(&mut self, processors: &mut [Processor], clocks: u64, until: u64) -> Result<u64, Error> {
+        if self.idle < self.bus_clocks {
+            return Ok(0);
+        }
+        let clocks = self.pass(clocks, until)?;
+        processors.iter_mut().for_each(|it| it.pass(clocks));
+        Ok(clocks)
+    }
+
+    /// The same of clocks for which all processing elements compute ahead.
+    pub fn compute(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
+        let ahead = self.ports.iter().map(|port| port.ahead).min().unwrap_or(0);
+        if ahead == 0 || self.command.is_some() || self.command_port.is_some() {
+            return Ok(0);
+        }
+        let clocks = self.pass(clocks.min(ahead), until)?;
+        self.ports.iter_mut().for_each(|port| port.ahead -= clocks);
+        Ok(clocks)
+    }
+
+    /// Goes at once through clocks in which nobody looks at any port, none of them after the blanking that comes next; says how many.
+    fn pass(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         let until = until.min(self.dawn.next - 1);
         let clocks = clocks.min(until.saturating_sub(self.time()) / self.pe.period);
-        if self.idle < self.bus_clocks || !self.writes.is_empty() || clocks == 0 {
+        if !self.writes.is_empty() || clocks == 0 {
             return Ok(0);
         }
         let end = self.pe.next + (clocks - 1) * self.pe.period;
@@ -278,7 +299,6 @@ impl Hardware {
         for edges in [&mut self.pe, &mut self.merge, &mut self.crt] {
             edges.came(end);
         }
-        processors.iter_mut().for_each(|it| it.pass(clocks));
         Ok(clocks)
     }
 

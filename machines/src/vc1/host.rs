@@ -170,13 +170,17 @@ impl<'a, 'w> Host<'a, 'w> {
         if self.viewer.is_looking() || !self.words.is_empty() {
             return Ok(0);
         }
-        let until = match self.frames.iter().find(|frame| frame.times.shown.is_none()).map(|frame| frame.times) {
+        let is_due = |frame: &&InFlight| frame.times.shown.is_none();
+        let until = match self.frames.iter().find(is_due).map(|frame| frame.times) {
             None => u64::MAX,
             Some(Times { merged: Some(_), .. }) => self.hardware.next_blanking(),
             Some(Times { swapped: Some(swapped), .. }) => swapped + self.hardware.merge_time(),
-            Some(_) => return Ok(0),
+            Some(_) => return self.hardware.compute(clocks, u64::MAX),
         };
-        self.hardware.rest(processors, clocks, until)
+        match self.hardware.rest(processors, clocks, until)? {
+            0 => self.hardware.compute(clocks, until),
+            clocks => Ok(clocks),
+        }
     }
 
     /// Refreshes that have been compared with the frame buffer.
