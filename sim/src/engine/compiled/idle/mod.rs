@@ -114,10 +114,10 @@ impl Compiled {
             return None;
         }
         let &[clock] = rising else { return self.edge_together(rising) };
-        let idle = self.idle[clock].as_mut()?;
-        if idle.rests {
-            return self.resting_edge(clock);
+        if self.rests_on(clock) {
+            return Some(Done { edges: 1, changed: self.go(clock) });
         }
+        let idle = self.idle[clock].as_mut()?;
         idle.left = idle.left.saturating_sub(1);
         if idle.left > 0 { None } else { Some(self.compared_edge(clock)) }
     }
@@ -127,61 +127,47 @@ impl Compiled {
         self.idle.iter_mut().flatten().for_each(Idle::wake);
     }
 
-    /// An edge of several clocks. One that rests has what is left of it done after those of the others, if that looks at nothing that they
+    /// An edge of several clocks. Of one that rests, what is left is done after the edge of the others, if that looks at nothing that they
     /// change.
     fn edge_together(&mut self, rising: &[usize]) -> Option<Done> {
         let mut resting = None;
         for &clock in rising {
-            let Some(idle) = self.idle[clock].as_mut() else { continue };
-            if !idle.rests {
-                continue;
-            }
-            let idle = self.idle[clock].as_ref().expect("it is there");
-            let way = &idle.ways[idle.latest];
-            let is_alone = rising.iter().all(|other| *other == clock || !way.looks_at.contains(other));
-            let (same, go) = (way.same, way.go);
-            if !(self.sees_same(idle) && self.call_or_true(same)) {
-                self.idle[clock].as_mut().expect("it is there").wake();
-            } else if is_alone {
-                resting = Some((clock, go));
+            if self.rests_on(clock) && !self.way(clock)?.looks_at.iter().any(|of| *of != clock && rising.contains(of)) {
+                resting = Some(clock);
             }
         }
-        let (clock, go) = resting?;
+        let clock = resting?;
         let others: Vec<usize> = rising.iter().copied().filter(|other| *other != clock).collect();
         let done = self.usual_edges(&others, 1);
         if done.edges == 0 {
             return Some(done);
         }
-        Some(Done { changed: done.changed.with(self.go(clock, go)), ..done })
+        Some(Done { changed: done.changed.with(self.go(clock)), ..done })
+    }
+
+    /// How a clock rests, or did last.
+    fn way(&self, clock: usize) -> Option<&Way> {
+        let idle = self.idle[clock].as_ref()?;
+        idle.ways.get(idle.latest)
+    }
+
+    /// Whether a clock rests, and its coming edge looks at the same; it wakes if not.
+    fn rests_on(&mut self, clock: usize) -> bool {
+        let Some(idle) = self.idle[clock].as_ref().filter(|idle| idle.rests) else { return false };
+        let rests_on = self.sees_same(idle) && self.call_or_true(self.way(clock).and_then(|way| way.same));
+        if !rests_on {
+            self.idle[clock].as_mut().into_iter().for_each(Idle::wake);
+        }
+        rests_on
     }
 
     /// Does what is left of an edge of a clock that rests; gives what it changes.
-    fn go(&mut self, clock: usize, go: Option<Code>) -> Triggers {
+    fn go(&mut self, clock: usize) -> Triggers {
         self.idle_edges += 1;
-        match go {
-            None => Triggers::NONE,
-            Some(go) => {
-                self.call(go, 1);
-                self.change(Triggers::state(clock));
-                Triggers::state(clock)
-            }
-        }
-    }
-
-    /// What is left of an edge of a clock that rests, unless it has something to do.
-    fn resting_edge(&mut self, clock: usize) -> Option<Done> {
-        let idle = self.idle[clock].as_ref()?;
-        let step = idle.ways[idle.latest].step;
-        if !self.sees_same(idle) || !self.call_or_true(step) {
-            self.idle[clock].as_mut()?.wake();
-            return None;
-        }
-        self.idle_edges += 1;
-        let changed = if step.is_some() { Triggers::state(clock) } else { Triggers::NONE };
-        if step.is_some() {
-            self.change(changed);
-        }
-        Some(Done { edges: 1, changed })
+        let Some(go) = self.way(clock).and_then(|way| way.go) else { return Triggers::NONE };
+        self.call(go, 1);
+        self.change(Triggers::state(clock));
+        Triggers::state(clock)
     }
 
     /// Whether what others change is as it was when a clock began to rest.

@@ -10,7 +10,6 @@ use crate::engine::compiled::Compiled;
 use crate::engine::compiled::function::Maker;
 use crate::engine::compiled::jit::Code;
 use crate::engine::compiled::layout::Place;
-use crate::engine::compiled::prepare::Prepared;
 use crate::engine::program::{Kind, Register, ValueId};
 
 /// A way to rest. Where there is no code, there is nothing to do.
@@ -23,8 +22,6 @@ pub(super) struct Way {
     pub same: Option<Code>,
     /// An edge for what counts.
     pub go: Option<Code>,
-    /// The two, one after the other.
-    pub step: Option<Code>,
     /// The clocks that change what registers look at to count.
     pub looks_at: Vec<usize>,
 }
@@ -53,25 +50,20 @@ impl Compiled {
         let mut steps = Maker::new(&program);
         steps.registers(counts);
 
-        let leave = self.prepared(leaves, &places).map(|part| self.compile(&[part]));
-        let mut parts: Vec<Prepared> = self.prepared(looks, &places).into_iter().collect();
-        let same = (!parts.is_empty()).then(|| self.compile(&parts));
-        let is_checked = parts.len();
-        parts.extend(self.prepared(steps, &[]));
-        let go = (parts.len() > is_checked).then(|| self.compile(&parts[is_checked..]));
-        let step = (!parts.is_empty()).then(|| self.compile(&parts));
-        Some(Way { registers: counting, leave, same, go, step, looks_at })
+        let [leave, same] = [leaves, looks].map(|maker| self.code_of(maker, &places));
+        let go = self.code_of(steps, &[]);
+        Some(Way { registers: counting, leave, same, go, looks_at })
     }
 
-    /// A function with state at these places; nothing, if it does nothing.
-    fn prepared(&mut self, maker: Maker, places: &[Place]) -> Option<Prepared> {
+    /// The code of a function with state at these places; nothing, if it does nothing.
+    fn code_of(&mut self, maker: Maker, places: &[Place]) -> Option<Code> {
         let (function, _) = maker.finish();
         if function.sinks.is_empty() {
             return None;
         }
         let mut prepared = self.prepare(&function, places);
         prepared.is_always_asked = true;
-        Some(prepared)
+        Some(self.compile(&[prepared]))
     }
 }
 
