@@ -144,6 +144,13 @@ impl LfbUnit {
         let send = SendPixel { enable, resident, page: table.scan_entry.page, offset: sought_offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
         let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
+
+        // What has been sent is cleared: whatever goes by once more before the next swap is empty.
+        def!(again = all_sent & !swapped);
+        def!(sought_again = merge.reg(bit()).reset(0).when(enable, again));
+        def!(sent_again = merge.reg(bit()).reset(0).when(enable, sought_again));
+        merge.assert(sent_again.implies(image.sent.eq(empty())), "a back buffer that has been sent is cleared");
+        merge.cover("a pixel goes by once more", passes & again);
         let idle = table.idle & image.idle;
         pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");

@@ -43,6 +43,8 @@ struct Bench {
     advanced: u64,
     /// How many pixels were sent since the last swap.
     since_swap: u64,
+    /// Clocks in which the scan went on with nothing left to send.
+    again: u64,
     overflows: u64,
     /// The first clock in which the first stage ends its last look-up, and in which it can read the table again.
     found: u64,
@@ -73,6 +75,7 @@ impl Bench {
             position,
             advanced: 0,
             since_swap: u64::from(screen.pixels()),
+            again: 0,
             overflows: 0,
             found: 0,
             table_free: 0,
@@ -110,6 +113,7 @@ impl Bench {
         let scan = self.sim.i.scan;
         if self.sim.get_u64(scan.enable) == 1 {
             self.advanced += 1;
+            self.again += u64::from(self.sim.get_u64(self.sim.o.sending) == 0);
             // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
             let first = 3 + 4 * u64::from(self.position);
             match self.advanced.checked_sub(first) {
@@ -289,6 +293,9 @@ fn after_a_whole_scan_the_back_buffer_is_empty() {
     assert!(bench.words_held()[0] > 300, "{:?}: the scan is not far yet", bench.words_held());
     bench.finish_scan();
     assert_eq!(bench.words_held(), [0, 1]);
+    (0..2000).for_each(|_| bench.clock());
+    assert!(bench.again > bench.frame(), "whole frames go by once more");
+    assert_eq!(bench.sim.covered("a pixel goes by once more").unwrap(), bench.again);
 }
 
 #[test]
