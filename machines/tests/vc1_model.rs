@@ -23,7 +23,7 @@ fn a_frame_takes_milliseconds() {
             let model = Model::new(Config { processors, apr, ..Config::new(view.size) }).expect("can be built");
             let begin = processor_time();
             let dealt = model.deal(&view, None).expect("of its size");
-            let dealing = (processor_time() - begin);
+            let dealing = processor_time() - begin;
             let begin = processor_time();
             let report = model.render(std::iter::repeat_n(dealt, 10));
             let each = (processor_time() - begin) / 10.0;

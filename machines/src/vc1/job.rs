@@ -79,7 +79,7 @@ pub(crate) struct Views {
 }
 
 /// A polygon's vertices, and its packet if it has pixels.
-type SetUp = ([ScreenVertex; 3], Option<Triangle>);
+type SetUp = ([ScreenVertex; 3], Option<Rc<Triangle>>);
 
 /// More polygons than the usual queue holds.
 const KEPT: usize = 16;
@@ -99,12 +99,12 @@ impl Views {
     }
 
     /// The packet of a polygon on a screen of that size, which is that of all calls; nothing, if it has no pixel.
-    pub fn set_up(&self, vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
+    pub fn set_up(&self, vertices: &[ScreenVertex; 3], size: Size) -> Option<Rc<Triangle>> {
         let mut known = self.set_ups.borrow_mut();
         if let Some((_, packet)) = known.iter().find(|(of, _)| of == vertices) {
             return packet.clone();
         }
-        let packet = set_up(vertices, size);
+        let packet = set_up(vertices, size).map(Rc::new);
         if known.len() == KEPT {
             known.pop_back();
         }

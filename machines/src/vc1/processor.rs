@@ -301,7 +301,7 @@ impl Processor {
             }
             Now::Accessing(Access::Send(_)) => {
                 if self.may_serve() {
-                    self.interrupt(Task::Receive { words: Vec::new() });
+                    self.interrupt(Task::receive());
                 }
                 Class::Bus
             }

@@ -15,7 +15,7 @@ use super::clocks::Class;
 use super::cost::CostTable;
 use super::job::View;
 use super::scan_conversion::{Pixel, Pixels, Rows};
-use super::words::{Message, Word};
+use super::words::{COMMAND_WORDS, Message, Word};
 
 /// What holds for all frames of a processing element.
 #[derive(Clone, Copy, Debug)]
@@ -87,6 +87,8 @@ pub(crate) enum Task {
     Polygons(Polygons),
     /// Draws a packet.
     Scan(Box<Scan>),
+    /// Sets up a packet of which it has no row, for so many clocks more.
+    SetUp { clocks: u64 },
     /// Sends a packet.
     Send { words: Vec<Word>, at: usize },
     /// Receives a packet, of which these words have come.
@@ -143,9 +145,18 @@ impl Task {
         }))
     }
 
-    /// Draws its rows of a polygon that all draw.
+    /// Draws its rows of a polygon that all draw; most have none of a small one.
     pub fn share(packet: &Triangle, settings: &Settings) -> Task {
-        Task::scan(packet, settings.rows(), &settings.costs)
+        let rows = settings.rows();
+        match rows.count(packet.bounds.top, packet.bounds.bottom) {
+            0 => Task::SetUp { clocks: settings.costs.set_up },
+            _ => Task::scan(packet, rows, &settings.costs),
+        }
+    }
+
+    /// Receives a packet.
+    pub fn receive() -> Task {
+        Task::Receive { words: Vec::with_capacity(COMMAND_WORDS) }
     }
 
     /// The next step.
@@ -161,6 +172,10 @@ impl Task {
             }
             Task::Polygons(polygons) => polygons.next(sight, settings),
             Task::Scan(scan) => scan.next(costs),
+            Task::SetUp { clocks: 0 } => Next::End,
+            Task::SetUp { clocks } => {
+                Next::Step { clocks: std::mem::take(clocks), class: Class::Rasterization, access: None }
+            }
             Task::Send { words, at } => match words.get(*at) {
                 Some(word) => {
                     *at += 1;
@@ -182,7 +197,7 @@ impl Phase {
                 *self = Phase::Cleared;
                 Next::Begin(Task::Clear { patch: 0 })
             }
-            Phase::Cleared | Phase::Drawn if sight.word => Next::Begin(Task::Receive { words: Vec::new() }),
+            Phase::Cleared | Phase::Drawn if sight.word => Next::Begin(Task::receive()),
             Phase::Commanded(view) => {
                 let view = view.clone();
                 *self = Phase::Drawn;
@@ -210,10 +225,9 @@ impl Polygons {
             return Next::Begin(Task::scan(packet, Rows::ALL, &settings.costs));
         }
         if sight.word && !self.is_transformed {
-            return Next::Begin(Task::Receive { words: Vec::new() });
+            return Next::Begin(Task::receive());
         }
-        let view = self.view.clone();
-        let Some(polygon) = view.polygons(settings.number).get(self.polygon) else { return Next::End };
+        let Some(polygon) = self.view.polygons(settings.number).get(self.polygon) else { return Next::End };
         let (clocks, class) = match self.is_transformed {
             false => (settings.costs.geometry(polygon), Class::Geometry),
             true => {

@@ -216,10 +216,16 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
     fn wake(&mut self) {
         let goes_on = self.bus.was_last() || !self.bus.has_room();
         for k in 0..self.elements.len() {
+            // Of those that lag, the first word of a packet is of account when the last one has come.
+            if !goes_on && !self.bus.has_one(k) {
+                continue;
+            }
             let element = &self.elements[k];
-            let is_first = || self.bus.has_one(k) && element.looks_at_queue();
-            if if element.lags { goes_on } else { is_first() } {
+            if if element.lags { goes_on } else { element.looks_at_queue() && self.bus.has_one(k) } {
                 self.plan(k);
+                if self.elements[k].due < self.carried {
+                    self.process(k);
+                }
             }
         }
     }
