@@ -1,26 +1,92 @@
 //! The paper's estimate beyond 16 processing elements (VC1-EST): each alone, first without broadcast polygons, then with all of them.
+//!
+//! A logical processing element runs its own polygons against its own local frame buffer and the merger of the whole machine, and waits for
+//! nobody. In the second pass it sends its own polygons above the threshold, and the host sends those of all others, behind its command. The
+//! slowest counts.
 
+use std::sync::Arc;
+
+use super::host::Run;
 use super::{Dealt, Model};
+use crate::vc1::job::View;
+use crate::vc1::program::Settings;
+use crate::vc1::report::Report;
+use crate::vc1::words::Message;
 
-/// What the paper's two passes give for a view.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// What the paper's two passes give for a still view. A report has one processing element.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// By processing element: the clocks of its own polygons, with clearing, those that it sends among them.
-    pub own: Vec<u64>,
-    /// By processing element: those clocks with its rows of all broadcast polygons.
-    pub with_broadcast: Vec<u64>,
+    /// By processing element: without the polygons that all draw.
+    pub own: Vec<Report>,
+    /// By processing element: with all of them.
+    pub with_broadcast: Vec<Report>,
 }
 
 impl Estimate {
-    /// Clocks of the slowest.
-    pub fn clocks(&self) -> u64 {
-        self.with_broadcast.iter().copied().max().unwrap_or_default()
+    /// The second pass of the processing element that is the last one to have its last frame shown; of equals, of the one that drew longest.
+    ///
+    /// # Panics
+    /// There was no frame.
+    pub fn slowest(&self) -> &Report {
+        let time = |report: &&Report| {
+            let last = report.frames.last().expect("a frame");
+            (last.times.shown, last.processors[0].clocks.work() + last.processors[0].clocks.stalled)
+        };
+        self.with_broadcast.iter().max_by_key(time).expect("a machine has a processing element")
     }
 }
 
 impl Model {
-    /// The paper's estimate for a view.
-    pub fn estimate(&self, _view: &Dealt) -> Estimate {
-        todo!("under way")
+    /// The paper's estimate for so many frames of a still view.
+    pub fn estimate(&self, view: &Dealt, frames: usize) -> Estimate {
+        let numbers = || 0..self.config.processors;
+        let own = Model { config: crate::vc1::Config { apr: None, ..self.config }, ..self.clone() };
+        let without = view.without_broadcast(self);
+        Estimate {
+            own: numbers().map(|k| own.alone(&without, k, &[], frames)).collect(),
+            with_broadcast: numbers().map(|k| self.alone(view, k, &view.broadcast(self, k), frames)).collect(),
+        }
+    }
+
+    /// A processing element alone, to which the host sends those packets behind each command.
+    fn alone(&self, Dealt(view): &Dealt, processor: u32, packets: &[Message], frames: usize) -> Report {
+        let mut run = Run::of(self, processor..processor + 1, packets, |_| {});
+        for _ in 0..frames {
+            run.advance(u64::MAX, true);
+            run.command(view.clone());
+        }
+        run.advance(u64::MAX, true);
+        run.advance(u64::MAX, false);
+        self.report(run)
     }
 }
+
+impl Dealt {
+    /// The polygons above the threshold of all but that processing element, as they are sent.
+    fn broadcast(&self, model: &Model, processor: u32) -> Vec<Message> {
+        let Dealt(view) = self;
+        let others = (0..model.config.processors).filter(|it| *it != processor);
+        let packets = others.flat_map(|sender| {
+            let packets = view.polygons(sender).iter().flat_map(|it| it.packets.clone());
+            packets.map(move |packet| (sender, packet))
+        });
+        let large = packets.filter(|(_, at)| Settings::is_large(model.config.apr, &view.projection.triangles[*at]));
+        large.map(|(sender, at)| Message::Polygon { sender, vertices: view.projection.vertices[at] }).collect()
+    }
+
+    /// The same view, in which polygons above the threshold have their geometry and nothing to draw.
+    fn without_broadcast(&self, model: &Model) -> Dealt {
+        let Dealt(view) = self;
+        let mut assignment = view.assignment.clone();
+        for polygon in assignment.polygons.iter_mut().flatten() {
+            let is_large = |at: usize| Settings::is_large(model.config.apr, &view.projection.triangles[at]);
+            if polygon.packets.clone().any(is_large) {
+                polygon.packets = 0..0;
+            }
+        }
+        Dealt(Arc::new(View { assignment, projection: view.projection.clone() }))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -5,6 +5,7 @@
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, VecDeque};
+use std::ops::Range;
 use std::sync::Arc;
 
 use tilewright_rtl::swap::SwapState;
@@ -36,6 +37,8 @@ pub(crate) struct Run<'a, S> {
     merger: Merger,
     /// T_m in clocks of the processing elements.
     merge_clocks: u64,
+    /// Words that follow each command.
+    packets: Vec<Word>,
     /// Words of the command that the host sends, behind the one that it offers.
     words: VecDeque<Word>,
     /// The last edge at which the bus did something.
@@ -68,6 +71,12 @@ struct Frame {
 impl<'a, S: FnMut(Event)> Run<'a, S> {
     /// One that begins behind the reset.
     pub fn new(model: &'a Model, seen: S) -> Run<'a, S> {
+        Run::of(model, 0..model.config.processors, &[], seen)
+    }
+
+    /// One of these processing elements alone, in a machine in which nobody waits for the others; the host sends those packets behind each
+    /// command.
+    pub(super) fn of(model: &'a Model, numbers: Range<u32>, packets: &[Message], seen: S) -> Run<'a, S> {
         let config = &model.config;
         let (patches, views) = (model.vc1.lfb.patches, Views::default());
         let reset = model.reset / PE_PERIOD;
@@ -83,8 +92,8 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             let lfb = Lfb::new(patches.count(), model.vc1.lfb.pages);
             Element::new(number, Processor::new(settings, views.clone()), lfb, patches, config.costs.clear, reset)
         };
-        let elements: Vec<Element> = (0..config.processors).map(element).collect();
-        let merger = Merger::new(&model.vc1, config.accumulate);
+        let elements: Vec<Element> = numbers.map(element).collect();
+        let merger = Merger::new(&model.vc1, elements.len() as u32, config.accumulate);
         Run {
             due: elements.iter().zip(0..).map(|(it, k)| Reverse((it.due, k))).collect(),
             bus: Bus::new(elements.len(), config.queue, config.word_clocks),
@@ -94,6 +103,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             elements,
             ready: 0,
             merger,
+            packets: packets.iter().flat_map(Message::words).collect(),
             words: VecDeque::new(),
             carried: 0,
             scene: None,
@@ -119,7 +129,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let number = self.commanded;
         let mut packets = if self.model.config.immediate { Message::scene(scene.words) } else { Vec::new() };
         packets.push(Message::Command { frame: number });
-        self.words = packets.iter().flat_map(Message::words).collect();
+        self.words = packets.iter().flat_map(Message::words).chain(self.packets.iter().copied()).collect();
         // The first one comes while the display's clock may have an edge later than the last of the processing elements.
         let time = if number == 0 { self.model.reset } else { edge * PE_PERIOD };
         let times = Times { command: time, ..Times::default() };
@@ -261,7 +271,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             }
             element.plan(None);
         }
-        element.receive_ahead(&mut self.bus, edge.max(self.carried), self.until, &mut self.seen);
+        element.receive_ahead(&mut self.bus, k, edge.max(self.carried), self.until, &mut self.seen);
         self.plan(k);
     }
 
@@ -304,7 +314,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
     fn swapped(&mut self, k: usize, edge: u64, state: SwapState) {
         let element = &mut self.elements[k];
         element.waited = edge + 1 + self.merge_clocks;
-        element.sent = self.merger.sent(k as u32, edge);
+        element.sent = self.merger.sent(element.number, edge);
         if state != SwapState::Due {
             return;
         }
@@ -351,19 +361,20 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let averaged = showing.averaged.map(|edge| edge * PE_PERIOD);
         let times = Times { merged, shown, averaged, ..frame.times };
         let refreshes = showing.refresh - std::mem::replace(&mut self.refresh, showing.refresh);
-        let processor = |(k, element): (usize, &Element)| {
+        let processor = |(element, pages): (&Element, u32)| {
             let tally = element.program.frames()[frame.number as usize];
             ProcessorReport {
-                polygons: frame.view.polygons(k as u32).len() as u32,
-                expected: frame.view.assignment.loads[k],
+                polygons: frame.view.polygons(element.number).len() as u32,
+                expected: frame.view.assignment.loads[element.number as usize],
                 pixels: tally.pixels,
-                pages: frame.pages[k],
+                pages,
                 overflows: tally.overflows,
                 broadcast: tally.broadcast,
                 clocks: tally.clocks,
             }
         };
-        let processors: Vec<ProcessorReport> = self.elements.iter().enumerate().map(processor).collect();
+        let processors: Vec<ProcessorReport> =
+            self.elements.iter().zip(frame.pages.iter().copied()).map(processor).collect();
         let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
         let words = frame.words + broadcast * POLYGON_WORDS as u64;
         let packets = frame.view.projection.triangles.len() as u64;

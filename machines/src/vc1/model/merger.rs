@@ -19,6 +19,7 @@ pub(super) struct Merger {
     merge_clocks: u64,
     /// Advances until all is stored.
     way: u64,
+    /// Those that end a frame.
     processors: u32,
     pub display: Display,
     /// The edge of the last restart.
@@ -56,7 +57,7 @@ pub(super) struct Showing {
 }
 
 impl Merger {
-    pub fn new(vc1: &Vc1, passes: Option<Passes>) -> Merger {
+    pub fn new(vc1: &Vc1, processors: u32, passes: Option<Passes>) -> Merger {
         let sequencer = vc1.gfb().sequencer();
         let screen = sequencer.screen;
         Merger {
@@ -65,7 +66,7 @@ impl Merger {
             pixels: screen.pixels().into(),
             merge_clocks: sequencer.merge_clocks(),
             way: vc1.gfb_swap().way.into(),
-            processors: vc1.processors,
+            processors,
             display: Display::new(vc1),
             restart: reset_time(vc1) / MERGE_PERIOD + 1,
             shown: 0,

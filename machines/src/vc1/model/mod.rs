@@ -109,6 +109,10 @@ impl Model {
         }
         run.advance(u64::MAX, true);
         run.advance(u64::MAX, false);
+        self.report(run)
+    }
+
+    fn report<S: FnMut(Event)>(&self, run: Run<'_, S>) -> Report {
         let scene = run.scene();
         Report {
             machine: self.built.clone(),

@@ -12,7 +12,7 @@ use crate::vc1::words::Word;
 
 /// A processing element with its local frame buffer.
 pub(super) struct Element {
-    number: u32,
+    pub number: u32,
     pub program: Processor,
     pub lfb: Lfb,
     patches: Patches,
@@ -208,9 +208,8 @@ impl Element {
     }
 
     /// Receives at once the words of a packet that are in its queue, but the last, as far as the bus does not come to wait for that. All that
-    /// happened before the edge `now` is known.
-    pub fn receive_ahead(&mut self, bus: &mut Bus, now: u64, until: u64, seen: &mut impl FnMut(Event)) {
-        let k = self.number as usize;
+    /// happened before the edge `now` is known; its queue is the `k`-th one.
+    pub fn receive_ahead(&mut self, bus: &mut Bus, k: usize, now: u64, until: u64, seen: &mut impl FnMut(Event)) {
         while let Some((word, came)) = bus.coming(k, 0).filter(|(word, _)| !word.last)
             && let Some(clock) = self.receives_from()
             && let edge = clock.max(came + 1)

@@ -4,10 +4,14 @@
 //! polygon by regions. Then it draws region after region into one of its b buffers. It may begin region r when region r - b is merged. A
 //! region is merged T_m / (m n) after all have drawn it and the one before is merged.
 //!
-//! A packet is in the regions that its bounding box touches. Its area, clipping and set-up are charged in the first of them, and each row in
+//! A packet is in the regions that the bounding box of its vertices touches, as the processing element classifies before set-up. Its area, clipping and set-up are charged in the first of them, and each row in
 //! the first that has it, so what regions cost beside that are the constants of [`Regions`] alone.
 
+use std::ops::RangeInclusive;
+
 use tilewright_rtl::clocks::MERGE;
+use tilewright_scenes::packet::SUBPIXELS;
+use tilewright_scenes::{PixelBox, ScreenVertex, Size};
 
 use super::timing::PE_PERIOD;
 use super::{Dealt, Model};
@@ -31,20 +35,21 @@ pub struct Regions {
     pub further: u64,
 }
 
-/// A frame of a region-based machine, from its command on.
+/// What a frame of a still view takes on a region-based machine, as a mean over the intervals between the first and the last of [`FRAMES`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionFrame {
-    /// By processing element: its clocks of geometry and of rasterization, and those in which it waited (`sync`), for a buffer or for the last
-    /// one to have drawn.
+    /// By processing element: its clocks of geometry and of rasterization, and the rest, in which it waits for a buffer (`sync`).
     pub processors: Vec<Clocks>,
-    /// Simulated picoseconds until all regions are drawn by all.
-    pub drawn: u64,
-    /// Simulated picoseconds until the last region is merged.
-    pub merged: u64,
+    /// Simulated picoseconds from frame to frame.
+    pub interval: u64,
 }
 
+/// The frames between which intervals are counted; frames before the first fill the buffers.
+const FRAMES: RangeInclusive<usize> = 3..=15;
+
 impl Model {
-    /// A frame of a view on a region-based machine of the same processing elements, costs, screen and T_m; no polygon is sent to all.
+    /// A frame of a still view on a region-based machine of the same processing elements, costs, screen and T_m; no polygon is sent to all.
+    /// Frames follow each other: who has drawn its last region begins with the geometry of the next frame.
     ///
     /// # Panics
     /// There is no region, or no buffer.
@@ -53,25 +58,27 @@ impl Model {
         let count = (machine.columns * machine.rows) as usize;
         let merge_time = self.vc1.gfb().sequencer().merge_clocks() * MERGE.period.picoseconds() / count as u64;
         let work: Vec<Work> = (0..self.config.processors).map(|k| self.work_of(machine, view, k)).collect();
-        let mut ends: Vec<u64> = work.iter().map(|work| work.geometry * PE_PERIOD).collect();
-        let mut merged: Vec<u64> = Vec::with_capacity(count);
-        for region in 0..count {
+        let mut ends = vec![0; work.len()];
+        let mut merged: Vec<u64> = Vec::new();
+        for region in 0..count * FRAMES.end() {
             let free = region.checked_sub(machine.buffers as usize).map_or(0, |before| merged[before]);
             for (end, work) in ends.iter_mut().zip(&work) {
+                let geometry = if region % count == 0 { work.geometry * PE_PERIOD } else { 0 };
                 // It sees that a buffer is free at an edge of its clock.
-                *end = (*end).max(free.next_multiple_of(PE_PERIOD)) + work.regions[region] * PE_PERIOD;
+                let begin = (*end + geometry).max(free.next_multiple_of(PE_PERIOD));
+                *end = begin + work.regions[region % count] * PE_PERIOD;
             }
             let drawn = ends.iter().copied().max().unwrap_or_default();
             merged.push(drawn.max(merged.last().copied().unwrap_or_default()) + merge_time);
         }
-        let drawn = ends.into_iter().max().unwrap_or_default();
+        let [first, last] = [FRAMES.start(), FRAMES.end()].map(|frame| merged[count * frame - 1]);
+        let interval = (last - first) / (FRAMES.end() - FRAMES.start()) as u64;
         let clocks = |work: Work| {
             let rasterization = work.regions.iter().sum();
-            let sync = drawn / PE_PERIOD - work.geometry - rasterization;
+            let sync = (interval / PE_PERIOD).saturating_sub(work.geometry + rasterization);
             Clocks { geometry: work.geometry, rasterization, sync, ..Clocks::default() }
         };
-        let merged = merged.last().copied().unwrap_or_default();
-        RegionFrame { processors: work.into_iter().map(clocks).collect(), drawn, merged }
+        RegionFrame { processors: work.into_iter().map(clocks).collect(), interval }
     }
 
     /// What a processing element has to do.
@@ -83,28 +90,39 @@ impl Model {
         let mut work = Work { geometry: 0, regions: vec![0; number(0, machine.rows)] };
         for polygon in view.polygons(processor) {
             work.geometry += costs.geometry(polygon) + machine.classify;
-            let packets = &view.projection.triangles[polygon.packets.clone()];
             // What is off the screen is looked at before the first region.
-            let first = packets.first().map_or(0, |packet| number(column(packet.bounds.left), row(packet.bounds.top)));
-            work.regions[first] += costs.preparation(polygon);
-            for packet in packets {
-                let b = packet.bounds;
+            let mut preparation = Some(costs.preparation(polygon));
+            for index in polygon.packets.clone() {
+                let (packet, b) = (&view.projection.triangles[index], box_of(&view.projection.vertices[index], size));
                 let (left, top) = (column(b.left), row(b.top));
-                work.regions[number(left, top)] += costs.set_up;
+                work.regions[number(left, top)] += costs.set_up + preparation.take().unwrap_or_default();
                 for row in top..=row(b.bottom) {
                     for column in left..=column(b.right) {
                         let further = if (column, row) == (left, top) { 0 } else { machine.further };
                         work.regions[number(column, row)] += machine.region + further;
                     }
                 }
-                (b.top..=b.bottom).for_each(|y| work.regions[number(left, row(y))] += costs.row);
+                let rows = packet.bounds.top..=packet.bounds.bottom;
+                rows.for_each(|y| work.regions[number(left, row(y))] += costs.row);
                 for pixel in Pixels::of(packet, Rows::ALL) {
                     work.regions[number(column(pixel.x), row(pixel.y))] += costs.pixel;
                 }
             }
+            work.regions[0] += preparation.unwrap_or_default();
         }
         work
     }
+}
+
+/// The pixels of the screen in which the bounding box of three vertices lies.
+fn box_of(vertices: &[ScreenVertex; 3], size: Size) -> PixelBox {
+    let span = |positions: [i32; 3], side: u32| {
+        let [least, most] = [positions.iter().min(), positions.iter().max()].map(|it| it.copied().unwrap_or_default());
+        [least, most].map(|it| it.div_euclid(SUBPIXELS).clamp(0, side as i32 - 1) as u32)
+    };
+    let [left, right] = span(vertices.map(|it| it.x), size.width());
+    let [top, bottom] = span(vertices.map(|it| it.y), size.height());
+    PixelBox { left, right, top, bottom }
 }
 
 /// Clocks of a processing element.
