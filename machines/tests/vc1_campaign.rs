@@ -1,4 +1,4 @@
-//! Random machines of the VC-1's kind, with random frames: each frame has to be golden, and each refresh what the banks have.
+//! Random machines of the VC-1's kind, with random frames: each frame has to be golden, each refresh what the banks have, and each event the model's.
 //!
 //! `cargo test --release -p tilewright-machines --test all vc1_campaign -- --ignored --nocapture` draws with 500 of them.
 
@@ -108,6 +108,8 @@ struct Happened {
     broadcast: u64,
     averages: u64,
     refreshes: u64,
+    /// Events, times and counts that are the model's.
+    compared: u64,
 }
 
 /// Draws a case, and looks at every refresh.
@@ -134,7 +136,7 @@ fn draw((config, frames): &Case) -> Result<Happened, Error> {
     assert_eq!((seen.len(), averages), (frames.len(), config.accumulate.iter().count() as u64));
     let sum = |of: fn(&tilewright_machines::vc1::FrameReport) -> u64| report.frames.iter().map(of).sum();
     let [overflows, broadcast] = [sum(|frame| frame.overflows()), sum(|frame| frame.broadcast())];
-    Ok(Happened { overflows, broadcast, averages, refreshes: report.judged })
+    Ok(Happened { overflows, broadcast, averages, refreshes: report.judged, compared: report.compared })
 }
 
 /// Draws so many cases on screens of at most that size.
@@ -149,6 +151,7 @@ fn campaign(count: u32, width: u32, height: u32) -> Happened {
         sum.broadcast += it.broadcast;
         sum.averages += it.averages;
         sum.refreshes += it.refreshes;
+        sum.compared += it.compared;
     }
     sum
 }
@@ -157,6 +160,7 @@ fn campaign(count: u32, width: u32, height: u32) -> Happened {
 fn forty_machines_draw_golden_frames() {
     let it = campaign(40, 40, 36);
     assert!(it.overflows > 100 && it.broadcast > 100 && it.averages > 5 && it.refreshes > 200, "{it:?}");
+    assert!(it.compared > 500_000, "{it:?}");
 }
 
 #[test]

@@ -3,8 +3,6 @@
 //! They see the ports of the local frame buffer units and of the bus, what the swap control wants and says, the display, and time.
 
 use std::collections::VecDeque;
-#[cfg(test)]
-use std::rc::Rc;
 
 use tilewright_rtl::clocks::{CRT, MERGE, PE};
 use tilewright_rtl::gfb::{BLANK_LINES, Multipass, Passes};
@@ -13,7 +11,8 @@ use tilewright_rtl::vc1::{Vc1, Vc1In, Vc1Out};
 use tilewright_scenes::frame::blank;
 use tilewright_sim::{Port, Simulation};
 
-use super::model::{Event, Place, What};
+use super::edges::Edges;
+use super::notes::{Handshakes, Notes};
 use super::processor::{Edge, Processor};
 use super::program::Access;
 use super::words::Word;
@@ -34,12 +33,8 @@ pub(crate) struct Hardware {
     command_port: Option<Word>,
     /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
     writes: VecDeque<(u32, u64)>,
-    /// What happened since it was taken last.
-    pub events: Vec<Event>,
-    shown_before: bool,
-    /// How often the banks have changed.
-    changes: u32,
-    first_round_before: bool,
+    /// What happened.
+    pub notes: Notes,
     /// For how many clocks no processing element has done anything, so that nothing stands at any port.
     idle: u64,
     /// After as many nothing is on the bus any more.
@@ -47,9 +42,6 @@ pub(crate) struct Hardware {
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
     #[cfg(test)]
     pub flips: u32,
-    /// What is noted in place of an event, to see that the model differs then.
-    #[cfg(test)]
-    pub falsify: Option<Rc<dyn Fn(Event) -> Option<Event>>>,
     pe: Edges,
     merge: Edges,
     crt: Edges,
@@ -57,8 +49,6 @@ pub(crate) struct Hardware {
     dawn: Edges,
     /// In the last clock one ended.
     dawns: bool,
-    /// The pixels of a row of the screen.
-    width: u32,
     /// The clocks of a line of the display, and of a refresh.
     line_clocks: u64,
     refresh_clocks: u64,
@@ -80,28 +70,6 @@ struct Ports {
     ahead: u64,
 }
 
-/// The edges of a clock.
-#[derive(Clone, Copy)]
-struct Edges {
-    period: u64,
-    /// When the next one comes.
-    next: u64,
-}
-
-impl Edges {
-    /// Those after so many; the first is a period after the beginning.
-    fn after(count: u64, period: u64) -> Edges {
-        Edges { period, next: (count + 1) * period }
-    }
-
-    /// Whether some came by then.
-    fn came(&mut self, time: u64) -> bool {
-        let came = (time + self.period).saturating_sub(self.next) / self.period;
-        self.next += came * self.period;
-        came > 0
-    }
-}
-
 impl Hardware {
     pub fn new(machine: &Vc1) -> Result<Hardware, Error> {
         let sim = Simulation::of(machine)?;
@@ -113,17 +81,11 @@ impl Hardware {
             command: None,
             command_port: None,
             writes: VecDeque::new(),
-            events: Vec::new(),
-            shown_before: false,
-            changes: 0,
-            width: gfb.screen.width,
-            first_round_before: true,
+            notes: Notes::new(gfb.screen.width),
             idle: 0,
             bus_clocks: u64::from(4 * machine.word_clocks + 16),
             #[cfg(test)]
             flips: 0,
-            #[cfg(test)]
-            falsify: None,
             pe: Edges::after(0, PE.period.picoseconds()),
             merge: Edges::after(0, MERGE.period.picoseconds()),
             crt: Edges::after(0, machine.display.period.picoseconds()),
@@ -188,7 +150,7 @@ impl Hardware {
         self.advance(display)?;
         let clock = self.edge();
         if command && let Some(word) = self.command.take() {
-            self.note(clock, Place::Bus, What::Carries(processors.len() as u32, word.word));
+            self.notes.bus(clock, processors.len() as u32, word);
         }
         for (k, processor) in processors.iter_mut().enumerate() {
             if self.ports[k].ahead > 0 {
@@ -203,61 +165,26 @@ impl Hardware {
             });
             #[cfg(test)]
             let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
-            let Ports { taken, sent, .. } = self.ports[k];
+            let Ports { access, sends, taken, sent, .. } = self.ports[k];
             let (before, ended, receives) = (processor.may(), processor.done(), processor.receives());
             let received = processor.front().filter(|_| receives);
             processor.edge(Edge { taken, sent, may, front });
-            self.note_edge(clock, k, [before, may], received);
-            if processor.done() && !ended {
-                self.note(clock, Place::Processor(k as u32), What::Ends);
-            }
+            let handshakes = Handshakes {
+                taken: access.filter(|_| taken),
+                sent: sends.filter(|_| sent),
+                received,
+                may: [before, may],
+                ends: processor.done() && !ended,
+            };
+            self.notes.processor(clock, k as u32, handshakes);
         }
         self.note_merger();
         Ok(line)
     }
 
-    /// Notes what happened at the edge of a processing element.
-    fn note_edge(&mut self, clock: u64, k: usize, may: [SwapState; 2], received: Option<Word>) {
-        let place = Place::Processor(k as u32);
-        let Ports { access, sends, taken, sent, .. } = self.ports[k];
-        match access {
-            Some(Access::Draw(pixel)) if taken => self.note(clock, place, What::Draws(pixel.y * self.width + pixel.x)),
-            Some(Access::Clear(patch)) if taken => self.note(clock, place, What::Clears(patch)),
-            _ => {}
-        }
-        match may {
-            [SwapState::Clear, SwapState::Draw] => self.note(clock, place, What::Resumes),
-            [SwapState::Draw, SwapState::Due] => self.note(clock, place, What::Due),
-            [SwapState::Draw, SwapState::Overflow] => self.note(clock, place, What::Overflows),
-            [before, after] if before != after => self.note(clock, place, What::Swaps),
-            _ => {}
-        }
-        if let Some(word) = received {
-            self.note(clock, place, What::Receives(word.word));
-        }
-        if let Some(word) = sends.filter(|_| sent) {
-            self.note(clock, Place::Bus, What::Carries(k as u32, word.word));
-        }
-    }
-
-    /// Notes whether the banks have changed and the scan has begun again.
     fn note_merger(&mut self) {
-        let clock = self.cycles(MERGE);
-        let (shown, first_round) = (self.shown(), self.flag(self.sim.o.view.first_round));
-        if shown != std::mem::replace(&mut self.shown_before, shown) {
-            self.changes += 1;
-            self.note(clock, Place::Merger, What::Shows(self.changes));
-        }
-        if !std::mem::replace(&mut self.first_round_before, first_round) && first_round {
-            self.note(clock, Place::Merger, What::Restarts);
-        }
-    }
-
-    fn note(&mut self, clock: u64, place: Place, what: What) {
-        let event = Some(Event { clock, place, what });
-        #[cfg(test)]
-        let event = self.falsify.as_ref().map_or(event, |falsify| event.and_then(|it| falsify(it)));
-        self.events.extend(event);
+        let (clock, shown, first_round) = (self.cycles(MERGE), self.shown(), self.flag(self.sim.o.view.first_round));
+        self.notes.merger(clock, shown, first_round);
     }
 
     /// The last edge of the processing elements' clock, counted from 1 at power-on.

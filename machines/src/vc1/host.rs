@@ -156,7 +156,7 @@ impl<'a, 'w> Host<'a, 'w> {
         if self.hardware.flips != 0 {
             return Ok(());
         }
-        self.comparison.see(self.hardware.events.drain(..));
+        self.comparison.see(self.hardware.notes.events.drain(..));
         self.comparison.compare(self.hardware.edge())
     }
 

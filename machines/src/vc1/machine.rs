@@ -99,7 +99,7 @@ impl Machine {
     /// Events of the circuit are noted as that function makes them.
     #[cfg(test)]
     pub(crate) fn falsify(&mut self, falsify: impl Fn(super::model::Event) -> Option<super::model::Event> + 'static) {
-        self.hardware.falsify = Some(std::rc::Rc::new(falsify));
+        self.hardware.notes.falsify = Some(Box::new(falsify));
     }
 
     fn run(

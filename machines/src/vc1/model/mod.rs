@@ -1,6 +1,40 @@
 //! The model of the machine that goes from event to event: its clocks without its circuit, for runs that the circuit is too slow for.
 //!
-//! ```no_run
+//! ```text
+//!  views --> host --command--> [ bus ] ==words==> processor ==accesses==> [ LFB ]
+//!              ^                  ^                 |  ^                    |
+//!              |                  '----- words -----'  '---- overflow ------'
+//!              '------ sync line ------ all drawn          swaps |
+//!                                                                v
+//!                       shown <---- banks change <---- [ merger, global frame buffer ]
+//! ```
+//!
+//! The program of a processing element is the machine's own. What stands behind its ports is not simulated clock by clock: when an access is taken, a
+//! page given, a word carried and a buffer swapped follows from the last events by formulas. A processing element runs ahead of the others
+//! as long as nothing on the bus is of account to it, and stays behind while a packet comes of which the end has not come.
+//!
+//! All clocks are those of the hardware ([`Vc1`]), one for one: [`Machine::render`](super::Machine::render) compares, in every run, of each
+//! processing element each access that is taken, each word received, and each overflow, swap, resumption and end of its program; each word
+//! on the bus; each change of the banks and restart of the scan; each refresh that is looked at; and each number of a
+//! [`FrameReport`](super::FrameReport).
+//!
+//! | file | what is in it |
+//! |---|---|
+//! | `host` | commands, and the order of all that happens |
+//! | `processor` | a program, run from event to event |
+//! | `lfb` | when a local frame buffer takes an access, gives a page and overflows |
+//! | `bus` | whose turn it is, and what is in the receive queues |
+//! | `merger` | what is sent when, and when the banks change |
+//! | `timing` | the clocks, their crossings, and the blankings of the display |
+//! | `event` | what happens, and where |
+//! | `regions` | the region-based machine of Table 1 |
+//! | `estimate` | the paper's two passes beyond 16 processing elements |
+//!
+//! A frame of ter1k with 16 processing elements takes some 20 ms, one of ter250 some 110 ms, and with 256 some 170 ms. Polygons that all
+//! draw cost more: with 256 and a threshold of 31 pixels a frame of ter1k takes 400 ms.
+//! `cargo test --release -p tilewright-machines --test all a_frame_takes_milliseconds -- --ignored --nocapture` prints these.
+//!
+//! ```
 //! use std::sync::Arc;
 //! use tilewright_machines::vc1::{Config, model::Model};
 //! use tilewright_scenes::{Scene, Size};

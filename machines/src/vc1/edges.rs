@@ -1,0 +1,23 @@
+//! The edges of a clock, as far as a simulation has gone through them.
+
+/// The edges of a clock.
+#[derive(Clone, Copy)]
+pub(crate) struct Edges {
+    pub period: u64,
+    /// When the next one comes.
+    pub next: u64,
+}
+
+impl Edges {
+    /// Those after so many; the first is a period after the beginning.
+    pub fn after(count: u64, period: u64) -> Edges {
+        Edges { period, next: (count + 1) * period }
+    }
+
+    /// Whether some came by then.
+    pub fn came(&mut self, time: u64) -> bool {
+        let came = (time + self.period).saturating_sub(self.next) / self.period;
+        self.next += came * self.period;
+        came > 0
+    }
+}

@@ -1,0 +1,98 @@
+//! What the circuit does, as it is seen at its ports: the events that the model has to have, too.
+
+use tilewright_rtl::swap::SwapState;
+
+use super::model::{Event, Place, What};
+use super::program::Access;
+use super::words::Word;
+
+/// The events that were noted, of each place in order.
+pub(crate) struct Notes {
+    pub events: Vec<Event>,
+    /// Pixels of a row of the screen.
+    width: u32,
+    shown: bool,
+    /// How often the banks have changed.
+    changes: u32,
+    first_round: bool,
+    /// What is noted in place of an event, to see that the model differs then.
+    #[cfg(test)]
+    pub falsify: Option<Box<dyn Fn(Event) -> Option<Event>>>,
+}
+
+/// What stood at the ports of a processing element at an edge.
+pub(crate) struct Handshakes {
+    /// The access that its local frame buffer took.
+    pub taken: Option<Access>,
+    /// The word that the bus took.
+    pub sent: Option<Word>,
+    /// The word that left its queue.
+    pub received: Option<Word>,
+    /// What the swap control said before and says after it.
+    pub may: [SwapState; 2],
+    /// The program ended with it.
+    pub ends: bool,
+}
+
+impl Notes {
+    pub fn new(width: u32) -> Notes {
+        Notes {
+            events: Vec::new(),
+            width,
+            shown: false,
+            changes: 0,
+            first_round: true,
+            #[cfg(test)]
+            falsify: None,
+        }
+    }
+
+    /// An edge of a processing element, in the order in which the model tells of it.
+    pub fn processor(&mut self, clock: u64, number: u32, at: Handshakes) {
+        let place = Place::Processor(number);
+        match at.taken {
+            Some(Access::Draw(pixel)) => self.add(clock, place, What::Draws(pixel.y * self.width + pixel.x)),
+            Some(Access::Clear(patch)) => self.add(clock, place, What::Clears(patch)),
+            _ => {}
+        }
+        match at.may {
+            [SwapState::Clear, SwapState::Draw] => self.add(clock, place, What::Resumes),
+            [SwapState::Draw, SwapState::Due] => self.add(clock, place, What::Due),
+            [SwapState::Draw, SwapState::Overflow] => self.add(clock, place, What::Overflows),
+            [before, after] if before != after => self.add(clock, place, What::Swaps),
+            _ => {}
+        }
+        if let Some(word) = at.received {
+            self.add(clock, place, What::Receives(word.word));
+        }
+        if at.ends {
+            self.add(clock, place, What::Ends);
+        }
+        if let Some(word) = at.sent {
+            self.bus(clock, number, word);
+        }
+    }
+
+    /// The bus took a word of that sender.
+    pub fn bus(&mut self, clock: u64, sender: u32, word: Word) {
+        self.add(clock, Place::Bus, What::Carries(sender, word.word));
+    }
+
+    /// What is seen of the merger: whether the banks have changed, and whether the round is the first one of its scan.
+    pub fn merger(&mut self, clock: u64, shown: bool, first_round: bool) {
+        if shown != std::mem::replace(&mut self.shown, shown) {
+            self.changes += 1;
+            self.add(clock, Place::Merger, What::Shows(self.changes));
+        }
+        if !std::mem::replace(&mut self.first_round, first_round) && first_round {
+            self.add(clock, Place::Merger, What::Restarts);
+        }
+    }
+
+    fn add(&mut self, clock: u64, place: Place, what: What) {
+        let event = Some(Event { clock, place, what });
+        #[cfg(test)]
+        let event = self.falsify.as_ref().map_or(event, |falsify| event.and_then(falsify));
+        self.events.extend(event);
+    }
+}
