@@ -183,7 +183,8 @@ impl Hardware {
     }
 
     fn note_merger(&mut self) {
-        let (clock, shown, first_round) = (self.cycles(MERGE), self.shown(), self.flag(self.sim.o.view.first_round));
+        let clock = self.merge.next / self.merge.period - 1;
+        let (shown, first_round) = (self.shown(), self.flag(self.sim.o.view.first_round));
         self.notes.merger(clock, shown, first_round);
     }
 

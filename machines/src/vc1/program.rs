@@ -255,7 +255,8 @@ impl Scan {
             return Next::End;
         }
         let end = pixel.map_or(self.bottom, |pixel| pixel.y);
-        let rows = self.rows.count(self.row, end);
+        // Most pixels are in the row of the one before.
+        let rows = if self.row > end { 0 } else { self.rows.count(self.row, end) };
         self.row = self.row.max(end + 1);
         let clocks = set_up + u64::from(rows) * costs.row + if pixel.is_some() { costs.pixel } else { 0 };
         Next::Step { clocks, class: Class::Rasterization, access: pixel.map(Access::Draw) }

@@ -3,8 +3,7 @@
 //! A processing element is run ahead of the others as long as nothing on the bus is of account to it. At an edge of several, the bus comes
 //! first, as it sees what processing elements offered before that edge.
 
-use std::cmp::Reverse;
-use std::collections::{BinaryHeap, VecDeque};
+use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -12,6 +11,7 @@ use tilewright_rtl::swap::SwapState;
 
 use super::Model;
 use super::bus::Bus;
+use super::due::Due;
 use super::event::{Event, Place, What};
 use super::lfb::Lfb;
 use super::merger::{Merger, Showing};
@@ -29,8 +29,8 @@ pub(crate) struct Run<'a, S> {
     model: &'a Model,
     views: Views,
     elements: Vec<Element>,
-    /// The next edges of processing elements; of each the one that is its own counts.
-    due: BinaryHeap<Reverse<(u64, usize)>>,
+    /// The next edges of processing elements, but of those that lag.
+    due: Due,
     /// How many have drawn their frame.
     ready: usize,
     bus: Bus,
@@ -93,9 +93,11 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             Element::new(number, Processor::new(settings, views.clone()), lfb, patches, config.costs.clear, reset)
         };
         let elements: Vec<Element> = numbers.map(element).collect();
+        let mut due = Due::new(elements.len());
+        elements.iter().zip(0..).for_each(|(it, k)| due.set(k, it.due));
         let merger = Merger::new(&model.vc1, elements.len() as u32, config.accumulate);
         Run {
-            due: elements.iter().zip(0..).map(|(it, k)| Reverse((it.due, k))).collect(),
+            due,
             bus: Bus::new(elements.len(), config.queue, config.word_clocks),
             merge_clocks: model.vc1.lfb_swap().merge_clocks,
             model,
@@ -160,7 +162,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
     pub fn advance(&mut self, until: u64, pauses: bool) {
         self.until = until;
         while !(pauses && self.may_command()) {
-            let due = self.next_due();
+            let due = self.due.edge();
             let line = self.line();
             let shows = self.showing.map_or(u64::MAX, |it| it.shown);
             let edge = due.min(line).min(self.bus.next).min(shows);
@@ -171,25 +173,13 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             if self.bus.next == edge {
                 self.carry(edge);
             } else if due == edge {
-                let Some(Reverse((_, k))) = self.due.pop() else { unreachable!("one is due") };
-                self.process(k);
+                self.process(self.due.first());
             } else if line == edge {
                 self.end_frame(edge);
             } else {
                 self.show();
             }
         }
-    }
-
-    /// The next edge of any processing element.
-    fn next_due(&mut self) -> u64 {
-        while let Some(&Reverse((edge, k))) = self.due.peek() {
-            if self.elements[k].due == edge {
-                return edge;
-            }
-            self.due.pop();
-        }
-        u64::MAX
     }
 
     /// The edge at which all see the sync line, as far as nothing happens before.
@@ -280,9 +270,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let element = &mut self.elements[k];
         element.plan(self.bus.coming(k, 0).map(|(_, came)| came));
         element.lags = element.may_lag() && !self.bus.is_complete(k) && self.bus.has_room();
-        if !element.lags && element.due < u64::MAX {
-            self.due.push(Reverse((element.due, k)));
-        }
+        self.due.set(k, if element.lags { u64::MAX } else { element.due });
     }
 
     /// An edge of a processing element, with all that follows from it.

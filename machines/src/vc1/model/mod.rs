@@ -21,6 +21,7 @@
 //! | file | what is in it |
 //! |---|---|
 //! | `host` | commands, and the order of all that happens |
+//! | `due` | whose turn it is |
 //! | `processor` | a program, run from event to event |
 //! | `lfb` | when a local frame buffer takes an access, gives a page and overflows |
 //! | `bus` | whose turn it is, and what is in the receive queues |
@@ -50,6 +51,7 @@
 //! ```
 
 mod bus;
+mod due;
 mod estimate;
 mod event;
 mod host;

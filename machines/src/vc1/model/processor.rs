@@ -16,6 +16,9 @@ pub(super) struct Element {
     pub program: Processor,
     pub lfb: Lfb,
     patches: Patches,
+    /// The binary logarithm of a patch's edge, and the patches side by side.
+    edge: u32,
+    columns: u32,
     /// Clocks of a cleared entry.
     clear_clocks: u64,
     /// The last edge that it has gone through.
@@ -55,6 +58,8 @@ impl Element {
             number,
             program,
             lfb,
+            edge: patches.edge().ilog2(),
+            columns: patches.columns(),
             patches,
             clear_clocks,
             at,
@@ -141,7 +146,7 @@ impl Element {
         match access {
             Some(Access::Draw(pixel)) if self.lfb.takes_draw(edge) == edge => {
                 taken = true;
-                let patch = self.patches.place(pixel.x, pixel.y).patch as u32;
+                let patch = (pixel.y >> self.edge) * self.columns + (pixel.x >> self.edge);
                 self.lfb.draw(edge, patch);
                 tell(What::Draws(pixel.y * self.patches.screen().width + pixel.x));
             }
