@@ -227,20 +227,20 @@ fn difference(event: Event, seen: Option<Event>, expected: Option<Event>) -> Err
 }
 
 impl What {
-    /// Whether it happens.
+    /// How often it happens in a clock.
     pub(crate) fn kind(self) -> &'static str {
         match self {
-            What::Draws(_) => "whether a pixel is taken",
-            What::Clears(_) => "whether an entry is cleared",
-            What::Receives(_) => "whether a word is received",
-            What::Ends => "whether the program ends",
-            What::Due => "whether the sync line is seen",
-            What::Overflows => "whether all pages are taken",
-            What::Swaps => "whether the buffers are swapped",
-            What::Resumes => "whether drawing resumes",
-            What::Carries(..) => "whether a word is taken",
-            What::Restarts => "whether the scan restarts",
-            What::Shows(_) => "whether the banks change",
+            What::Draws(_) => "the number of pixels taken",
+            What::Clears(_) => "the number of entries cleared",
+            What::Receives(_) => "the number of words received",
+            What::Ends => "the number of program ends",
+            What::Due => "the number of sync lines seen",
+            What::Overflows => "the number of overflows",
+            What::Swaps => "the number of swaps",
+            What::Resumes => "the number of resumptions",
+            What::Carries(..) => "the number of words taken",
+            What::Restarts => "the number of scan restarts",
+            What::Shows(_) => "the number of changes of the banks",
         }
     }
 
@@ -251,7 +251,7 @@ impl What {
             What::Clears(_) => "the entry cleared",
             What::Receives(_) => "the word received",
             What::Carries(..) => "the sender above its word",
-            What::Shows(_) => "the number of changes of the banks",
+            What::Shows(_) => "the ordinal of a change of the banks",
             other => other.kind(),
         }
     }

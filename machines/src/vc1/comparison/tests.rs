@@ -92,7 +92,7 @@ fn an_event_that_does_not_happen_is_found() {
     };
     let (unit, signal, values) = differing(drawn(more));
     assert!(unit.starts_with("processing element "), "{unit}");
-    assert_eq!((signal, values), ("whether all pages are taken", [0, 1]));
+    assert_eq!((signal, values), ("the number of overflows", [0, 1]));
 }
 
 /// The model beside itself, with its own events.
