@@ -31,8 +31,8 @@
 //! | `regions` | the region-based machine of Table 1 |
 //! | `estimate` | the paper's two passes beyond 16 processing elements |
 //!
-//! A frame of ter1k with 16 processing elements takes some 20 ms, one of ter250 some 110 ms, and with 256 some 170 ms. Polygons that all
-//! draw cost more: with 256 and a threshold of 31 pixels a frame of ter1k takes 400 ms.
+//! A frame of ter1k with 16 processing elements takes 20 ms, one of ter250 some 90 ms, and with 256 some 120 ms. Polygons that all draw
+//! cost more, as each processing element receives each: with 256 and a threshold of 31 pixels a frame of ter1k takes 350 ms.
 //! `cargo test --release -p tilewright-machines --test all a_frame_takes_milliseconds -- --ignored --nocapture` prints these.
 //!
 //! ```

@@ -4,8 +4,11 @@
 //! polygon by regions. Then it draws region after region into one of its b buffers. It may begin region r when region r - b is merged. A
 //! region is merged T_m / (m n) after all have drawn it and the one before is merged.
 //!
-//! A packet is in the regions that the bounding box of its vertices touches, as the processing element classifies before set-up. Its area, clipping and set-up are charged in the first of them, and each row in
-//! the first that has it, so what regions cost beside that are the constants of [`Regions`] alone.
+//! A packet is in the regions that the bounding box of its vertices touches, as a processing element classifies before set-up. Its area,
+//! clipping and set-up are charged in the first of them, and each row in the first of its line. What regions cost beside that are the
+//! constants of [`Regions`] alone.
+//!
+//! Frames of a still view follow each other: who has drawn its last region begins with the geometry of the next frame.
 
 use std::ops::RangeInclusive;
 
