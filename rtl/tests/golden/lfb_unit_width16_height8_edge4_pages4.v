@@ -75,7 +75,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
     wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:131
     assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:132
     wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:142
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:147
+    wire again = all_sent & !swapped;                            // rtl/src/lfb/unit.rs:149
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:154
 
     scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:104
         .clk          (merge_clk),
@@ -200,25 +201,42 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `endif
 
 `ifndef SYNTHESIS
+    reg sought_again;                                            // rtl/src/lfb/unit.rs:150
+    reg sent_again;                                              // rtl/src/lfb/unit.rs:151
+
+    always @(posedge merge_clk) begin
+        if (merge_rst) begin
+            sought_again <= 1'b0;
+            sent_again <= 1'b0;
+        end else if (scan_enable) begin
+            sought_again <= again;
+            sent_again <= sought_again;
+        end
+    end
+
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:148
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:149
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:155
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:156
     end
     always @(posedge merge_clk) begin
         if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:124
         if (!merge_rst) assume (!scan_restart | (all_sent & !swapped)); // rtl/src/lfb/unit.rs:125
         if (!merge_rst) cover (swapped & passes);                    // rtl/src/lfb/unit.rs:126
+        if (!merge_rst) assert (!sent_again | (word == 48'hffffffffffff)); // rtl/src/lfb/unit.rs:152
+        if (!merge_rst) cover (passes & again);                      // rtl/src/lfb/unit.rs:153
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
+    reg is_covered_2;
+    initial is_covered_2 = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:148
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:155
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:149
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:156
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             stop;
         end
@@ -238,11 +256,21 @@ module lfb_unit_width16_height8_edge4_pages4 (
             `endif
             is_covered <= 1'b1;
         end
+        if (!merge_rst && !(!sent_again | (word == 48'hffffffffffff))) begin // rtl/src/lfb/unit.rs:152
+            $display("FAIL: time %0t: %m: a back buffer that has been sent is cleared", $time);
+            stop;
+        end
+        if (!merge_rst && (passes & again) && !is_covered_2) begin   // rtl/src/lfb/unit.rs:153
+            `ifdef TILEWRIGHT_COVERS
+            $display("COVER: time %0t: %m: a pixel goes by once more", $time);
+            `endif
+            is_covered_2 <= 1'b1;
+        end
     end
 `endif
 `endif
 
     wire _unused_ok = &{1'b0, u_patch_table_scan_patch_product[3],
-            u_patch_table_look_up_patch_product[3]};
+            u_patch_table_look_up_patch_product[3], again};
 endmodule
 `default_nettype wire
