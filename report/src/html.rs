@@ -74,6 +74,7 @@ fn in_section(part: &Part) -> Markup {
         },
         Part::Verdicts(it) => figure(part, &it.title, "", it.html()),
         Part::Chart(it) => figure(part, &it.title, &it.note, it.html()),
+        Part::Timeline(it) => figure(part, &it.title, &it.note, it.html()),
         Part::Picture(it) => figure(part, &it.title, &it.note, it.html()),
         Part::HeatMap(it) => figure(part, &it.title, &it.note, it.html()),
         Part::Table(it) => figure(part, &it.title, &it.note, it.html()),

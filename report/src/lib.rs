@@ -14,6 +14,7 @@ mod problem;
 mod provenance;
 mod statement;
 mod table;
+mod timeline;
 mod verdict;
 
 pub use chart::{Axis, Chart, Series};
@@ -25,4 +26,5 @@ pub use problem::Problems;
 pub use provenance::Provenance;
 pub use statement::{Statement, Verdicts};
 pub use table::{Cell, Table};
+pub use timeline::{Lane, Timeline};
 pub use verdict::{Difference, Point, Rule, Verdict};

@@ -8,6 +8,7 @@ use crate::problem::{Problems, problems};
 use crate::provenance::Provenance;
 use crate::statement::Verdicts;
 use crate::table::Table;
+use crate::timeline::Timeline;
 use serde::Serialize;
 
 /// A report: a title, an introduction, sections, and where it comes from.
@@ -77,6 +78,8 @@ pub enum Part {
     Verdicts(Verdicts),
     /// Curves and points.
     Chart(Chart),
+    /// Lanes over time.
+    Timeline(Timeline),
     /// A picture.
     Picture(Picture),
     /// Numbers of a grid.
@@ -289,7 +292,7 @@ macro_rules! parts {
         })*
     };
 }
-parts!(Verdicts, Chart, Picture, HeatMap, Table);
+parts!(Verdicts, Chart, Timeline, Picture, HeatMap, Table);
 
 impl Part {
     /// What it is called in a problem, and its name in addresses and files.
@@ -298,6 +301,7 @@ impl Part {
             Part::Paragraph(_) | Part::Links(_) => None,
             Part::Verdicts(verdicts) => Some(("table of verdicts", &verdicts.id)),
             Part::Chart(chart) => Some(("chart", &chart.id)),
+            Part::Timeline(chart) => Some(("chart of times", &chart.id)),
             Part::Picture(picture) => Some(("picture", &picture.id)),
             Part::HeatMap(map) => Some(("heat map", &map.id)),
             Part::Table(table) => Some(("table", &table.id)),
@@ -311,6 +315,7 @@ impl Part {
             Part::Paragraph(_) | Part::Links(_) => return None,
             Part::Verdicts(verdicts) => ("csv", verdicts.csv()),
             Part::Chart(chart) => ("csv", chart.csv_text().into_bytes()),
+            Part::Timeline(chart) => ("csv", chart.csv_text().into_bytes()),
             Part::Picture(picture) => ("png", picture.png.clone()),
             Part::HeatMap(map) => ("csv", map.csv_text().into_bytes()),
             Part::Table(table) => ("csv", table.csv_text().into_bytes()),

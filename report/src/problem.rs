@@ -51,6 +51,7 @@ fn inside(part: &Part) -> Option<String> {
         Part::Picture(picture) if picture.size().is_none() => {
             Some("is not a PNG file: give it the bytes of one".to_owned())
         }
+        Part::Timeline(chart) => chart.problem(),
         Part::Table(table) => {
             let wrong = table.rows.iter().position(|row| row.len() != table.columns.len())?;
             let (cells, columns) = (table.rows[wrong].len(), table.columns.len());

@@ -5,7 +5,8 @@ use crate::sample;
 use serde_json::Value;
 use std::path::Path;
 use tilewright_report::{
-    Axis, Chart, File, HeatMap, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table, Verdicts,
+    Axis, Chart, File, HeatMap, Lane, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table,
+    Timeline, Verdicts,
 };
 
 /// A page with one of each part; `text` makes all words of it, from a name.
@@ -41,9 +42,18 @@ fn small(mut text: impl FnMut(&str) -> String) -> Page {
     let table = Table::new("table", text("Forms"), [text("form"), text("units")])
         .note(text("Three."))
         .row([text("stack").into(), 0.1.into()]);
+    let (lane, span) = (text("sender"), text("sending"));
+    let times = Timeline::new("times", text("A transfer"), text("time"), Origin::rtl([7]))
+        .note(text("Of a word."))
+        .lane(Lane::new(lane).span(&span, 0.0, 2.5).span(text("waiting"), 2.5, 4.0).event(
+            text("1"),
+            text("the end"),
+            2.5,
+        ))
+        .lane(Lane::new(text("bus")).span(&span, 1.0, 3.0));
     Page::new(text("A small page"), provenance)
         .paragraph(text("It is small."))
-        .section(Section::new(text("First")).part(verdicts).paragraph(text("And then?")).part(chart))
+        .section(Section::new(text("First")).part(verdicts).paragraph(text("And then?")).part(chart).part(times))
         .section(Section::new(text("Second")).part(dots).part(map))
         .section(Section::new(text("Third")).part(table))
 }
@@ -57,14 +67,17 @@ fn file<'a>(files: &'a [File], name: &str) -> &'a str {
 fn a_small_page_is_as_it_was() {
     let files = small(str::to_owned).files().unwrap();
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-    assert_eq!(names, ["index.html", "report.json", "verdicts.csv", "chart.csv", "dots.png", "map.csv", "table.csv"]);
+    assert_eq!(
+        names,
+        ["index.html", "report.json", "verdicts.csv", "chart.csv", "times.csv", "dots.png", "map.csv", "table.csv"]
+    );
     // An element a line, and the style sheet where it is.
     let html = file(&files, "index.html").replace(include_str!("../src/style.css"), "…").replace("><", ">\n<");
     golden("index.html", &html);
-    for name in ["report.json", "verdicts.csv", "chart.csv", "map.csv", "table.csv"] {
+    for name in ["report.json", "verdicts.csv", "chart.csv", "times.csv", "map.csv", "table.csv"] {
         golden(name, file(&files, name));
     }
-    assert_eq!(files[4].bytes, include_bytes!("../examples/dots.png"));
+    assert_eq!(files[5].bytes, include_bytes!("../examples/dots.png"));
 }
 
 fn golden(name: &str, text: &str) {
@@ -161,6 +174,11 @@ fn all_that_is_wrong_is_said_at_once() {
         .part(Verdicts::new("forms", "Statements"))
         .part(Picture::new("dots", "Dots", "dots", b"GIF89a".to_vec()))
         .part(map(vec![]))
+        .part(Timeline::new("times", "A transfer", "time", Origin::Formula))
+        .part(
+            Timeline::new("late", "A transfer", "time", Origin::Formula)
+                .lane(Lane::new("bus").span("sending", 2.0, 1.0)),
+        )
         .part(HeatMap::new("ragged", "Busy", "clocks", Origin::Formula, [vec![1.0], vec![1.0, 2.0]]));
     let page = Page::new("Wrong", Provenance::new("program", "1.2.3", "program")).section(section);
     let expected = "\
@@ -170,6 +188,8 @@ the table `forms` has 1 cells in row 1 and 2 columns: give each row a cell for e
 the table of verdicts `forms` has a name that is taken: give each part its own, and none `index` or `report`
 the picture `dots` is not a PNG file: give it the bytes of one
 the heat map `map` has no cells: give it a row of numbers or more
+the chart of times `times` has no lanes: give it one or more
+the chart of times `late` has `sending` from 2 to 1 in the lane bus: give it numbers that do not fall
 the heat map `ragged` has 2 cells in row 2 and 1 in row 1: give all rows one length";
     assert_eq!(page.files().unwrap_err().to_string(), expected);
 }

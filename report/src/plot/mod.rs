@@ -5,8 +5,10 @@ mod legend;
 mod mark;
 mod scale;
 mod svg;
+mod timeline;
 
 pub use legend::legend;
+pub use timeline::{sample_of_span, timeline};
 
 use crate::chart::{Chart, Series};
 use crate::origin::Origin;

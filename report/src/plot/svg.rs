@@ -97,6 +97,7 @@ pub fn points(path: impl IntoIterator<Item = BackendCoord>) -> String {
     path.into_iter().map(|(x, y)| format!("{},{}", tenths(x), tenths(y))).collect::<Vec<_>>().join(" ")
 }
 
-fn tenths(value: i32) -> f64 {
+/// In CSS pixels.
+pub fn tenths(value: i32) -> f64 {
     f64::from(value) / f64::from(TENTHS)
 }

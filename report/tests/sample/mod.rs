@@ -2,7 +2,8 @@
 //! made up, as the introduction says.
 
 use tilewright_report::{
-    Axis, Chart, HeatMap, Link, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table, Verdicts,
+    Axis, Chart, HeatMap, Lane, Link, Origin, Page, Picture, Provenance, Rule, Section, Series, Statement, Table,
+    Timeline, Verdicts,
 };
 
 /// The page.
@@ -29,6 +30,7 @@ pub fn page() -> Page {
                 .part(load()),
         )
         .section(Section::new("Pictures").part(dots()).part(busy()).part(fine()))
+        .section(Section::new("Times").part(transfer()).part(bars()))
         .section(Section::new("Numbers").part(forms()))
         .section(Section::new("Other pages").links([Link::new("#section-1", "Statements", "The first section.")]))
 }
@@ -118,6 +120,42 @@ fn verdicts() -> Verdicts {
             .paper([1000.0])
             .cannot_be_compared("the upper bound of the range is illegible in the scan"),
         )
+}
+
+fn transfer() -> Timeline {
+    let lane = |number: u32| {
+        let start = f64::from(number);
+        let lane =
+            Lane::new(format!("sender {number}")).span("computing", 0.0, start).span("sending", start, start + 1.0);
+        lane.span("waiting", start + 1.0, 6.0).event("1", "the first word", start).event(
+            "2",
+            "the last word",
+            start + 1.0,
+        )
+    };
+    let chart =
+        Timeline::new("transfer", "Who sends when", "time, ms", Origin::rtl([1])).note("Two events beside each other.");
+    (0..4)
+        .map(lane)
+        .fold(chart, Timeline::lane)
+        .lane(Lane::new("bus").event("3", "it is free", 4.05).event("4", "it stops", 4.1))
+}
+
+/// Spans that follow one another from zero, of more kinds than there are colours.
+fn bars() -> Timeline {
+    let kinds = ["clear", "geometry", "raster", "send", "receive", "stall", "bus", "overflow", "sync", "swap"];
+    let lane = |n: u32| {
+        let mut end = 0.0;
+        kinds.iter().enumerate().fold(Lane::new(format!("n = {n}")), |lane, (number, kind)| {
+            let from = end;
+            end += f64::from(n + 3 * number as u32 % 7);
+            lane.span(*kind, from, end)
+        })
+    };
+    [1, 4, 16]
+        .map(lane)
+        .into_iter()
+        .fold(Timeline::new("bars", "Stacked bars", "clocks", Origin::model([])), Timeline::lane)
 }
 
 fn dots() -> Picture {

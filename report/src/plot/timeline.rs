@@ -1,0 +1,174 @@
+//! Draws a chart of times: a bar for each span, and above the bars the signs of events.
+
+use super::Format;
+use super::label::apart;
+use super::mark::LOOKS;
+use super::scale::Scale;
+use super::svg::{TENTHS, tenths};
+use crate::number::shown;
+use crate::timeline::{Event, Lane, Span, Timeline};
+use maud::{Markup, html};
+use plotters::coord::ranged1d::{BoldPoints, ValueFormatter};
+use plotters::prelude::Ranged;
+
+/// Heights in tenths: of a bar, of the signs above it, of what is between two lanes, and of the axis.
+const BAR: i32 = 18 * TENTHS;
+const SIGNS: i32 = 18 * TENTHS;
+const GAP: i32 = 10 * TENTHS;
+const AXIS: i32 = 44 * TENTHS;
+
+/// What a character of a label takes, in tenths.
+const CHARACTER: i32 = 7 * TENTHS;
+
+/// Where things are.
+struct Layout<'a> {
+    scale: Scale,
+    /// The ends of the axis.
+    ends: (i32, i32),
+    /// What spans are of.
+    names: Vec<&'a str>,
+}
+
+/// A chart of times as an SVG element of that format's width.
+pub fn timeline(chart: &Timeline, format: Format) -> Markup {
+    let longest = chart.lanes.iter().map(|lane| lane.name.chars().count() as i32).max().unwrap_or(0);
+    let width = format.width as i32 * TENTHS;
+    let times = chart.lanes.iter().flat_map(|lane| {
+        let ends = lane.spans.iter().flat_map(|span| [span.from, span.to]);
+        ends.chain(lane.events.iter().map(|event| event.at))
+    });
+    let layout = Layout {
+        scale: Scale::around(times, false),
+        ends: (longest * CHARACTER + 10 * TENTHS, width - 12 * TENTHS),
+        names: chart.names(),
+    };
+    let mut top = 0;
+    let tops: Vec<i32> = chart
+        .lanes
+        .iter()
+        .map(|lane| {
+            let bar = top + if lane.events.is_empty() { GAP } else { SIGNS };
+            top = bar + BAR;
+            bar
+        })
+        .collect();
+    let bottom = top + GAP;
+    let ticks = layout.scale.key_points(BoldPoints(format.labels.0));
+    html! {
+        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (tenths(bottom + AXIS)) } role="img" aria-label=(chart.alt()) {
+            @for tick in &ticks {
+                @let x = tenths(layout.x(*tick));
+                polyline.grid points={ (x) ",0 " (x) "," (tenths(bottom)) } {}
+                text.tick x=(x) y=(tenths(bottom + 6 * TENTHS)) dy="0.75em" text-anchor="middle" { (layout.scale.format_ext(tick)) }
+            }
+            polyline.axis points={ (tenths(layout.ends.0)) "," (tenths(bottom)) " " (tenths(layout.ends.1)) "," (tenths(bottom)) } {}
+            text.label x=(tenths((layout.ends.0 + layout.ends.1) / 2)) y=(tenths(bottom + AXIS)) dy="-0.25em" text-anchor="middle" { (chart.axis) }
+            @for (lane, top) in chart.lanes.iter().zip(tops) { (layout.lane(lane, top)) }
+        }
+    }
+}
+
+/// What a span looks like in the legend.
+pub fn sample_of_span(number: usize) -> Markup {
+    html! {
+        svg.sample viewBox="-15 -7 30 14" aria-hidden="true" { rect class=(look(number)) x="-14" y="-6" width="28" height="12" {} }
+    }
+}
+
+/// Twice as many looks as there are colours: filled and hollow by turns, and then the other way round.
+fn look(number: usize) -> String {
+    let style = if (number + number / LOOKS) % 2 == 1 { "hollow" } else { "filled" };
+    format!("{style} look{}", number % LOOKS)
+}
+
+impl Layout<'_> {
+    fn x(&self, time: f64) -> i32 {
+        self.scale.map(&time, self.ends)
+    }
+
+    fn lane(&self, lane: &Lane, top: i32) -> Markup {
+        html! {
+            text.tick x=(tenths(self.ends.0 - 6 * TENTHS)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="end" { (lane.name) }
+            @for span in &lane.spans { (self.bar(span, top)) }
+            (self.signs(&lane.events, top))
+        }
+    }
+
+    /// A bar, with its name inside if there is room.
+    fn bar(&self, span: &Span, top: i32) -> Markup {
+        let (from, to) = (self.x(span.from), self.x(span.to));
+        let number = self.names.iter().position(|name| *name == span.what).unwrap_or(0);
+        let has_room = (span.what.chars().count() as i32 + 1) * CHARACTER <= to - from;
+        html! {
+            g.span {
+                rect class=(look(number)) x=(tenths(from)) y=(tenths(top)) width=(tenths(to - from)) height=(tenths(BAR)) {
+                    title { (span.what) ": " (shown(span.from)) " to " (shown(span.to)) }
+                }
+                @if has_room {
+                    text class={ "inside " (look(number)) } x=(tenths((from + to) / 2)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="middle" { (span.what) }
+                }
+            }
+        }
+    }
+
+    /// The signs of events, moved apart where they would be on one another, each with a line to its time.
+    fn signs(&self, events: &[Event], top: i32) -> Markup {
+        let places: Vec<i32> = events.iter().map(|event| self.x(event.at)).collect();
+        html! {
+            @for ((event, place), moved) in events.iter().zip(&places).zip(apart(&places)) {
+                g.event {
+                    title { (event.sign) " " (event.what) ": " (shown(event.at)) }
+                    polyline.curve.plain points={
+                        (tenths(moved)) "," (tenths(top - 5 * TENTHS)) " " (tenths(*place)) "," (tenths(top)) " " (tenths(*place)) "," (tenths(top + BAR))
+                    } {}
+                    text.label x=(tenths(moved)) y=(tenths(top - 6 * TENTHS)) text-anchor="middle" { (event.sign) }
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::origin::Origin;
+    use crate::plot::{NARROW, WIDE};
+
+    #[test]
+    fn twelve_looks_differ() {
+        let mut looks: Vec<String> = (0..2 * LOOKS).map(look).collect();
+        looks.sort_unstable();
+        looks.dedup();
+        assert_eq!(looks.len(), 12);
+    }
+
+    #[test]
+    fn a_name_is_in_its_bar_where_there_is_room() {
+        let lane = Lane::new("bus").span("sending", 0.0, 99.0).span("waiting", 99.0, 100.0);
+        let chart = Timeline::new("bus", "The bus", "ms", Origin::rtl([])).lane(lane);
+        for format in [WIDE, NARROW] {
+            let svg = timeline(&chart, format).into_string();
+            assert!(svg.contains(">sending</text>") && !svg.contains(">waiting</text>"), "{svg}");
+        }
+    }
+
+    /// Bars are as wide as their times, and lanes one below the other.
+    #[test]
+    fn bars_are_where_their_times_are() {
+        let lanes = [("one", 50.0), ("two", 25.0)];
+        let chart =
+            lanes.into_iter().fold(Timeline::new("bus", "The bus", "ms", Origin::rtl([])), |chart, (name, to)| {
+                chart.lane(Lane::new(name).span("a", 0.0, to).span("b", to, 100.0))
+            });
+        let svg = timeline(&chart, WIDE).into_string();
+        let number = |bar: &str, name: &str| {
+            let rest = &bar[bar.find(&format!("{name}=\"")).unwrap() + name.len() + 2..];
+            rest[..rest.find('"').unwrap()].parse::<f64>().unwrap()
+        };
+        let bars: Vec<[f64; 3]> =
+            svg.split("<rect").skip(1).map(|bar| [" x", " y", "width"].map(|name| number(bar, name))).collect();
+        let [[x, y, wide], [next, _, rest], [_, below, half], [_, _, long]] = bars[..] else { panic!("{bars:?}") };
+        assert!((wide - rest).abs() < 0.2 && (next - x - wide).abs() < 0.2, "{bars:?}");
+        assert!((wide - 2.0 * half).abs() < 0.2 && (long - 3.0 * half).abs() < 0.3 && below > y + 18.0, "{bars:?}");
+    }
+}
