@@ -7,6 +7,7 @@ mod pixel_planes;
 mod pixelflow;
 mod quadtree;
 mod right;
+mod vc1;
 
 use crate::shell::output::Folder;
 use crate::shell::{Exit, Failure, interrupt, terminal};
@@ -25,10 +26,11 @@ Examples:
   tilewright reproduce quadtree -o report/ --polygons 20 --seed 7 --json
   tilewright reproduce pixel-planes-5 -o report/ --vectors 20
   tilewright reproduce pixelflow -o report/ --primitives 20000
+  tilewright reproduce vc1 -o report/ --views 2
   tilewright reproduce all -o report/ --polygons 20
 
 `all` makes the pages of all papers, each in a folder of its name, and one above them with the same scenes on all machines, as compare has them.
-Without --polygons, --vectors or --primitives there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
+Without --polygons, --vectors, --primitives or --views there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
 frames are small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
 command writes the same bytes each time.")]
 pub struct Reproduce {
@@ -50,6 +52,9 @@ pub struct Reproduce {
     /// Of pixelflow: at most so many primitives in a frame: a quick look, which may not reach the latencies that are compared
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors"])]
     primitives: Option<u64>,
+    /// Of vc1: at most so many views of Table 1's scene, up to 48: a quick look, on a small screen and with few processing elements
+    #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors", "primitives"])]
+    views: Option<u64>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -66,6 +71,8 @@ enum Paper {
     /// The three software systems of PixelFlow
     #[value(name = "pixelflow")]
     PixelFlow,
+    /// The virtual local frame buffers of the VC-1
+    Vc1,
     /// Each of them, and all machines beside each other
     All,
 }
@@ -130,6 +137,7 @@ impl Reproduce {
             (Paper::Quadtree, "--polygons", self.polygons),
             (Paper::PixelPlanes, "--vectors", self.vectors),
             (Paper::PixelFlow, "--primitives", self.primitives),
+            (Paper::Vc1, "--views", self.views),
         ];
         let asked = if self.machine == Paper::All { Paper::Quadtree } else { self.machine };
         let (own, others): (Vec<_>, Vec<_>) = options.into_iter().partition(|(paper, ..)| *paper == asked);
@@ -146,8 +154,12 @@ impl Reproduce {
 }
 
 /// The papers that have a page of their own, and the folders of those in that of all.
-const PAPERS: [(Paper, &str); 3] =
-    [(Paper::Quadtree, "quadtree"), (Paper::PixelPlanes, "pixel-planes-5"), (Paper::PixelFlow, "pixelflow")];
+const PAPERS: [(Paper, &str); 4] = [
+    (Paper::Quadtree, "quadtree"),
+    (Paper::PixelPlanes, "pixel-planes-5"),
+    (Paper::PixelFlow, "pixelflow"),
+    (Paper::Vc1, "vc1"),
+];
 
 /// The files of a page, with that before their names.
 fn files(prefix: &str, page: &Page) -> Vec<File> {
@@ -161,6 +173,7 @@ fn page(paper: Paper, effort: Effort) -> Result<Page, Failure> {
         Paper::Quadtree => quadtree::page(effort, watch),
         Paper::PixelPlanes => pixel_planes::page(effort, watch),
         Paper::PixelFlow => pixelflow::page(effort, watch),
+        Paper::Vc1 => vc1::page(effort, watch),
         Paper::All => unreachable!("that of all papers is made of several"),
     })?;
     page.ok_or_else(|| Failure::new(interrupt::exit(), "interrupted while the machine was measured"))

@@ -1,0 +1,251 @@
+//! Figure 6 as the circuit ran it: three frames of four processing elements, of which one overflows in the last.
+
+use super::observed::observed;
+use tilewright_machines::vc1::{Assign, Config, CostTable, Machine};
+use tilewright_machines::{Error, Watch};
+use tilewright_report::{Lane, Origin, Rule, Section, Statement, Timeline};
+use tilewright_rtl::swap::SwapState;
+use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, set_up};
+
+const PROCESSORS: usize = 4;
+/// Pages of each, and patches that a processing element draws on; the first one of them on more in the last frame.
+const PAGES: u32 = 2;
+const PATCHES: i32 = 2;
+const TOO_MANY: i32 = 4;
+
+/// The eight events of the figure, as the paper has them.
+const EVENTS: [&str; 8] = [
+    "the local frame buffers swap",
+    "the next frame is begun",
+    "the frame is merged",
+    "the global frame buffer swaps",
+    "a swap that waited for it",
+    "an overflow",
+    "its swap",
+    "drawing goes on",
+];
+
+/// Where the machine is: of each processing element, the merger, and the display.
+#[derive(Default)]
+pub struct Figure6 {
+    /// By processing element: what it does, from when to when, in ms.
+    lanes: Vec<Vec<(Doing, f64, f64)>>,
+    /// When a frame is stored, and when the banks change.
+    merged: Vec<f64>,
+    shown: Vec<f64>,
+    end: f64,
+}
+
+/// What a processing element does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Doing {
+    Clearing,
+    Drawing,
+    /// It has drawn, and waits for the others.
+    Synchronizing,
+    /// All have drawn, and its swap waits.
+    Due,
+    Overflow,
+}
+
+impl Doing {
+    fn name(self) -> &'static str {
+        match self {
+            Doing::Clearing => "clearing the table",
+            Doing::Drawing => "drawing",
+            Doing::Synchronizing => "waiting for all",
+            Doing::Due => "waiting for its swap",
+            Doing::Overflow => "out of pages",
+        }
+    }
+}
+
+impl Figure6 {
+    /// Runs it.
+    ///
+    /// # Errors
+    /// The simulator's.
+    pub fn ran(watch: &mut Watch) -> Result<Figure6, Error> {
+        let views = [PATCHES, PATCHES, TOO_MANY].map(view);
+        let mut views = views.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter();
+        let signals = (0..PROCESSORS).flat_map(|k| ["state", "done"].map(|name| format!("processors_{k}_{name}")));
+        let signals: Vec<String> = signals.chain(["is_merged", "shown"].map(str::to_owned)).collect();
+        let mut figure = Figure6 { lanes: vec![Vec::new(); PROCESSORS], ..Figure6::default() };
+        let (mut before, mut was) = (0.0, [0; 2]);
+        let seen = |time: u64, values: &[u64]| {
+            let now = time as f64 / 1e9;
+            figure.take(&values[..2 * PROCESSORS], before, now);
+            let is = [values[2 * PROCESSORS], values[2 * PROCESSORS + 1]];
+            if (was[0], is[0]) == (0, 1) {
+                figure.merged.push(before);
+            }
+            if was[1] != is[1] {
+                figure.shown.push(before);
+            }
+            (before, was, figure.end) = (now, is, now);
+        };
+        observed(Machine::new(config()?)?, &signals, seen, |machine| {
+            machine.render_frames([0; 3], watch, || views.next(), |_| true)
+        })?;
+        Ok(figure)
+    }
+
+    /// States and flags of all processing elements in that time.
+    fn take(&mut self, values: &[u64], from: f64, to: f64) {
+        for (lane, values) in self.lanes.iter_mut().zip(values.chunks(2)) {
+            let doing = match (SwapState::of_code(values[0]), values[1]) {
+                (SwapState::Clear, _) => Doing::Clearing,
+                (SwapState::Draw, 0) => Doing::Drawing,
+                (SwapState::Draw, _) => Doing::Synchronizing,
+                (SwapState::Due, _) => Doing::Due,
+                (SwapState::Overflow, _) => Doing::Overflow,
+            };
+            match lane.last_mut().filter(|(before, ..)| *before == doing) {
+                Some((.., end)) => *end = to,
+                None => lane.push((doing, from, to)),
+            }
+        }
+    }
+
+    /// The first time after another one at which a processing element goes from one thing to another.
+    fn first(&self, processor: usize, after: f64, change: (Doing, Doing)) -> Option<f64> {
+        let pairs = self.lanes[processor].windows(2).map(|pair| (pair[1].1, (pair[0].0, pair[1].0)));
+        pairs.filter(|(at, found)| *at >= after && *found == change).map(|(at, _)| at).next()
+    }
+
+    /// When each event first happened, in ms; none if it did not. The first processing element is looked at, which overflows in the end.
+    fn events(&self) -> [Option<f64>; 8] {
+        let swap = self.first(0, 0.0, (Doing::Due, Doing::Clearing));
+        let begun = swap.and_then(|at| self.first(0, at, (Doing::Clearing, Doing::Drawing)));
+        let [merged, shown] = [&self.merged, &self.shown].map(|all| all.first().copied());
+        // It was due before the global frame buffer swapped, and came after that.
+        let postponed = shown.and_then(|shown| {
+            let lane = self.lanes[0].windows(2);
+            let waited = lane.filter(|pair| pair[0].0 == Doing::Due && pair[0].1 < shown && pair[0].2 >= shown);
+            waited.map(|pair| pair[0].2).next()
+        });
+        let overflow = self.lanes[0].iter().find(|(doing, ..)| *doing == Doing::Overflow).map(|(_, at, _)| *at);
+        let swapped = overflow.and_then(|at| self.first(0, at, (Doing::Overflow, Doing::Clearing)));
+        let resumed = swapped.and_then(|at| self.first(0, at, (Doing::Clearing, Doing::Drawing)));
+        [swap, begun, merged, shown, postponed, overflow, swapped, resumed]
+    }
+
+    /// The order in which they happened.
+    pub fn statement(&self) -> Statement {
+        let mut order: Vec<(f64, usize)> =
+            self.events().into_iter().zip(1..).filter_map(|(at, number)| Some((at?, number))).collect();
+        order.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let place = |at: usize| format!("{}.", at + 1);
+        Statement::new(
+            "VC1-SW1 to SW4",
+            "Buffers swap in the order of Figure 6: its events 1 to 8, in the order of their times.",
+            Rule::Equals,
+        )
+        .unit("event")
+        .paper((0..8).map(|at| (place(at), at as f64 + 1.0)))
+        .found(Origin::rtl([]), order.into_iter().enumerate().map(|(at, (_, number))| (place(at), number as f64)))
+    }
+
+    pub fn section(&self) -> Section {
+        let size = size();
+        Section::new("Figure 6, as the circuit ran it")
+            .paragraph(format!(
+                "Three frames of {PROCESSORS} processing elements on a screen of {size} pixels, with T_m in the paper’s ratio to a refresh. Each draws on {PATCHES} patches and has \
+                 {PAGES} pages, but that the first one draws on {TOO_MANY} in the last frame. The times are those of signals of the circuit."
+            ))
+            .part(self.chart())
+    }
+
+    fn chart(&self) -> Timeline {
+        let events = self.events();
+        let event = |lane: Lane, number: usize| match events[number - 1] {
+            Some(at) => lane.event(number.to_string(), EVENTS[number - 1], at),
+            None => lane,
+        };
+        let lane = |(number, spans): (usize, &Vec<(Doing, f64, f64)>)| {
+            let lane = Lane::new(format!("PE {number}"));
+            let lane = spans.iter().fold(lane, |lane, (doing, from, to)| lane.span(doing.name(), *from, *to));
+            if number == 0 { [1, 2, 5, 6, 7, 8].into_iter().fold(lane, event) } else { lane }
+        };
+        let chart = Timeline::new("figure-6", "Swaps of local and global frame buffers", "time, ms", Origin::rtl([]));
+        let chart = self.lanes.iter().enumerate().map(lane).fold(chart, Timeline::lane);
+        // A frame is merged from the last swap before it is stored, or from the start of a round that an overflow makes.
+        let swaps: Vec<f64> = self
+            .lanes
+            .iter()
+            .flat_map(|lane| lane.windows(2))
+            .filter(|pair| pair[1].0 == Doing::Clearing)
+            .map(|pair| pair[1].1)
+            .collect();
+        let since = |end: f64| swaps.iter().copied().filter(|at| *at < end).fold(0.0, f64::max);
+        let merger = self.merged.iter().fold(Lane::new("merger"), |lane, end| lane.span("merging", since(*end), *end));
+        let shown = self.shown.iter().copied().zip(self.shown.iter().copied().skip(1).chain([self.end])).enumerate();
+        let display = shown.fold(Lane::new("display"), |lane, (number, (from, to))| {
+            lane.span(format!("frame {}", number + 1), from, to)
+        });
+        chart.lane(event(merger, 3)).lane(event(display, 4))
+    }
+}
+
+fn size() -> Size {
+    Size::new(64, 48).expect("in range")
+}
+
+/// Set-up makes drawing as long as a refresh or so; a refresh comes as often in T_m as on the paper's screen.
+fn config() -> Result<Config, Error> {
+    let free = CostTable { vertex: 0, polygon: 0, area: 0, clip: 0, set_up: 2000, row: 0, ..CostTable::default() };
+    let config = Config {
+        processors: PROCESSORS as u32,
+        pages: Some(PAGES),
+        cluster: 1,
+        assign: Assign::Count,
+        apr: None,
+        costs: free,
+        ..Config::new(size())
+    };
+    let merge_clocks = config.hardware()?.gfb().sequencer().merge_clocks();
+    Ok(Config { refresh: 60.0 * 316_864.0 / merge_clocks as f64, ..config })
+}
+
+/// Each processing element draws a bar of two triangles, four rows below the one before it. The first one's bar is over so many patches.
+fn view(patches: i32) -> Result<Projection, Error> {
+    let at = |x: i32, y: i32| ScreenVertex { x: 16 * x + 4, y: 16 * y - 8, z: 5, rgb: [200, 100, 50] };
+    let bar = |number: usize| {
+        let (row, right) = (1 + 8 * number as i32, 4 * if number == 0 { patches } else { PATCHES });
+        [[at(0, row), at(right, row), at(right, row + 1)], [at(0, row), at(right, row + 1), at(0, row + 1)]]
+    };
+    let bars: Vec<_> = (0..PROCESSORS).map(bar).collect();
+    let triangles = [0, 1].into_iter().flat_map(|half| bars.iter().map(move |bar| bar[half]));
+    Ok(projection(size(), triangles))
+}
+
+/// The projection of these triangles, each a polygon.
+pub fn projection(size: Size, triangles: impl IntoIterator<Item = [ScreenVertex; 3]>) -> Projection {
+    let (triangles_of, counts) = (Vec::new(), Counts::default());
+    let mut projection =
+        Projection { size, triangles: triangles_of, vertices: Vec::new(), corners: Vec::new(), counts };
+    for (vertices, first) in triangles.into_iter().zip((0..).step_by(3)) {
+        projection.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
+        if let Some(mut packet) = set_up(&vertices, size) {
+            packet.polygon = projection.counts.polygons;
+            projection.triangles.push(packet);
+            projection.vertices.push(vertices);
+        }
+        projection.counts.polygons += 1;
+    }
+    projection
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_events_come_in_the_papers_order() {
+        let figure = Figure6::ran(&mut Watch::default()).expect("it runs");
+        assert_eq!(figure.statement().verdict().to_string(), "holds", "{:?} {:?}", figure.events(), figure.lanes);
+        // Two that come the other way round are seen.
+        let other = Figure6 { merged: vec![figure.shown[0] + 1e-3], ..figure };
+        assert!(other.statement().verdict().to_string().starts_with("differs"));
+    }
+}

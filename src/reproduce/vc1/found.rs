@@ -1,0 +1,55 @@
+//! What was found: timed, counted, and measured in the circuit.
+
+use super::circuit::Circuit;
+use super::counted::Counted;
+use super::figure_6::Figure6;
+use super::plan::{Case, Plan};
+use super::run::Timed;
+use crate::shell::Failure;
+use tilewright_machines::{Error, Watch};
+use tilewright_report::Origin;
+
+/// All that the page is made of.
+pub struct Found {
+    pub plan: Plan,
+    pub circuit: Circuit,
+    pub counted: Counted,
+    pub figure_6: Figure6,
+    timed: Vec<Timed>,
+}
+
+impl Found {
+    /// Lets all of it run; `None` if it was interrupted.
+    pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Found>, Failure> {
+        let circuit = Circuit::measured()?;
+        let counted = Counted::all(plan)?;
+        let figure_6 = Figure6::ran(watch)?;
+        let Some(timed) = Found::timed(plan, &plan.cases(), watch)? else { return Ok(None) };
+        Ok(Some(Found { plan: *plan, circuit, counted, figure_6, timed }))
+    }
+
+    /// Those cases on the model.
+    fn timed(plan: &Plan, cases: &[Case], watch: &mut Watch) -> Result<Option<Vec<Timed>>, Failure> {
+        let Some(timed) = watch.each("timing", cases, |case| Timed::of(case, plan)) else { return Ok(None) };
+        Ok(Some(timed.into_iter().collect::<Result<_, Error>>()?))
+    }
+
+    pub fn model(&self) -> Origin {
+        Origin::model([])
+    }
+
+    /// What a case took, if it was run: a quick look leaves out most.
+    pub fn of(&self, case: Case) -> Option<&Timed> {
+        self.timed.iter().find(|it| it.case == case)
+    }
+
+    /// A number of a case, with its place.
+    pub fn at(&self, place: String, case: Case, of: impl Fn(&Timed) -> f64) -> Option<(String, f64)> {
+        self.of(case).map(|timed| (place, of(timed)))
+    }
+
+    /// A number of one case in parts of that of another.
+    pub fn ratio(&self, place: String, [one, other]: [Case; 2], of: impl Fn(&Timed) -> f64) -> Option<(String, f64)> {
+        Some((place, of(self.of(one)?) / of(self.of(other)?)))
+    }
+}

@@ -1,0 +1,293 @@
+//! What is run for the page: scenes on machines, and how many of them.
+
+use crate::reproduce::effort::Effort;
+use tilewright_machines::vc1::{Assign, Config, CostTable};
+use tilewright_rtl::gfb::Blanking;
+use tilewright_scenes::Size;
+
+/// Figure 13's scenes.
+pub const SCENES: [&str; 5] = ["teapot", "teapot16", "table", "ter1k", "ter250"];
+/// Those of a quick look.
+const FEW_SCENES: [&str; 3] = ["teapot", "table", "ter1k"];
+
+/// Views of Table 1 in a full turn (VC1-T1).
+pub const VIEWS: u32 = 48;
+/// Degrees from one to the next.
+pub const STEP: f64 = 360.0 / VIEWS as f64;
+
+/// Frames of a still view, and the swap of the global frame buffer from which on they are timed, counted from 1.
+pub const FRAMES: usize = 15;
+pub const FIRST: usize = 3;
+
+/// The paper's threshold with 16 processing elements, in pixels (VC1-F9).
+pub const THRESHOLD: u32 = 500;
+const THRESHOLDS: [u32; 11] = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000];
+const FEW_THRESHOLDS: [u32; 4] = [50, 500, 5000, 20_000];
+
+/// Clusters that are compared (VC1-CLU).
+pub const CLUSTERS: [u32; 5] = [1, 8, 32, 128, 512];
+
+/// The machines of section 6, with the parts of the screen that each has pages for (VC1-THRN).
+pub const SECTION_6: [(u32, u32); 4] = [(4, 4), (16, 8), (64, 16), (256, 32)];
+
+/// Splits of the clocks of rasterization (VC1-T1): set-up of a packet, and what of the 754 clocks is left for a row.
+pub const SPLITS: [u64; 3] = [500, 300, 100];
+
+/// Image memory of each buffer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Capacity {
+    /// The paper's machine: 4096 pages of 4x4 pixels, 1/4.7 of its screen (VC1-LFB).
+    Paper,
+    /// So small a part of the screen.
+    Part(u32),
+}
+
+/// A scene on a machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    pub scene: &'static str,
+    /// By how many steps the camera has turned; clusters are dealt before that.
+    pub view: u32,
+    pub processors: u32,
+    pub capacity: Capacity,
+    /// In pixels of the paper's screen.
+    pub apr: Option<u32>,
+    pub cluster: u32,
+    pub blanking: Blanking,
+    pub refresh: f64,
+    pub immediate: bool,
+    pub costs: CostTable,
+}
+
+/// The work for the page.
+#[derive(Clone, Copy)]
+pub struct Plan {
+    pub effort: Effort,
+    /// What all machines have; tests change it.
+    pub usual: Usual,
+}
+
+/// What the machines of a page have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Usual {
+    pub costs: CostTable,
+    pub refresh: f64,
+    /// Pages that each capacity is multiplied by.
+    pub pages: f64,
+}
+
+impl Default for Usual {
+    fn default() -> Usual {
+        Usual { costs: CostTable::default(), refresh: 60.0, pages: 1.0 }
+    }
+}
+
+impl Capacity {
+    /// Pages of an image memory for a screen of so many patches.
+    fn pages(self, patches: u32) -> u32 {
+        match self {
+            Capacity::Paper => 4096 * patches / 19_200,
+            Capacity::Part(part) => patches / part,
+        }
+    }
+
+    /// In parts of the screen.
+    pub fn share(self) -> f64 {
+        f64::from(self.pages(19_200)) / 19_200.0
+    }
+
+    pub fn name(self) -> String {
+        match self {
+            Capacity::Paper => "1/4.7".to_owned(),
+            Capacity::Part(1) => "1".to_owned(),
+            Capacity::Part(part) => format!("1/{part}"),
+        }
+    }
+}
+
+/// The threshold of so many processing elements: the paper lowers it as their number grows, and says no number (VC1-THRN).
+pub fn threshold(processors: u32) -> Option<u32> {
+    (processors > 1).then_some(if processors == 16 { THRESHOLD } else { (THRESHOLD * 16 / processors).max(1) })
+}
+
+/// A row's clocks that make up the 754 with that set-up; the counts are ter1k's (VC1-T1), beside `CostTable`.
+pub fn split(set_up: u64) -> CostTable {
+    let usual = CostTable::default();
+    let per_polygon = |set_up: u64| 0.9104 * set_up as f64;
+    let row = usual.row as f64 + (per_polygon(usual.set_up) - per_polygon(set_up)) / 4.3235;
+    CostTable { set_up, row: row.round() as u64, ..usual }
+}
+
+impl Case {
+    /// The machine of Table 1 and Figure 8: its screen.
+    pub fn config(&self, plan: &Plan) -> Config {
+        let size = plan.size();
+        let patches = (size.width() / 4) * (size.height() / 4);
+        let pages = f64::from(self.capacity.pages(patches)) * plan.usual.pages;
+        let scale = plan.scale() * plan.scale();
+        Config {
+            processors: self.processors,
+            pages: Some((pages as u32).clamp(2, patches)),
+            cluster: self.cluster,
+            assign: Assign::Once,
+            apr: self.apr.map(|pixels| pixels / scale),
+            costs: self.costs,
+            refresh: self.refresh * plan.hurry(self.processors),
+            blanking: self.blanking,
+            immediate: self.immediate,
+            ..Config::new(size)
+        }
+    }
+}
+
+impl Plan {
+    pub fn new(effort: Effort) -> Plan {
+        Plan { effort, usual: Usual::default() }
+    }
+
+    pub fn is_quick(&self) -> bool {
+        self.effort.is_quick()
+    }
+
+    pub fn size(&self) -> Size {
+        Size::new(Size::VGA.width() / self.scale(), Size::VGA.height() / self.scale()).expect("in range")
+    }
+
+    /// How much smaller the sides of a quick look's screen are.
+    pub fn scale(&self) -> u32 {
+        if self.is_quick() { 8 } else { 1 }
+    }
+
+    /// How much sooner a refresh comes, so that T_m is as many as on the paper's screen.
+    pub fn hurry(&self, processors: u32) -> f64 {
+        merge_clocks(Size::VGA, processors) / merge_clocks(self.size(), processors)
+    }
+
+    pub fn scenes(&self) -> &'static [&'static str] {
+        if self.is_quick() { &FEW_SCENES } else { &SCENES }
+    }
+
+    /// The numbers of processing elements of Figure 7.
+    pub fn processors(&self) -> &'static [u32] {
+        if self.is_quick() { &[1, 16, 256] } else { &[1, 2, 4, 8, 16, 32, 64, 128, 256] }
+    }
+
+    /// The memories of Figure 8, from the whole screen on.
+    pub fn capacities(&self) -> &'static [u32] {
+        if self.is_quick() { &[1, 8, 32] } else { &[1, 2, 4, 8, 16, 32, 64, 128] }
+    }
+
+    /// The thresholds of Figure 9, the last of which is none.
+    pub fn thresholds(&self) -> impl Iterator<Item = Option<u32>> + use<> {
+        let all = if self.is_quick() { &FEW_THRESHOLDS[..] } else { &THRESHOLDS };
+        all.iter().copied().map(Some).chain([None])
+    }
+
+    pub fn views(&self) -> impl Iterator<Item = u32> + use<> {
+        0..self.effort.at_most(VIEWS.into()) as u32
+    }
+
+    /// A scene on the paper's machine with so many processing elements.
+    pub fn case(&self, scene: &'static str, processors: u32) -> Case {
+        Case {
+            scene,
+            view: 0,
+            processors,
+            capacity: Capacity::Paper,
+            apr: threshold(processors),
+            cluster: 32,
+            blanking: Blanking::AtStart,
+            refresh: self.usual.refresh,
+            immediate: false,
+            costs: self.usual.costs,
+        }
+    }
+
+    /// With the display at 59.94 Hz (VC1-59).
+    pub fn slower(case: Case) -> Case {
+        Case { refresh: case.refresh * 59.94 / 60.0, ..case }
+    }
+
+    /// The point of Figure 8.
+    pub fn in_memory(&self, scene: &'static str, processors: u32, part: u32) -> Case {
+        Case { capacity: Capacity::Part(part), ..self.case(scene, processors) }
+    }
+
+    /// The point of Figure 9: the table with 16.
+    pub fn at_threshold(&self, capacity: Capacity, blanking: Blanking, apr: Option<u32>) -> Case {
+        Case { capacity, blanking, apr, ..self.case("table", 16) }
+    }
+
+    /// That with other splits of the clocks.
+    pub fn with_split(&self, set_up: u64, apr: Option<u32>) -> Case {
+        Case { costs: split(set_up), ..self.at_threshold(Capacity::Paper, Blanking::AtStart, apr) }
+    }
+
+    /// Table 1's VLFB: ter1k with 1/8 of the screen.
+    pub fn vlfb(&self, view: u32) -> Case {
+        Case { view, ..self.in_memory("ter1k", 16, 8) }
+    }
+
+    /// ter1k in clusters, with pages for all.
+    pub fn clustered(&self, cluster: u32) -> Case {
+        Case { cluster, ..self.in_memory("ter1k", 16, 1) }
+    }
+
+    /// The point of section 6: the table.
+    pub fn in_section_6(&self, (processors, part): (u32, u32), apr: Option<u32>) -> Case {
+        Case { apr, ..self.in_memory("table", processors, part) }
+    }
+
+    /// The whole of ter250 over the bus before each frame (VC1-IMM).
+    pub fn immediate(&self, processors: u32) -> Case {
+        Case { immediate: true, ..self.case("ter250", processors) }
+    }
+
+    /// All that is run, each once.
+    pub fn cases(&self) -> Vec<Case> {
+        let mut all: Vec<Case> = Vec::new();
+        for &scene in self.scenes() {
+            all.extend(self.processors().iter().map(|n| self.case(scene, *n)));
+            all.push(Plan::slower(self.case(scene, 256)));
+            let memories = self.capacities().iter().flat_map(|part| [16, 256].map(|n| self.in_memory(scene, n, *part)));
+            all.extend(memories);
+        }
+        for apr in self.thresholds() {
+            for capacity in CAPACITIES {
+                all.extend(BLANKINGS.map(|blanking| self.at_threshold(capacity, blanking, apr)));
+            }
+            all.push(self.at_threshold(Capacity::Part(1), Blanking::AtStart, apr));
+            all.extend(SPLITS.map(|set_up| self.with_split(set_up, apr)));
+            all.extend(self.section_6().map(|machine| self.in_section_6(machine, apr)));
+        }
+        all.extend(self.views().map(|view| self.vlfb(view)));
+        all.extend(CLUSTERS.map(|cluster| self.clustered(cluster)));
+        if !self.is_quick() {
+            all.extend([64, 256].map(|n| self.immediate(n)));
+        }
+        let mut once: Vec<Case> = Vec::new();
+        for case in all {
+            if !once.contains(&case) {
+                once.push(case);
+            }
+        }
+        once
+    }
+
+    /// The machines of section 6.
+    pub fn section_6(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
+        let few = self.is_quick();
+        SECTION_6.into_iter().filter(move |(n, _)| !few || [4, 256].contains(n))
+    }
+}
+
+/// The memories for which Figure 9 is asked (VC1-F9): the machine's, and that of its Table 1.
+pub const CAPACITIES: [Capacity; 2] = [Capacity::Paper, Capacity::Part(8)];
+/// When the global frame buffer may swap.
+pub const BLANKINGS: [Blanking; 2] = [Blanking::AtStart, Blanking::Within];
+
+/// T_m in clocks of the merger.
+fn merge_clocks(size: Size, processors: u32) -> f64 {
+    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+    (width + f64::from(Config::new(size).overhead)) * height + 4.0 * f64::from(processors)
+}

@@ -1,0 +1,110 @@
+//! A case, run: a still view, frame after frame, and what it took.
+
+use super::plan::{Case, FIRST, FRAMES, Plan, STEP};
+use std::sync::Arc;
+use tilewright_machines::Error;
+use tilewright_machines::vc1::model::Model;
+use tilewright_machines::vc1::{Clocks, Config, FrameReport, ProcessorReport, Report};
+use tilewright_rtl::clocks::PE;
+use tilewright_scenes::{Projection, Scene, project};
+
+/// What a case took, as means over the frames that are timed. Times are milliseconds.
+#[derive(Clone, Debug)]
+pub struct Timed {
+    pub case: Case,
+    /// From frame to frame on the display: T.
+    pub time: f64,
+    /// Clearing and drawing of the busiest processing element, waiting left out: D.
+    pub drawing: f64,
+    /// The busiest processing element over their mean.
+    pub imbalance: f64,
+    /// Clocks of a processing element by class, as [`Clocks::NAMES`] has them.
+    pub clocks: [f64; 10],
+    pub overflows: f64,
+    /// Words on the bus, and how long they are on it.
+    pub words: f64,
+    pub bus: f64,
+    pub polygons: u32,
+}
+
+/// Nanoseconds of a clock of the processing elements, in milliseconds.
+pub const CLOCK: f64 = PE.period.picoseconds() as f64 / 1e9;
+
+/// A processing element's clocks but those in which it waits for others; the fourth clock of an access is of the access.
+pub fn busy(processor: &ProcessorReport) -> u64 {
+    processor.clocks.work() + processor.clocks.stalled
+}
+
+impl Timed {
+    /// Runs it.
+    ///
+    /// # Errors
+    /// There is no such machine.
+    pub fn of(case: &Case, plan: &Plan) -> Result<Timed, Error> {
+        let config = case.config(plan);
+        let first = case.view(plan, 0)?;
+        let report = match case.view {
+            0 => modelled(&config, &first, None)?,
+            view => modelled(&config, &case.view(plan, view)?, Some(&first))?,
+        };
+        Ok(Timed::from(*case, &config, &report))
+    }
+
+    fn from(case: Case, config: &Config, report: &Report) -> Timed {
+        let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9;
+        let frames = &report.frames[FIRST..FRAMES];
+        let count = frames.len() as f64;
+        let mean = |of: &dyn Fn(&FrameReport) -> f64| frames.iter().map(of).sum::<f64>() / count;
+        let busiest = |frame: &FrameReport| frame.processors.iter().map(busy).max().unwrap_or_default() as f64;
+        let words = mean(&|frame| frame.words as f64);
+        let mut clocks = Clocks::default();
+        frames.iter().flat_map(|frame| &frame.processors).for_each(|it| clocks += it.clocks);
+        Timed {
+            case,
+            time: (shown(FRAMES) - shown(FIRST)) / count,
+            drawing: mean(&busiest) * CLOCK,
+            imbalance: mean(&|frame| {
+                let sum: u64 = frame.processors.iter().map(busy).sum();
+                busiest(frame) * frame.processors.len() as f64 / sum as f64
+            }),
+            clocks: clocks.all().map(|sum| sum as f64 / (count * f64::from(case.processors))),
+            overflows: mean(&|frame| frame.overflows() as f64),
+            words,
+            bus: words * f64::from(config.word_clocks) * CLOCK,
+            polygons: report.polygons,
+        }
+    }
+
+    /// Milliseconds of a class of clocks, by its name in [`Clocks::NAMES`].
+    pub fn class(&self, name: &str) -> f64 {
+        let class = Clocks::NAMES.iter().position(|it| *it == name).expect("a class has that name");
+        self.clocks[class] * CLOCK
+    }
+
+    /// Millions of polygons a second.
+    pub fn rate(&self) -> f64 {
+        f64::from(self.polygons) / self.time / 1e3
+    }
+}
+
+impl Case {
+    /// The scene as the camera sees it after so many steps.
+    ///
+    /// # Errors
+    /// It cannot be set up.
+    pub fn view(&self, plan: &Plan, step: u32) -> Result<Arc<Projection>, Error> {
+        let mut scene = Scene::builtin(self.scene).expect("a built-in scene");
+        if step > 0 {
+            scene.camera = scene.camera.orbited(STEP * f64::from(step));
+        }
+        Ok(Arc::new(project(&scene, plan.size()).expect("a built-in scene can be set up from all sides")))
+    }
+}
+
+/// Frames of a still view on the model; its polygons are dealt in that first view, if there is one.
+fn modelled(config: &Config, view: &Arc<Projection>, first: Option<&Arc<Projection>>) -> Result<Report, Error> {
+    let model = Model::new(*config)?;
+    let first = first.map(|first| model.deal(first, None)).transpose()?;
+    let dealt = model.deal(view, first.as_ref())?;
+    Ok(model.render(std::iter::repeat_n(dealt, FRAMES)))
+}
