@@ -42,8 +42,8 @@ pub struct Reproduce {
     /// What the random polygons, vectors or primitives follow from
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
-    /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames; of all, also so many vectors,
-    /// and a thousand times as many primitives
+    /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames; of all, also so many vectors
+    /// and views, and a thousand times as many primitives
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
     polygons: Option<u64>,
     /// Of pixel-planes-5: at most so many random vectors of each kind: a quick look likewise

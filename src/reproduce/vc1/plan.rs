@@ -119,7 +119,7 @@ pub fn split(set_up: u64) -> CostTable {
 }
 
 impl Case {
-    /// The machine of Table 1 and Figure 8: its screen.
+    /// The machine. On a small screen a refresh comes sooner, as T_m is shorter, and programs are as much faster.
     pub fn config(&self, plan: &Plan) -> Config {
         let size = plan.size();
         let patches = (size.width() / 4) * (size.height() / 4);
@@ -131,7 +131,7 @@ impl Case {
             cluster: self.cluster,
             assign: Assign::Once,
             apr: self.apr.map(|pixels| pixels / scale),
-            costs: self.costs,
+            costs: hasty(self.costs, plan.hurry(self.processors)),
             refresh: self.refresh * plan.hurry(self.processors),
             blanking: self.blanking,
             immediate: self.immediate,
@@ -158,7 +158,7 @@ impl Plan {
         if self.is_quick() { 8 } else { 1 }
     }
 
-    /// How much sooner a refresh comes, so that T_m is as many as on the paper's screen.
+    /// How much sooner a refresh comes, so that T_m is as many as on the paper's screen. Times of a quick look are given as if it did not.
     pub fn hurry(&self, processors: u32) -> f64 {
         merge_clocks(Size::VGA, processors) / merge_clocks(self.size(), processors)
     }
@@ -181,6 +181,11 @@ impl Plan {
     pub fn thresholds(&self) -> impl Iterator<Item = Option<u32>> + use<> {
         let all = if self.is_quick() { &FEW_THRESHOLDS[..] } else { &THRESHOLDS };
         all.iter().copied().map(Some).chain([None])
+    }
+
+    /// Random machines.
+    pub fn machines(&self) -> u64 {
+        if self.is_quick() { 3 } else { 100 }
     }
 
     pub fn views(&self) -> impl Iterator<Item = u32> + use<> {
@@ -285,6 +290,14 @@ impl Plan {
 pub const CAPACITIES: [Capacity; 2] = [Capacity::Paper, Capacity::Part(8)];
 /// When the global frame buffer may swap.
 pub const BLANKINGS: [Blanking; 2] = [Blanking::AtStart, Blanking::Within];
+
+/// Costs of what there is as much of on a small screen, so many times lower.
+fn hasty(costs: CostTable, hurry: f64) -> CostTable {
+    let CostTable { vertex, polygon, area, clip, set_up, row, .. } = costs;
+    let [vertex, polygon, area, clip, set_up, row] =
+        [vertex, polygon, area, clip, set_up, row].map(|clocks| (clocks as f64 / hurry).round() as u64);
+    CostTable { vertex, polygon, area, clip, set_up, row, ..costs }
+}
 
 /// T_m in clocks of the merger.
 fn merge_clocks(size: Size, processors: u32) -> f64 {

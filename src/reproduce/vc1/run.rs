@@ -47,11 +47,12 @@ impl Timed {
             0 => modelled(&config, &first, None)?,
             view => modelled(&config, &case.view(plan, view)?, Some(&first))?,
         };
-        Ok(Timed::from(*case, &config, &report))
+        Ok(Timed::from(*case, &config, &report, plan.hurry(case.processors)))
     }
 
-    fn from(case: Case, config: &Config, report: &Report) -> Timed {
-        let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9;
+    fn from(case: Case, config: &Config, report: &Report, hurry: f64) -> Timed {
+        let clock = CLOCK * hurry;
+        let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9 * hurry;
         let frames = &report.frames[FIRST..FRAMES];
         let count = frames.len() as f64;
         let mean = |of: &dyn Fn(&FrameReport) -> f64| frames.iter().map(of).sum::<f64>() / count;
@@ -62,15 +63,15 @@ impl Timed {
         Timed {
             case,
             time: (shown(FRAMES) - shown(FIRST)) / count,
-            drawing: mean(&busiest) * CLOCK,
+            drawing: mean(&busiest) * clock,
             imbalance: mean(&|frame| {
                 let sum: u64 = frame.processors.iter().map(busy).sum();
                 busiest(frame) * frame.processors.len() as f64 / sum as f64
             }),
-            clocks: clocks.all().map(|sum| sum as f64 / (count * f64::from(case.processors))),
+            clocks: clocks.all().map(|sum| sum as f64 * hurry / (count * f64::from(case.processors))),
             overflows: mean(&|frame| frame.overflows() as f64),
             words,
-            bus: words * f64::from(config.word_clocks) * CLOCK,
+            bus: words * f64::from(config.word_clocks) * clock,
             polygons: report.polygons,
         }
     }

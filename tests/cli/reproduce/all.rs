@@ -11,9 +11,12 @@ fn the_pages_are_those_of_the_papers_and_one_of_all_machines() {
 
     // Each is what the command of its paper writes, byte for byte, in another process.
     let page = all.read("index.html");
-    for (paper, option) in
-        [("quadtree", "--polygons 20"), ("pixel-planes-5", "--vectors 20"), ("pixelflow", "--primitives 20000")]
-    {
+    for (paper, option) in [
+        ("quadtree", "--polygons 20"),
+        ("pixel-planes-5", "--vectors 20"),
+        ("pixelflow", "--primitives 20000"),
+        ("vc1", "--views 20"),
+    ] {
         let alone = made(&format!("{paper} -o report/ {option}"));
         let names = |(name, _): (&str, _)| name.strip_prefix(&format!("{paper}/")).map(str::to_owned);
         let within: Vec<String> = all.files().filter_map(names).collect();

@@ -5,6 +5,7 @@ pub mod made;
 mod pixel_planes;
 mod pixelflow;
 mod quadtree;
+mod vc1;
 
 use crate::cli::harness::Folder;
 use made::Made;
@@ -47,10 +48,14 @@ fn mistakes_are_said() {
     assert_eq!(said("reproduce quadtree -o file/report --polygons 1").0, 3);
     assert_eq!(said("reproduce quadtree -o report --polygons 0").0, 2);
     assert_eq!(said("reproduce pixel-planes-5 -o report --vectors 0").0, 2);
+    assert_eq!(said("reproduce vc1 -o report --views 0").0, 2);
     assert_eq!(said("reproduce vc2 -o report").0, 2);
     for (paper, other, own) in [
         ("quadtree", "--vectors", "--polygons"),
         ("pixel-planes-5", "--polygons", "--vectors"),
+        ("quadtree", "--views", "--polygons"),
+        ("vc1", "--polygons", "--views"),
+        ("all", "--views", "--polygons"),
         ("all", "--vectors", "--polygons"),
     ] {
         let (code, sentence) = said(&format!("reproduce {paper} -o report {other} 3"));

@@ -2,7 +2,7 @@
 
 use super::super::found::Found;
 use super::super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, THRESHOLD};
-use super::super::run::Timed;
+use super::super::run::{CLOCK, Timed};
 use super::{ALMOST_LEAST, LITTLE, WITHIN_10, named};
 use tilewright_report::{Rule, Statement};
 use tilewright_rtl::gfb::Blanking;
@@ -115,7 +115,7 @@ fn area_test(found: &Found) -> Statement {
         let case = plan.case(scene, 16);
         let timed = found.of(case)?;
         let computing: f64 = ["geometry", "raster", "sending", "receiving"].iter().map(|name| timed.class(name)).sum();
-        let area = f64::from(timed.polygons) * case.costs.area as f64 / 16.0 * super::super::run::CLOCK;
+        let area = f64::from(timed.polygons) * case.costs.area as f64 / 16.0 * CLOCK;
         Some(((*scene).to_owned(), area / computing))
     };
     Statement::new("VC1-APR", "The area of polygons takes less than 3 % of the total computation time.", Rule::AtMost)

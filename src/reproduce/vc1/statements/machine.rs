@@ -1,8 +1,9 @@
 //! The hardware: the merger, the local frame buffers, the bus.
 
 use super::super::found::Found;
+use super::super::idle::Idle;
 use super::super::plan::Capacity;
-use super::{WITHIN_1, WITHIN_2, WITHIN_HALF};
+use super::{FLOOR, WITHIN_1, WITHIN_2, WITHIN_HALF};
 use tilewright_report::{Origin, Rule, Statement};
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::parameter::Screen;
@@ -61,5 +62,14 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .found(found.model(), found.of(found.plan.case("teapot", 16)).map(|it| it.class("clearing")))
         .cannot_be_compared("the paper gives no number"),
         found.figure_6.statement(),
+        idle(found, "where the buffers swapped in a blanking before", |it| it.in_blanking),
+        idle(found, "where all swapped together before, at any time", |it| it.together),
+        idle(found, "in any case", |it| it.any.max(it.together).max(it.in_blanking)),
     ]
+}
+
+/// The longest wait of an overflow, of those that were found.
+fn idle(found: &Found, when: &str, of: fn(&Idle) -> f64) -> Statement {
+    let text = format!("A processor’s worst-case idle time upon an overflow is 33.3 ms: {when}.");
+    Statement::new("VC1-SW4", text, Rule::AtMost).unit("ms").paper([FLOOR]).found(found.model(), [of(&found.idle)])
 }

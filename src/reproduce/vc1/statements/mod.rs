@@ -7,6 +7,9 @@ mod scaling;
 mod section_6;
 mod table_1;
 
+pub use scaling::derived;
+pub use section_6::best;
+
 use super::found::Found;
 use tilewright_report::{Rule, Verdicts};
 
@@ -46,6 +49,6 @@ fn place(scene: &str, processors: u32) -> String {
 }
 
 /// As it stands in places.
-fn named(threshold: Option<u32>) -> String {
+pub fn named(threshold: Option<u32>) -> String {
     threshold.map_or_else(|| "off".to_owned(), |pixels| pixels.to_string())
 }

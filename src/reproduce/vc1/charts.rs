@@ -1,0 +1,184 @@
+//! The paper's figures, each as time T and as drawing D, and where the clocks go.
+
+use super::found::Found;
+use super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, SPLITS, THRESHOLD, split};
+use super::run::Timed;
+use super::statements::derived;
+use tilewright_machines::vc1::Clocks;
+use tilewright_report::{Axis, Chart, Lane, Origin, Section, Series, Timeline};
+use tilewright_rtl::gfb::Blanking;
+use tilewright_scenes::Size;
+
+/// What a chart shows of a case.
+type Quantity = (&'static str, &'static str, fn(&Timed) -> f64);
+
+const TIME: Quantity = ("", "T, ms", |it| it.time);
+const DRAWING: Quantity = ("-drawing", "D, ms", |it| it.drawing);
+
+/// Figure 7.
+pub fn figure_7(found: &Found) -> Section {
+    Section::new("Figure 7: time by the number of processing elements")
+        .paragraph(
+            "T is the rendering time: the mean of the 12 intervals between the swaps 3 to 15 of the global frame buffer, while the view is still. An interval is a number of refreshes, so T \
+             is never below two of them, 33.3 ms, and with 35 ms of drawing some frames take two and some take three. D is the time for which the busiest processing element clears and draws, waiting left \
+             out; below 33.3 ms T shows nothing, and D goes on.",
+        )
+        .paragraph(
+            "Crosses are the numbers that the text gives; the line is what follows for ter250 from its rates and its speed-up.",
+        )
+        .part(by_processors(found, TIME))
+        .part(by_processors(found, DRAWING))
+        .paragraph(
+            "Where the clocks of a processing element go, in percent of the time from frame to frame, as a mean over all of them. Stalled is an access that waits for its local frame buffer, bus a \
+             word that waits for the bus; overflow, sync and swap are waiting for the swap of an overflow, for the others, and for the swap at the end of a frame.",
+        )
+        .part(classes(found, "table"))
+        .part(classes(found, if found.plan.is_quick() { "ter1k" } else { "ter250" }))
+}
+
+fn by_processors(found: &Found, (id, label, of): Quantity) -> Chart {
+    let plan = &found.plan;
+    let chart = Chart::new(
+        format!("figure-7{id}"),
+        format!("Figure 7: {label} by the number of processing elements"),
+        Axis::log("processing elements n"),
+        Axis::log(label),
+    );
+    let is_time = id.is_empty();
+    let chart = plan.scenes().iter().fold(chart, |chart, scene| {
+        let points =
+            plan.processors().iter().filter_map(|n| Some((f64::from(*n), of(found.of(plan.case(scene, *n))?))));
+        let chart = chart.series(Series::new(*scene, found.model(), points));
+        let drawn = found.frames.iter().filter(|it| it.spec.case == plan.case(scene, it.spec.case.processors));
+        let drawn: Vec<_> = drawn.map(|it| (f64::from(it.spec.case.processors), it.drawing())).collect();
+        match is_time {
+            true => chart.series(Series::new(*scene, Origin::Paper, [(256.0, 33.3)])),
+            false => chart.series(Series::new(*scene, Origin::rtl([]), drawn)),
+        }
+    });
+    match is_time && plan.scenes().contains(&"ter250") {
+        true => chart.series(Series::new("ter250", Origin::Formula, derived().map(|(n, time)| (f64::from(n), time)))),
+        false => chart,
+    }
+}
+
+/// The clocks of a scene by class.
+fn classes(found: &Found, scene: &'static str) -> Timeline {
+    let chart = Timeline::new(
+        format!("classes-{scene}"),
+        format!("Where the clocks of a processing element go: {scene}"),
+        "percent of the time from frame to frame",
+        found.model(),
+    );
+    let lane = |n: &u32| {
+        let timed = found.of(found.plan.case(scene, *n))?;
+        let all: f64 = timed.clocks.iter().sum();
+        let (mut lane, mut end) = (Lane::new(format!("n = {n}")), 0.0);
+        for (name, clocks) in Clocks::NAMES.iter().zip(timed.clocks) {
+            let from = end;
+            end += 100.0 * clocks / all;
+            lane = lane.span(*name, from, end);
+        }
+        Some(lane)
+    };
+    found.plan.processors().iter().filter_map(lane).fold(chart, Timeline::lane)
+}
+
+/// Figure 8.
+pub fn figure_8(found: &Found) -> Section {
+    let section = Section::new("Figure 8: time by image memory").paragraph(
+        "With a capacity c each of the two buffers of a processing element has floor(19,200 c) pages of 4x4 pixels. The threshold is 500 pixels with 16 processing elements and 31 with 256.",
+    );
+    [("figure-8a", 16), ("figure-8b", 256)].into_iter().fold(section, |section, (id, n)| {
+        section.part(by_memory(found, id, n, TIME)).part(by_memory(found, id, n, DRAWING))
+    })
+}
+
+fn by_memory(found: &Found, id: &str, n: u32, (kind, label, of): Quantity) -> Chart {
+    let plan = &found.plan;
+    let chart = Chart::new(
+        format!("{id}{kind}"),
+        format!("Figure 8: {label} by image memory, n = {n}"),
+        Axis::log("capacity c, parts of the screen"),
+        Axis::log(label),
+    );
+    plan.scenes().iter().fold(chart, |chart, scene| {
+        let point = |part: &u32| Some((1.0 / f64::from(*part), of(found.of(plan.in_memory(scene, n, *part))?)));
+        chart.series(Series::new(*scene, found.model(), plan.capacities().iter().rev().filter_map(point)))
+    })
+}
+
+/// Where no threshold is drawn: no packet is larger than the screen.
+fn place(threshold: Option<u32>) -> f64 {
+    threshold.map_or(Size::VGA.pixels() as f64, f64::from)
+}
+
+fn when(blanking: Blanking) -> &'static str {
+    if blanking == Blanking::AtStart { "at start" } else { "in blanking" }
+}
+
+/// Figure 9.
+pub fn figure_9(found: &Found) -> Section {
+    let plan = &found.plan;
+    let paper = |apr| plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr);
+    Section::new("Figure 9: time by the threshold")
+        .paragraph(
+            "The table with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps: so there are two \
+             capacities and two ways to swap, and one machine with pages for all, on which nothing overflows. The rightmost points, at the pixels of the whole screen, are those without a threshold. The cross is the paper’s 75 %.",
+        )
+        .part(relative(found))
+        .part(by_threshold(found, "figure-9-times", "T and D by the threshold, 1/4.7 of the screen", &[
+            ("T", TIME.2, &paper),
+            ("D", DRAWING.2, &paper),
+        ]))
+        .paragraph(
+            "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. Three ways to split it, with 500, 300 and 100 clocks for the set-up of a packet, and what \
+             then is left for a row:",
+        )
+        .part(splits(found))
+}
+
+/// T in parts of that without a threshold.
+fn relative(found: &Found) -> Chart {
+    let plan = &found.plan;
+    let chart = Chart::new(
+        "figure-9",
+        "Figure 9: time by the threshold, in parts of that without",
+        Axis::log("threshold, pixels"),
+        Axis::linear("T / T(off)"),
+    );
+    let machines = CAPACITIES.into_iter().flat_map(|capacity| BLANKINGS.map(|blanking| (capacity, blanking)));
+    let chart = machines.chain([(Capacity::Part(1), Blanking::AtStart)]).fold(chart, |chart, (capacity, blanking)| {
+        let time = |apr| Some(found.of(plan.at_threshold(capacity, blanking, apr))?.time);
+        let points = plan.thresholds().filter_map(|apr| Some((place(apr), time(apr)? / time(None)?)));
+        chart.series(Series::new(format!("{}, {}", capacity.name(), when(blanking)), found.model(), points))
+    });
+    chart.series(Series::new("75 %", Origin::Paper, [(f64::from(THRESHOLD), 0.75)]))
+}
+
+type Curve<'a> = (&'a str, fn(&Timed) -> f64, &'a dyn Fn(Option<u32>) -> Case);
+
+fn by_threshold(found: &Found, id: &str, title: &str, curves: &[Curve]) -> Chart {
+    let chart = Chart::new(id, format!("Figure 9: {title}"), Axis::log("threshold, pixels"), Axis::linear("ms"));
+    curves.iter().fold(chart, |chart, (name, of, case)| {
+        let points = found.plan.thresholds().filter_map(|apr| Some((place(apr), of(found.of(case(apr))?))));
+        chart.series(Series::new(*name, found.model(), points))
+    })
+}
+
+fn splits(found: &Found) -> Chart {
+    let chart = Chart::new(
+        "figure-9-splits",
+        "Figure 9: T and D by the threshold, for three splits of the clocks",
+        Axis::log("threshold, pixels"),
+        Axis::linear("ms"),
+    );
+    SPLITS.into_iter().fold(chart, |chart, set_up| {
+        let row = split(set_up).row;
+        [TIME, DRAWING].into_iter().fold(chart, |chart, (_, label, of)| {
+            let point = |apr| Some((place(apr), of(found.of(found.plan.with_split(set_up, apr))?)));
+            let name = format!("{}, set-up {set_up}, row {row}", &label[..1]);
+            chart.series(Series::new(name, found.model(), found.plan.thresholds().filter_map(point)))
+        })
+    })
+}

@@ -1,0 +1,183 @@
+//! Frames that the circuit has drawn: pictures, what they took, and what of them can be checked.
+
+use super::plan::{Capacity, Case, Plan, THRESHOLD};
+use super::run::{CLOCK, busy};
+use crate::golden;
+use crate::reproduce::right;
+use crate::shell::Failure;
+use tilewright_machines::Watch;
+use tilewright_machines::vc1::{FrameReport, Machine, ProcessorReport, Report, Shown};
+use tilewright_report::{Cell, HeatMap, Origin, Picture, Rule, Section, Statement, Table};
+use tilewright_rtl::gfb::Blanking;
+use tilewright_scenes::golden::render_watched;
+use tilewright_scenes::{Frame, Scene, compare};
+
+/// A still view to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spec {
+    pub name: String,
+    pub case: Case,
+    frames: usize,
+}
+
+/// What came of it.
+pub struct Drawn {
+    pub spec: Spec,
+    pub report: Report,
+    /// The last one.
+    frame: Frame,
+    /// Pixels of all frames that are not those of the golden image.
+    differing: u64,
+    /// How many times sooner all is over than on the paper's screen.
+    hurry: f64,
+}
+
+/// All that the circuit draws.
+pub fn specs(plan: &Plan) -> Vec<Spec> {
+    let scenes =
+        plan.scenes().iter().map(|scene| Spec { name: (*scene).to_owned(), case: plan.case(scene, 16), frames: 2 });
+    let table = [Some(THRESHOLD), None].map(|apr| Spec {
+        name: format!("table, 1/8, threshold {}", super::statements::named(apr)),
+        case: plan.at_threshold(Capacity::Part(8), Blanking::AtStart, apr),
+        frames: 4,
+    });
+    let larger = Spec { name: "ter1k, n = 256".to_owned(), case: plan.case("ter1k", 256), frames: 2 };
+    let slower = Spec { name: "teapot, 59.94 Hz".to_owned(), case: Plan::slower(plan.case("teapot", 16)), frames: 2 };
+    scenes.chain(table).chain([larger, slower]).collect()
+}
+
+impl Drawn {
+    /// Draws all; `None` if it was interrupted.
+    pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Vec<Drawn>>, Failure> {
+        let (specs, cancel) = (specs(plan), watch.cancel);
+        let draw = |spec: &Spec| Drawn::of(spec, plan, &mut Watch { progress: None, cancel });
+        let Some(drawn) = watch.each("drawing", &specs, draw) else { return Ok(None) };
+        Ok(Some(drawn.into_iter().collect::<Result<_, _>>()?))
+    }
+
+    fn of(spec: &Spec, plan: &Plan, watch: &mut Watch) -> Result<Drawn, Failure> {
+        let view = spec.case.view(plan, 0)?;
+        let background = background(&spec.case);
+        let golden = golden::draw(|watch| render_watched(view.size, &view.triangles, background, watch))?;
+        let (mut left, mut differing, mut frame) = (spec.frames, 0, None);
+        let next = || {
+            let is_more = left > 0;
+            left = left.saturating_sub(1);
+            is_more.then(|| (*view).clone())
+        };
+        let seen = |shown: Shown| {
+            differing += compare(&shown.frame, &golden).differing;
+            frame = Some(shown.frame);
+            true
+        };
+        let report = Machine::new(spec.case.config(plan))?.render_frames(background, watch, next, seen)?;
+        Ok(Drawn {
+            spec: spec.clone(),
+            report,
+            frame: frame.expect("a view has a frame"),
+            differing,
+            hurry: plan.hurry(spec.case.processors),
+        })
+    }
+
+    /// Clearing and drawing of the busiest processing element in the last frame, in ms: D.
+    pub fn drawing(&self) -> f64 {
+        let last = self.report.frames.last().expect("there are frames");
+        last.processors.iter().map(busy).max().unwrap_or_default() as f64 * CLOCK * self.hurry
+    }
+
+    /// What processing elements received otherwise than it was sent: words.
+    fn astray(&self) -> u64 {
+        let sent: u64 = self.report.frames.iter().map(|frame| frame.words).sum();
+        let receive = self.spec.case.costs.receive;
+        let received = |number: usize| -> u64 {
+            self.report.frames.iter().map(|frame| frame.processors[number].clocks.receiving / receive).sum()
+        };
+        (0..self.report.machine.processors as usize).map(|number| received(number).abs_diff(sent)).sum()
+    }
+
+    /// Frames of which no refresh was compared with the frame buffer.
+    fn unseen(&self) -> u64 {
+        (self.report.frames.len() as u64).saturating_sub(self.report.judged)
+    }
+}
+
+pub fn background(case: &Case) -> [u8; 3] {
+    Scene::builtin(case.scene).expect("a built-in scene").background
+}
+
+/// That frames are right, and that nothing is lost on the way.
+pub fn checks(frames: &[Drawn]) -> Vec<Statement> {
+    let zero = |fact: &str, text: &str, unit: &str, of: fn(&Drawn) -> u64| {
+        let found = frames.iter().map(|it| (it.spec.name.clone(), of(it) as f64));
+        Statement::new(fact, text, Rule::Zero).unit(unit).found(Origin::rtl([]), found)
+    };
+    vec![
+        right::statement("VC1-GFB", frames.iter().map(|it| (it.spec.name.clone(), it.differing))),
+        zero(
+            "VC1-GFB",
+            "Each frame is compared, too, in the first refresh that shows it; another colour ends the command.",
+            "frames that are not",
+            Drawn::unseen,
+        ),
+        zero("VC1-NET", "Each processing element receives each word that the bus carries.", "words", Drawn::astray),
+    ]
+}
+
+/// The frames of Figure 13, and what all frames took.
+pub fn section(section: Section, frames: &[Drawn]) -> Section {
+    let pictures = frames.iter().filter(|it| it.spec.name == it.spec.case.scene);
+    let section = pictures.fold(section, |section, drawn| section.part(picture(drawn)));
+    let overflowing = frames.iter().filter(|it| it.report.frames.iter().any(|frame| frame.overflows() > 0));
+    overflowing.fold(section, |section, drawn| section.part(overflows(drawn))).part(table(frames))
+}
+
+fn picture(drawn: &Drawn) -> Picture {
+    let (scene, size) = (drawn.spec.case.scene, drawn.frame.size());
+    let alt = format!("the scene {scene}, {size} pixels");
+    let title = format!("Figure 13: {scene}, {} polygons", drawn.report.polygons);
+    Picture::new(format!("{scene}-frame"), title, alt, drawn.frame.to_png()).note(right::in_words(drawn.differing))
+}
+
+/// Overflows of each processing element, frame by frame.
+fn overflows(drawn: &Drawn) -> HeatMap {
+    let row = |frame: &FrameReport| frame.processors.iter().map(|it| it.overflows as f64).collect();
+    let id = drawn.spec.name.replace("1/8", "8").replace(|c: char| !c.is_ascii_alphanumeric(), "-").replace("--", "-");
+    let title = format!("Overflows of each processing element: {}", drawn.spec.name);
+    HeatMap::new(format!("{id}-overflows"), title, "overflows", Origin::rtl([]), drawn.report.frames.iter().map(row))
+        .note("From top to bottom the frames, from left to right the processing elements.")
+}
+
+/// What each run took in its last frame.
+fn table(frames: &[Drawn]) -> Table {
+    let columns = [
+        "frame",
+        "polygons",
+        "packets",
+        "pixels",
+        "sent to all",
+        "overflows",
+        "most pages",
+        "busiest, ms",
+        "refreshes",
+        "from command to display, ms",
+    ];
+    let table = Table::new("frames", "What the last frame of each run took", columns)
+        .note("A frame is drawn while the one before is merged, so from its command to the display there are more refreshes than from frame to frame.");
+    frames.iter().fold(table, |table, drawn| {
+        let last = drawn.report.frames.last().expect("there are frames");
+        let most = |of: fn(&ProcessorReport) -> u32| last.processors.iter().map(of).max().unwrap_or_default();
+        let numbers = [
+            f64::from(drawn.report.polygons),
+            last.packets as f64,
+            last.pixels() as f64,
+            last.broadcast() as f64,
+            last.overflows() as f64,
+            f64::from(most(|it| it.pages)),
+            drawn.drawing(),
+            last.refreshes as f64,
+            last.picoseconds() as f64 / 1e9 * drawn.hurry,
+        ];
+        table.row([Cell::from(drawn.spec.name.as_str())].into_iter().chain(numbers.map(Cell::Number)))
+    })
+}

@@ -1,0 +1,193 @@
+//! Figure 12: who drew which pixel, from the accesses that local frame buffers took.
+
+use super::frames::background;
+use super::observed::observed;
+use super::plan::Plan;
+use crate::reproduce::colour::colour;
+use std::collections::BTreeSet;
+use tilewright_machines::vc1::{Machine, Shown};
+use tilewright_machines::{Error, Watch};
+use tilewright_report::{HeatMap, Origin, Picture, Rule, Section, Statement};
+use tilewright_rtl::clocks::PE;
+use tilewright_scenes::frame::word;
+use tilewright_scenes::{Frame, Size};
+
+const SCENE: &str = "table";
+const PROCESSORS: u32 = 16;
+
+/// A frame with what each local frame buffer took of it.
+pub struct Owners {
+    frame: Frame,
+    taken: Taken,
+    /// Pixels that processing elements drew, as they count them.
+    drawn: Vec<u64>,
+}
+
+/// What was taken, pixel by pixel.
+struct Taken {
+    size: Size,
+    /// By pixel: the least word and who drew it.
+    least: Vec<Option<(u64, u32)>>,
+    /// By patch: who has a page for it.
+    pages: Vec<BTreeSet<u32>>,
+    /// By processing element: how many pixels.
+    count: Vec<u64>,
+}
+
+/// The signals of an access, in this order.
+const SIGNALS: [&str; 5] = ["valid", "ready", "x", "y", "word"];
+
+impl Taken {
+    fn new(size: Size) -> Taken {
+        Taken {
+            size,
+            least: vec![None; size.pixels()],
+            pages: vec![BTreeSet::new(); size.pixels() / 16],
+            count: vec![0; PROCESSORS as usize],
+        }
+    }
+
+    /// What the signals are before an edge of the processing elements' clock.
+    fn edge(&mut self, values: &[u64]) {
+        for (number, values) in (0..).zip(values.chunks(SIGNALS.len())) {
+            let [valid, ready, x, y, word] = values else { unreachable!("they are {SIGNALS:?}") };
+            if (*valid, *ready) == (1, 1) {
+                let (x, y) = (*x as usize, *y as usize);
+                let width = self.size.width() as usize;
+                let least = &mut self.least[y * width + x];
+                *least = Some(least.map_or((*word, number), |it| it.min((*word, number))));
+                self.pages[y / 4 * (width / 4) + x / 4].insert(number);
+                self.count[number as usize] += 1;
+            }
+        }
+    }
+}
+
+impl Owners {
+    /// Draws it.
+    ///
+    /// # Errors
+    /// The simulator's; Ctrl-C.
+    pub fn drawn(plan: &Plan, watch: &mut Watch) -> Result<Owners, Error> {
+        let case = plan.case(SCENE, PROCESSORS);
+        let view = case.view(plan, 0)?;
+        let mut taken = Taken::new(view.size);
+        let signals = (0..PROCESSORS).flat_map(|k| SIGNALS.map(|name| format!("processors_{k}_request_{name}")));
+        let signals: Vec<String> = signals.collect();
+        let seen = |time: u64, values: &[u64]| {
+            if time.is_multiple_of(PE.period.picoseconds()) {
+                taken.edge(values);
+            }
+        };
+        let (mut views, mut frame) = (Some((*view).clone()), None);
+        let shown = |shown: Shown| {
+            frame = Some(shown.frame);
+            true
+        };
+        let report = observed(Machine::new(case.config(plan))?, &signals, seen, |machine| {
+            machine.render_frames(background(&case), watch, || views.take(), shown)
+        })?;
+        let drawn = report.frames[0].processors.iter().map(|it| it.pixels).collect();
+        Ok(Owners { frame: frame.expect("a view has a frame"), taken, drawn })
+    }
+
+    /// Pixels whose word is not the least that was taken, and processing elements whose pixels were not all seen.
+    fn astray(&self) -> [u64; 2] {
+        let taken = self.frame.words.iter().zip(&self.taken.least);
+        let pixels = taken.filter(|(word, least)| least.is_some_and(|(least, _)| least != **word)).count();
+        let processors = self.drawn.iter().zip(&self.taken.count).filter(|(drawn, taken)| drawn != taken).count();
+        [pixels as u64, processors as u64]
+    }
+
+    pub fn checks(&self) -> [Statement; 2] {
+        let zero = |fact: &str, text: &str, unit: &str, found: u64| {
+            Statement::new(fact, text, Rule::Zero).unit(unit).found(Origin::rtl([]), [(SCENE, found as f64)])
+        };
+        let [pixels, processors] = self.astray();
+        [
+            zero(
+                "VC1-MU",
+                "The merger chose the least of the words that local frame buffers took.",
+                "pixels that differ",
+                pixels,
+            ),
+            zero(
+                "VC1-PE",
+                "Local frame buffers took the pixels that were drawn.",
+                "processing elements that differ",
+                processors,
+            ),
+        ]
+    }
+
+    pub fn section(&self, section: Section) -> Section {
+        section.part(self.picture()).part(self.pages())
+    }
+
+    /// A hue for each processing element, as light as the frame is there.
+    fn picture(&self) -> Picture {
+        let shade = |(least, shown): (&Option<(u64, u32)>, &u64)| match least {
+            None => word(0, [24, 24, 24]),
+            Some((_, number)) => {
+                let light = (0..3).map(|channel| shown >> (8 * channel) & 0xff).max().unwrap_or_default();
+                word(0, owner_colour(*number, light as f64))
+            }
+        };
+        let words = self.taken.least.iter().zip(&self.frame.words).map(shade).collect();
+        let picture = Frame::from_words(self.taken.size, words).expect("a word for each pixel");
+        let alt =
+            format!("the scene {SCENE} in {PROCESSORS} colours: the top of the table in lines, each object in patches");
+        Picture::new("figure-12", "Figure 12: the table in the colours of the processing elements", alt, picture.to_png()).note(
+            "The colour is that of the processing element whose word the merger chose, as its local frame buffer took it. Large polygons are \
+             drawn by all, line by line.",
+        )
+    }
+
+    /// Pages by place, as means over squares of patches where there are many.
+    fn pages(&self) -> HeatMap {
+        let (columns, rows) = (self.taken.size.width() as usize / 4, self.taken.size.height() as usize / 4);
+        let side = columns.div_ceil(40);
+        let cell = |row: usize, column: usize| {
+            let patches =
+                (row..(row + side).min(rows)).flat_map(|y| (column..(column + side).min(columns)).map(move |x| (x, y)));
+            let counts: Vec<usize> = patches.map(|(x, y)| self.taken.pages[y * columns + x].len()).collect();
+            counts.iter().sum::<usize>() as f64 / counts.len() as f64
+        };
+        let rows =
+            (0..rows).step_by(side).map(|row| (0..columns).step_by(side).map(|column| cell(row, column)).collect());
+        let title = format!("Pages by place: how many of {PROCESSORS} local frame buffers hold a patch of the {SCENE}");
+        HeatMap::new("table-pages", title, "pages a patch", Origin::rtl([]), rows)
+            .note(format!("Means over squares of {side}x{side} patches. With pages of 4x4 pixels all would be {PROCESSORS} times the screen."))
+    }
+}
+
+/// Neighbours have hues far apart.
+fn owner_colour(number: u32, light: f64) -> [u8; 3] {
+    colour(f64::from(7 * number % PROCESSORS) / f64::from(PROCESSORS), 90.0 + light * 165.0 / 255.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+
+    #[test]
+    fn each_processing_element_has_a_colour_of_its_own() {
+        let colours: BTreeSet<[u8; 3]> = (0..PROCESSORS).map(|number| owner_colour(number, 255.0)).collect();
+        assert_eq!(colours.len(), PROCESSORS as usize);
+    }
+
+    #[test]
+    fn what_was_taken_is_the_frame_and_what_was_not_is_seen() {
+        let plan = Plan::new(Effort { seed: 1, most: Some(1) });
+        let mut owners = Owners::drawn(&plan, &mut Watch::default()).expect("it is drawn");
+        let all = owners.taken.least.iter().flatten().count();
+        assert!(all > 1000, "{all}");
+        let who: BTreeSet<u32> = owners.taken.least.iter().flatten().map(|(_, number)| *number).collect();
+        assert_eq!((owners.astray(), who.len()), ([0, 0], PROCESSORS as usize));
+        let at = owners.taken.least.iter().position(Option::is_some).expect("something is drawn");
+        owners.frame.words[at] ^= 1;
+        owners.taken.count[3] -= 1;
+        assert!(owners.checks().iter().all(|check| check.verdict().to_string().starts_with("differs by 1")));
+    }
+}
