@@ -1,6 +1,8 @@
 //! The paper's figures, each as time T and as drawing D, and where the clocks go.
 
+use super::estimate;
 use super::found::Found;
+use super::frames::Drawn;
 use super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, SPLITS, THRESHOLD, split};
 use super::run::Timed;
 use super::statements::derived;
@@ -16,7 +18,7 @@ const TIME: Quantity = ("", "T, ms", |it| it.time);
 const DRAWING: Quantity = ("-drawing", "D, ms", |it| it.drawing);
 
 /// Figure 7.
-pub fn figure_7(found: &Found) -> Section {
+pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
     Section::new("Figure 7: time by the number of processing elements")
         .paragraph(
             "T is the rendering time: the mean of the 12 intervals between the swaps 3 to 15 of the global frame buffer, while the view is still. An interval is a number of refreshes, so T \
@@ -26,8 +28,9 @@ pub fn figure_7(found: &Found) -> Section {
         .paragraph(
             "Crosses are the numbers that the text gives; the line is what follows for ter250 from its rates and its speed-up.",
         )
-        .part(by_processors(found, TIME))
-        .part(by_processors(found, DRAWING))
+        .part(by_processors(found, frames, TIME))
+        .part(by_processors(found, frames, DRAWING))
+        .part(estimate::chart(found))
         .paragraph(
             "Where the clocks of a processing element go, in percent of the time from frame to frame, as a mean over all of them. Stalled is an access that waits for its local frame buffer, bus a \
              word that waits for the bus; overflow, sync and swap are waiting for the swap of an overflow, for the others, and for the swap at the end of a frame.",
@@ -36,7 +39,7 @@ pub fn figure_7(found: &Found) -> Section {
         .part(classes(found, if found.plan.is_quick() { "ter1k" } else { "ter250" }))
 }
 
-fn by_processors(found: &Found, (id, label, of): Quantity) -> Chart {
+fn by_processors(found: &Found, frames: &[Drawn], (id, label, of): Quantity) -> Chart {
     let plan = &found.plan;
     let chart = Chart::new(
         format!("figure-7{id}"),
@@ -49,7 +52,7 @@ fn by_processors(found: &Found, (id, label, of): Quantity) -> Chart {
         let points =
             plan.processors().iter().filter_map(|n| Some((f64::from(*n), of(found.of(plan.case(scene, *n))?))));
         let chart = chart.series(Series::new(*scene, found.model(), points));
-        let drawn = found.frames.iter().filter(|it| it.spec.case == plan.case(scene, it.spec.case.processors));
+        let drawn = frames.iter().filter(|it| it.spec.case == plan.case(scene, it.spec.case.processors));
         let drawn: Vec<_> = drawn.map(|it| (f64::from(it.spec.case.processors), it.drawing())).collect();
         match is_time {
             true => chart.series(Series::new(*scene, Origin::Paper, [(256.0, 33.3)])),

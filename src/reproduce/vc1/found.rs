@@ -2,12 +2,11 @@
 
 use super::circuit::Circuit;
 use super::counted::Counted;
+use super::estimate::Estimated;
 use super::figure_6::Figure6;
-use super::frames::Drawn;
 use super::idle::Idle;
-use super::owners::Owners;
 use super::plan::{Case, Plan};
-use super::random::Ran;
+use super::regions::Regional;
 use super::run::Timed;
 use crate::shell::Failure;
 use tilewright_machines::{Error, Watch};
@@ -19,10 +18,9 @@ pub struct Found {
     pub circuit: Circuit,
     pub counted: Counted,
     pub figure_6: Figure6,
-    pub owners: Owners,
-    pub frames: Vec<Drawn>,
-    pub random: Ran,
     pub idle: Idle,
+    pub regional: Regional,
+    pub estimated: Vec<Estimated>,
     timed: Vec<Timed>,
 }
 
@@ -32,12 +30,20 @@ impl Found {
         let circuit = Circuit::measured()?;
         let counted = Counted::all(plan)?;
         let figure_6 = Figure6::ran(watch)?;
-        let owners = Owners::drawn(plan, watch)?;
-        let Some(frames) = Drawn::all(plan, watch)? else { return Ok(None) };
-        let Some(random) = Ran::all(plan.machines(), plan.effort.seed, watch) else { return Ok(None) };
         let Some(idle) = Idle::found(watch) else { return Ok(None) };
+        let Some(regional) = Regional::found(plan, watch) else { return Ok(None) };
+        let Some(estimated) = Estimated::all(plan, watch) else { return Ok(None) };
         let Some(timed) = Found::timed(plan, &plan.cases(), watch)? else { return Ok(None) };
-        Ok(Some(Found { plan: *plan, circuit, counted, figure_6, owners, frames, random: random?, idle: idle?, timed }))
+        Ok(Some(Found {
+            plan: *plan,
+            circuit,
+            counted,
+            figure_6,
+            idle: idle?,
+            regional: regional?,
+            estimated: estimated?,
+            timed,
+        }))
     }
 
     /// Those cases on the model.

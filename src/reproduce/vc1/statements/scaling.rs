@@ -39,6 +39,12 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         (several.time > GUARDS).then(|| (place(scene, n), f64::from(n) * several.time / one.time))
     });
     let fastest = |n: u32| scenes().filter_map(|scene| found.of(plan.case(scene, n))).map(Timed::rate).reduce(f64::max);
+    let estimate = |from: u32, to: u32| {
+        let some = found.estimated.iter().filter(|it| (from..=to).contains(&it.processors));
+        let ratios = some.filter_map(|it| Some((place(it.scene, it.processors), it.of_time(found)?)));
+        let text = format!("The two-pass estimate coincides with the time: n = {from} to {to}.");
+        Statement::new("VC1-EST", text, WITHIN_1).unit("estimate / T").paper([1.0]).found(found.model(), ratios)
+    };
     let ter250 = [plan.case("ter250", 1), plan.case("ter250", 256)];
     vec![
         Statement::new("VC1-33", "The rendering time is never below 33.3 ms.", Rule::AtLeast)
@@ -58,6 +64,8 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .unit("times")
             .paper([SPEED_UP])
             .found(found.model(), found.ratio(String::new(), ter250, time).map(|it| it.1)),
+        estimate(1, 16),
+        estimate(32, 256),
         Statement::new("VC1-RATE", "16 processing elements draw 514,000 polygons a second at most.", WITHIN_10)
             .unit("thousand polygons/s, of the fastest scene")
             .paper([THOUSANDS_WITH_16])

@@ -1,0 +1,54 @@
+//! The paper's own estimate beyond 16 processing elements (VC1-EST): each alone, in two passes.
+
+use super::found::Found;
+use super::plan::Plan;
+use super::run::CLOCK;
+use tilewright_machines::vc1::model::Model;
+use tilewright_machines::{Error, Watch};
+use tilewright_report::{Axis, Chart, Series};
+
+/// The estimate of a scene on so many processing elements.
+pub struct Estimated {
+    pub scene: &'static str,
+    pub processors: u32,
+    /// In ms; merger and display set its floor, as they do that of T.
+    pub time: f64,
+}
+
+impl Estimated {
+    /// Estimates all points of Figure 7; `None` if it was interrupted.
+    pub fn all(plan: &Plan, watch: &mut Watch) -> Option<Result<Vec<Estimated>, Error>> {
+        let all: Vec<(&'static str, u32)> =
+            plan.scenes().iter().flat_map(|scene| plan.processors().iter().map(|n| (*scene, *n))).collect();
+        Some(watch.each("estimating", &all, |(scene, n)| Estimated::of(plan, scene, *n))?.into_iter().collect())
+    }
+
+    fn of(plan: &Plan, scene: &'static str, processors: u32) -> Result<Estimated, Error> {
+        let case = plan.case(scene, processors);
+        let model = Model::new(case.config(plan))?;
+        let dealt = model.deal(&case.view(plan, 0)?, None)?;
+        let drawing = model.estimate(&dealt).clocks() as f64 * CLOCK * plan.hurry(processors);
+        Ok(Estimated { scene, processors, time: drawing.max(2e3 / case.refresh) })
+    }
+
+    /// In parts of T, if that was timed.
+    pub fn of_time(&self, found: &Found) -> Option<f64> {
+        Some(self.time / found.of(found.plan.case(self.scene, self.processors))?.time)
+    }
+}
+
+/// How near the estimate is.
+pub fn chart(found: &Found) -> Chart {
+    let chart = Chart::new(
+        "figure-7-estimate",
+        "The paper’s two-pass estimate in parts of T",
+        Axis::log("processing elements n"),
+        Axis::linear("estimate / T"),
+    )
+    .note("It knows no overflow and no whole refreshes, but never says less than two of them.");
+    found.plan.scenes().iter().fold(chart, |chart, scene| {
+        let of_scene = found.estimated.iter().filter(|it| it.scene == *scene);
+        let points = of_scene.filter_map(|it| Some((f64::from(it.processors), it.of_time(found)?)));
+        chart.series(Series::new(*scene, found.model(), points))
+    })
+}
