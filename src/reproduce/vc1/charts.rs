@@ -92,8 +92,8 @@ pub fn figure_8(found: &Found) -> Section {
     let section = Section::new("Figure 8: time by image memory").paragraph(
         "With a capacity c each of the two buffers of a processing element has floor(19,200 c) pages of 4x4 pixels. The threshold is 500 pixels with 16 processing elements and 31 with 256.",
     );
-    [("figure-8a", 16), ("figure-8b", 256)].into_iter().fold(section, |section, (id, n)| {
-        section.part(by_memory(found, id, n, TIME)).part(by_memory(found, id, n, DRAWING))
+    ["figure-8a", "figure-8b"].into_iter().zip(found.plan.figure_8()).fold(section, |section, (id, n)| {
+        section.part(by_memory(found, id, *n, TIME)).part(by_memory(found, id, *n, DRAWING))
     })
 }
 

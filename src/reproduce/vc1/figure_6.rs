@@ -9,7 +9,7 @@ use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, set_
 
 const PROCESSORS: usize = 4;
 /// Pages of each, and patches that a processing element draws on; the first one of them on more in the last frame.
-const PAGES: u32 = 2;
+pub const PAGES: u32 = 2;
 const PATCHES: i32 = 2;
 const TOO_MANY: i32 = 4;
 
@@ -65,7 +65,7 @@ impl Figure6 {
     ///
     /// # Errors
     /// The simulator's.
-    pub fn ran(watch: &mut Watch) -> Result<Figure6, Error> {
+    pub fn ran(pages: u32, watch: &mut Watch) -> Result<Figure6, Error> {
         let views = [PATCHES, PATCHES, TOO_MANY].map(view);
         let mut views = views.into_iter().collect::<Result<Vec<_>, Error>>()?.into_iter();
         let signals = (0..PROCESSORS).flat_map(|k| ["state", "done"].map(|name| format!("processors_{k}_{name}")));
@@ -84,7 +84,7 @@ impl Figure6 {
             }
             (before, was, figure.end) = (now, is, now);
         };
-        observed(Machine::new(config()?)?, &signals, seen, |machine| {
+        observed(Machine::new(config(pages)?)?, &signals, seen, |machine| {
             machine.render_frames([0; 3], watch, || views.next(), |_| true)
         })?;
         Ok(figure)
@@ -146,6 +146,12 @@ impl Figure6 {
         .found(Origin::rtl([]), order.into_iter().enumerate().map(|(at, (_, number))| (place(at), number as f64)))
     }
 
+    /// When local frame buffers swapped.
+    fn swaps(&self) -> impl Iterator<Item = f64> {
+        let pairs = self.lanes.iter().flat_map(|lane| lane.windows(2));
+        pairs.filter(|pair| pair[1].0 == Doing::Clearing).map(|pair| pair[1].1)
+    }
+
     pub fn section(&self) -> Section {
         let size = size();
         Section::new("Figure 6, as the circuit ran it")
@@ -164,21 +170,18 @@ impl Figure6 {
         };
         let lane = |(number, spans): (usize, &Vec<(Doing, f64, f64)>)| {
             let lane = Lane::new(format!("PE {number}"));
-            let lane = spans.iter().fold(lane, |lane, (doing, from, to)| lane.span(doing.name(), *from, *to));
+            // After the last frame there is no command any more.
+            let last = spans.iter().rposition(|(doing, ..)| *doing == Doing::Due).unwrap_or_default();
+            let lane = spans[..=last].iter().fold(lane, |lane, (doing, from, to)| lane.span(doing.name(), *from, *to));
             if number == 0 { [1, 2, 5, 6, 7, 8].into_iter().fold(lane, event) } else { lane }
         };
         let chart = Timeline::new("figure-6", "Swaps of local and global frame buffers", "time, ms", Origin::rtl([]));
         let chart = self.lanes.iter().enumerate().map(lane).fold(chart, Timeline::lane);
-        // A frame is merged from the last swap before it is stored, or from the start of a round that an overflow makes.
-        let swaps: Vec<f64> = self
-            .lanes
-            .iter()
-            .flat_map(|lane| lane.windows(2))
-            .filter(|pair| pair[1].0 == Doing::Clearing)
-            .map(|pair| pair[1].1)
-            .collect();
-        let since = |end: f64| swaps.iter().copied().filter(|at| *at < end).fold(0.0, f64::max);
-        let merger = self.merged.iter().fold(Lane::new("merger"), |lane, end| lane.span("merging", since(*end), *end));
+        // A frame is merged from the first swap of its own to the end of the last round.
+        let before = |number: usize| if number == 0 { 0.0 } else { self.merged[number - 1] };
+        let first = |number: usize| self.swaps().filter(|at| *at > before(number)).fold(f64::INFINITY, f64::min);
+        let merger = self.merged.iter().enumerate();
+        let merger = merger.fold(Lane::new("merger"), |lane, (number, end)| lane.span("merging", first(number), *end));
         let shown = self.shown.iter().copied().zip(self.shown.iter().copied().skip(1).chain([self.end])).enumerate();
         let display = shown.fold(Lane::new("display"), |lane, (number, (from, to))| {
             lane.span(format!("frame {}", number + 1), from, to)
@@ -192,11 +195,11 @@ fn size() -> Size {
 }
 
 /// Set-up makes drawing as long as a refresh or so; a refresh comes as often in T_m as on the paper's screen.
-fn config() -> Result<Config, Error> {
+fn config(pages: u32) -> Result<Config, Error> {
     let free = CostTable { vertex: 0, polygon: 0, area: 0, clip: 0, set_up: 2000, row: 0, ..CostTable::default() };
     let config = Config {
         processors: PROCESSORS as u32,
-        pages: Some(PAGES),
+        pages: Some(pages),
         cluster: 1,
         assign: Assign::Count,
         apr: None,
@@ -242,7 +245,7 @@ mod tests {
 
     #[test]
     fn the_events_come_in_the_papers_order() {
-        let figure = Figure6::ran(&mut Watch::default()).expect("it runs");
+        let figure = Figure6::ran(PAGES, &mut Watch::default()).expect("it runs");
         assert_eq!(figure.statement().verdict().to_string(), "holds", "{:?} {:?}", figure.events(), figure.lanes);
         // Two that come the other way round are seen.
         let other = Figure6 { merged: vec![figure.shown[0] + 1e-3], ..figure };

@@ -1,5 +1,6 @@
 //! The page of the VC-1: what its paper says of virtual local frame buffers (facts A1, B).
 
+mod beside;
 mod charts;
 mod circuit;
 mod counted;

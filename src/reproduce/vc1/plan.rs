@@ -130,7 +130,7 @@ impl Case {
             pages: Some((pages as u32).clamp(2, patches)),
             cluster: self.cluster,
             assign: Assign::Once,
-            apr: self.apr.map(|pixels| pixels / scale),
+            apr: self.apr.map(|pixels| (pixels / scale).max(1)),
             costs: hasty(self.costs, plan.hurry(self.processors)),
             refresh: self.refresh * plan.hurry(self.processors),
             blanking: self.blanking,
@@ -169,7 +169,12 @@ impl Plan {
 
     /// The numbers of processing elements of Figure 7.
     pub fn processors(&self) -> &'static [u32] {
-        if self.is_quick() { &[1, 16, 256] } else { &[1, 2, 4, 8, 16, 32, 64, 128, 256] }
+        if self.is_quick() { &[1, 4, 16] } else { &[1, 2, 4, 8, 16, 32, 64, 128, 256] }
+    }
+
+    /// The numbers of processing elements of Figure 8.
+    pub fn figure_8(&self) -> &'static [u32] {
+        if self.is_quick() { &[16] } else { &[16, 256] }
     }
 
     /// The memories of Figure 8, from the whole screen on.
@@ -253,9 +258,12 @@ impl Plan {
         let mut all: Vec<Case> = Vec::new();
         for &scene in self.scenes() {
             all.extend(self.processors().iter().map(|n| self.case(scene, *n)));
-            all.push(Plan::slower(self.case(scene, 256)));
-            let memories = self.capacities().iter().flat_map(|part| [16, 256].map(|n| self.in_memory(scene, n, *part)));
-            all.extend(memories);
+            if !self.is_quick() {
+                all.push(Plan::slower(self.case(scene, 256)));
+            }
+            for n in self.figure_8() {
+                all.extend(self.capacities().iter().map(|part| self.in_memory(scene, *n, *part)));
+            }
         }
         for apr in self.thresholds() {
             for capacity in CAPACITIES {
@@ -282,7 +290,7 @@ impl Plan {
     /// The machines of section 6.
     pub fn section_6(&self) -> impl Iterator<Item = (u32, u32)> + use<> {
         let few = self.is_quick();
-        SECTION_6.into_iter().filter(move |(n, _)| !few || [4, 256].contains(n))
+        SECTION_6.into_iter().filter(move |(n, _)| !few || *n <= 16)
     }
 }
 

@@ -16,8 +16,10 @@ pub struct Ran {
     pub broadcast: u64,
     /// Averages of several frames.
     pub averages: u64,
-    /// Refreshes that were compared.
+    /// Refreshes that were compared with frame buffers.
     pub refreshes: u64,
+    /// Events that were compared with the model.
+    pub compared: u64,
     /// Pixels that are not those of golden images.
     pub differing: u64,
 }
@@ -35,7 +37,10 @@ impl Ran {
 
     /// That they are right.
     pub fn check(&self, seed: u64) -> Statement {
-        let place = format!("{} machines, {} frames, {} refreshes", self.machines, self.frames, self.refreshes);
+        let place = format!(
+            "{} machines, {} frames, {} refreshes, {} events",
+            self.machines, self.frames, self.refreshes, self.compared
+        );
         Statement::new("DES-MIN", "Frames of random machines, and averages of several, are golden images.", Rule::Zero)
             .unit("pixels that differ")
             .found(Origin::rtl([seed]), [(place, self.differing as f64)])
@@ -49,6 +54,7 @@ impl Ran {
             broadcast: self.broadcast + other.broadcast,
             averages: self.averages + other.averages,
             refreshes: self.refreshes + other.refreshes,
+            compared: self.compared + other.compared,
             differing: self.differing + other.differing,
         }
     }
@@ -78,7 +84,7 @@ impl Ran {
         let report = machine.render_frames(BACKGROUND, watch, || next.next(), seen)?;
         ran.overflows = report.frames.iter().map(|frame| frame.overflows()).sum();
         ran.broadcast = report.frames.iter().map(|frame| frame.broadcast()).sum();
-        Ok(Ran { machines: 1, refreshes: report.judged, ..ran })
+        Ok(Ran { machines: 1, refreshes: report.judged, compared: report.compared, ..ran })
     }
 }
 

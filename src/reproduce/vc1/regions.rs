@@ -25,6 +25,7 @@ pub struct Means {
 }
 
 /// What was found, of each machine of Table 1.
+#[derive(Default)]
 pub struct Regional {
     /// Clocks for each region of a packet, and for each beyond its first.
     pub region: f64,

@@ -30,7 +30,7 @@ fn figure_8(found: &Found) -> Vec<Statement> {
             .found(found.model(), plan.scenes().iter().filter_map(of))
     };
     let mut statements = vec![enough(16, 8), enough(256, 32)];
-    for n in [16, 256] {
+    for &n in plan.figure_8() {
         statements.extend(plan.scenes().iter().map(|scene| {
             let of = |part: &u32| found.at(format!("1/{part}"), plan.in_memory(scene, n, *part), time);
             let text = format!("The time increases as image memory decreases: {scene}, n = {n}.");

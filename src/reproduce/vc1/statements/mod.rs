@@ -6,6 +6,8 @@ mod memory;
 mod scaling;
 mod section_6;
 mod table_1;
+#[cfg(test)]
+mod tests;
 
 pub use scaling::derived;
 pub use section_6::best;
