@@ -21,9 +21,8 @@ const DRAWING: Quantity = ("-drawing", "D, ms", |it| it.drawing);
 pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
     Section::new("Figure 7: time by the number of processing elements")
         .paragraph(
-            "T is the rendering time: the mean of the 12 intervals between the swaps 3 to 15 of the global frame buffer, while the view is still. An interval is a number of refreshes, so T \
-             is never below two of them, 33.3 ms, and with 35 ms of drawing some frames take two and some take three. D is the time for which the busiest processing element clears and draws, waiting left \
-             out; below 33.3 ms T shows nothing, and D goes on.",
+            "An interval between two swaps is a number of refreshes, and two of them at least, 33.3 ms. So with 35 ms of drawing some frames take two and some take three. Below 33.3 ms T shows \
+             nothing, and D goes on.",
         )
         .paragraph(
             "Crosses are the numbers that the text gives; the line is what follows for ter250 from its rates and its speed-up.",

@@ -1,8 +1,8 @@
 //! The paper's own estimate beyond 16 processing elements (VC1-EST): each alone, in two passes.
 
 use super::found::Found;
-use super::plan::Plan;
-use super::run::CLOCK;
+use super::plan::{FRAMES, Plan};
+use super::run::interval;
 use tilewright_machines::vc1::model::Model;
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Axis, Chart, Series};
@@ -11,7 +11,7 @@ use tilewright_report::{Axis, Chart, Series};
 pub struct Estimated {
     pub scene: &'static str,
     pub processors: u32,
-    /// In ms; merger and display set its floor, as they do that of T.
+    /// T of the slowest one, alone, in ms.
     pub time: f64,
 }
 
@@ -27,8 +27,8 @@ impl Estimated {
         let case = plan.case(scene, processors);
         let model = Model::new(case.config(plan))?;
         let dealt = model.deal(&case.view(plan, 0)?, None)?;
-        let drawing = model.estimate(&dealt).clocks() as f64 * CLOCK * plan.hurry(processors);
-        Ok(Estimated { scene, processors, time: drawing.max(2e3 / case.refresh) })
+        let estimate = model.estimate(&dealt, FRAMES);
+        Ok(Estimated { scene, processors, time: interval(estimate.slowest()) * plan.hurry(processors) })
     }
 
     /// In parts of T, if that was timed.
@@ -45,7 +45,7 @@ pub fn chart(found: &Found) -> Chart {
         Axis::log("processing elements n"),
         Axis::linear("estimate / T"),
     )
-    .note("It knows no overflow and no whole refreshes, but never says less than two of them.");
+    .note("Each processing element draws alone, first without the polygons that all draw, then with all of them; the slowest counts.");
     found.plan.scenes().iter().fold(chart, |chart, scene| {
         let of_scene = found.estimated.iter().filter(|it| it.scene == *scene);
         let points = of_scene.filter_map(|it| Some((f64::from(it.processors), it.of_time(found)?)));

@@ -7,7 +7,7 @@ use super::figure_6::{Figure6, PAGES};
 use super::idle::Idle;
 use super::plan::{Case, Plan};
 use super::regions::Regional;
-use super::run::Timed;
+use super::run::{Job, Timed};
 use crate::shell::Failure;
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
@@ -31,9 +31,8 @@ impl Found {
         let counted = Counted::all(plan)?;
         let figure_6 = Figure6::ran(PAGES, watch)?;
         let Some(idle) = Idle::found(watch) else { return Ok(None) };
-        let regional = Some(Ok::<_, Error>(Regional::default()));
-        let Some(regional) = regional else { return Ok(None) };
-        let estimated = Ok::<Vec<Estimated>, Error>(vec![]);
+        let Some(regional) = Regional::found(plan, watch) else { return Ok(None) };
+        let Some(estimated) = Estimated::all(plan, watch) else { return Ok(None) };
         let Some(timed) = Found::timed(plan, &plan.cases(), watch)? else { return Ok(None) };
         Ok(Some(Found {
             plan: *plan,
@@ -63,10 +62,22 @@ impl Found {
         }
     }
 
-    /// Those cases on the model.
+    /// Those cases on the model, each that is the same once.
     fn timed(plan: &Plan, cases: &[Case], watch: &mut Watch) -> Result<Option<Vec<Timed>>, Failure> {
-        let Some(timed) = watch.each("timing", cases, |case| Timed::of(case, plan)) else { return Ok(None) };
-        Ok(Some(timed.into_iter().collect::<Result<_, Error>>()?))
+        let Some(jobs) = watch.each("counting pages", cases, |case| Job::of(case, plan)) else { return Ok(None) };
+        let jobs = jobs.into_iter().collect::<Result<Vec<Job>, Error>>()?;
+        let mut once: Vec<&Job> = Vec::new();
+        let mut numbers = Vec::new();
+        for job in &jobs {
+            let at = once.iter().position(|it| it.is_same(job)).unwrap_or(once.len());
+            if at == once.len() {
+                once.push(job);
+            }
+            numbers.push(at);
+        }
+        let Some(timed) = watch.each("timing", &once, |job| job.run(plan)) else { return Ok(None) };
+        let timed = timed.into_iter().collect::<Result<Vec<Timed>, Error>>()?;
+        Ok(Some(jobs.iter().zip(numbers).map(|(job, at)| timed[at].of_case(job.case)).collect()))
     }
 
     pub fn model(&self) -> Origin {

@@ -184,7 +184,7 @@ fn table(frames: &[Drawn]) -> Table {
         "events compared",
     ];
     let table = Table::new("frames", "What the last frame of each run took", columns)
-        .note("A frame is drawn while the one before is merged, so from its command to the display there are more refreshes than from frame to frame.");
+        .note("A frame is drawn while the one before is merged: from its command to the display it takes longer than from frame to frame.");
     frames.iter().fold(table, |table, drawn| {
         let last = drawn.report.frames.last().expect("there are frames");
         let most = |of: fn(&ProcessorReport) -> u32| last.processors.iter().map(of).max().unwrap_or_default();

@@ -54,7 +54,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(tables::section_6(&found))
         .section(found.figure_6.section())
         .section(drawings.section())
-        .section(Section::new("Checks").part(drawings.checks(effort.seed)))
+        .section(Section::new("Checks").part(drawings.checks(effort.seed)).part(drawings.random.table()))
         .section(tables::not_compared());
     Ok(Some(page))
 }

@@ -157,7 +157,7 @@ impl Owners {
             (0..rows).step_by(side).map(|row| (0..columns).step_by(side).map(|column| cell(row, column)).collect());
         let title = format!("Pages by place: how many of {PROCESSORS} local frame buffers hold a patch of the {SCENE}");
         HeatMap::new("table-pages", title, "pages a patch", Origin::rtl([]), rows)
-            .note(format!("Means over squares of {side}x{side} patches. With pages of 4x4 pixels all would be {PROCESSORS} times the screen."))
+            .note(format!("Means over squares of {side}x{side} patches. Local frame buffers of the whole screen would hold {PROCESSORS} everywhere."))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::figure_6::projection;
 use tilewright_machines::vc1::{Assign, Config, CostTable, Cursor, Machine, Shown};
 use tilewright_machines::{Error, Watch};
-use tilewright_report::{Origin, Rule, Statement};
+use tilewright_report::{Origin, Rule, Statement, Table};
 use tilewright_rtl::gfb::{Blanking, Passes};
 use tilewright_scenes::{Frame, Projection, ScreenVertex, Size, compare, golden};
 
@@ -37,13 +37,24 @@ impl Ran {
 
     /// That they are right.
     pub fn check(&self, seed: u64) -> Statement {
-        let place = format!(
-            "{} machines, {} frames, {} refreshes, {} events",
-            self.machines, self.frames, self.refreshes, self.compared
-        );
         Statement::new("DES-MIN", "Frames of random machines, and averages of several, are golden images.", Rule::Zero)
             .unit("pixels that differ")
-            .found(Origin::rtl([seed]), [(place, self.differing as f64)])
+            .found(Origin::rtl([seed]), [(format!("{} machines", self.machines), self.differing as f64)])
+    }
+
+    /// How much of everything there was.
+    pub fn table(&self) -> Table {
+        let rows = [
+            ("machines", self.machines),
+            ("frames", self.frames),
+            ("overflows", self.overflows),
+            ("polygons sent to all", self.broadcast),
+            ("averages of several frames", self.averages),
+            ("refreshes compared with frame buffers", self.refreshes),
+            ("events, times and counts compared with the model", self.compared),
+        ];
+        let table = Table::new("random-machines", "Random machines with random frames", ["what", "how many"]);
+        rows.into_iter().fold(table, |table, (what, count)| table.row([what.into(), (count as f64).into()]))
     }
 
     fn and(self, other: Ran) -> Ran {

@@ -108,7 +108,7 @@ impl Means {
             frame.processors.iter().map(of).sum::<u64>() as f64 / frame.processors.len() as f64 * CLOCK * hurry
         };
         Means {
-            time: frame.merged as f64 / 1e9 * hurry,
+            time: frame.interval as f64 / 1e9 * hurry,
             geometry: mean(|it| it.geometry),
             rasterization: mean(|it| it.rasterization),
             synchronization: mean(|it| it.sync),

@@ -27,8 +27,20 @@ pub struct Timed {
     pub polygons: u32,
 }
 
+/// A case to run. Pages beyond those that its views need make no difference, and are left out: so many cases are one.
+pub struct Job {
+    pub case: Case,
+    config: Config,
+}
+
 /// Nanoseconds of a clock of the processing elements, in milliseconds.
 pub const CLOCK: f64 = PE.period.picoseconds() as f64 / 1e9;
+
+/// T: the mean of the intervals in which the display changes, in ms.
+pub fn interval(report: &Report) -> f64 {
+    let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9;
+    (shown(FRAMES) - shown(FIRST)) / (FRAMES - FIRST) as f64
+}
 
 /// A processing element's clocks but those in which it waits for others; the fourth clock of an access is of the access.
 pub fn busy(processor: &ProcessorReport) -> u64 {
@@ -36,23 +48,13 @@ pub fn busy(processor: &ProcessorReport) -> u64 {
 }
 
 impl Timed {
-    /// Runs it.
-    ///
-    /// # Errors
-    /// There is no such machine.
-    pub fn of(case: &Case, plan: &Plan) -> Result<Timed, Error> {
-        let config = case.config(plan);
-        let first = case.view(plan, 0)?;
-        let report = match case.view {
-            0 => modelled(&config, &first, None)?,
-            view => modelled(&config, &case.view(plan, view)?, Some(&first))?,
-        };
-        Ok(Timed::from(*case, &config, &report, plan.hurry(case.processors)))
+    /// The same of a case that differs in nothing that is of account.
+    pub fn of_case(&self, case: Case) -> Timed {
+        Timed { case, ..self.clone() }
     }
 
     fn from(case: Case, config: &Config, report: &Report, hurry: f64) -> Timed {
         let clock = CLOCK * hurry;
-        let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9 * hurry;
         let frames = &report.frames[FIRST..FRAMES];
         let count = frames.len() as f64;
         let mean = |of: &dyn Fn(&FrameReport) -> f64| frames.iter().map(of).sum::<f64>() / count;
@@ -62,7 +64,7 @@ impl Timed {
         frames.iter().flat_map(|frame| &frame.processors).for_each(|it| clocks += it.clocks);
         Timed {
             case,
-            time: (shown(FRAMES) - shown(FIRST)) / count,
+            time: interval(report) * hurry,
             drawing: mean(&busiest) * clock,
             imbalance: mean(&|frame| {
                 let sum: u64 = frame.processors.iter().map(busy).sum();
@@ -102,10 +104,63 @@ impl Case {
     }
 }
 
+impl Job {
+    /// What there is to run of a case.
+    ///
+    /// # Errors
+    /// There is no such machine.
+    pub fn of(case: &Case, plan: &Plan) -> Result<Job, Error> {
+        let config = case.config(plan);
+        let views = [0, case.view].map(|step| case.view(plan, step));
+        let [first, view] = views;
+        let needed = config.sufficient_pages([(*first?).clone(), (*view?).clone()])?.max(2);
+        Ok(Job { case: *case, config: Config { pages: config.pages.map(|pages| pages.min(needed)), ..config } })
+    }
+
+    /// Whether one of them is as good as both: they have the same machine and the same views.
+    pub fn is_same(&self, other: &Job) -> bool {
+        (self.case.scene, self.case.view, self.config) == (other.case.scene, other.case.view, other.config)
+    }
+
+    /// Runs it.
+    ///
+    /// # Errors
+    /// There is no such machine.
+    pub fn run(&self, plan: &Plan) -> Result<Timed, Error> {
+        let Job { case, config } = self;
+        let first = case.view(plan, 0)?;
+        let report = match case.view {
+            0 => modelled(config, &first, None)?,
+            view => modelled(config, &case.view(plan, view)?, Some(&first))?,
+        };
+        Ok(Timed::from(*case, config, &report, plan.hurry(case.processors)))
+    }
+}
+
 /// Frames of a still view on the model; its polygons are dealt in that first view, if there is one.
 fn modelled(config: &Config, view: &Arc<Projection>, first: Option<&Arc<Projection>>) -> Result<Report, Error> {
     let model = Model::new(*config)?;
     let first = first.map(|first| model.deal(first, None)).transpose()?;
     let dealt = model.deal(view, first.as_ref())?;
     Ok(model.render(std::iter::repeat_n(dealt, FRAMES)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+
+    #[test]
+    fn pages_that_are_not_needed_make_no_difference() -> Result<(), Error> {
+        let plan = Plan::new(Effort { seed: 1, most: Some(1) });
+        let [all, half] = [1, 2].map(|part| Job::of(&plan.in_memory("table", 16, part), &plan));
+        let (all, half) = (all?, half?);
+        assert!(all.is_same(&half) && all.config.pages < all.case.config(&plan).pages, "{:?}", all.config);
+        let view = all.case.view(&plan, 0)?;
+        let [few, many] = [all.config, all.case.config(&plan)].map(|config| modelled(&config, &view, None));
+        assert_eq!(few?.frames, many?.frames);
+        // And those that are make one.
+        assert!(!all.is_same(&Job::of(&plan.in_memory("table", 16, 8), &plan)?));
+        Ok(())
+    }
 }

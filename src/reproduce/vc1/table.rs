@@ -31,12 +31,13 @@ pub fn section(found: &Found) -> Section {
     let section = Section::new("Table 1: beside regions").paragraph(
         "Times of ter1k with 16 processing elements, as means over still views 7.5 degrees apart, 48 of them in a full turn. Clusters are dealt once, in the first view. In the other machine the \
          screen is in regions: a processing element does its geometry, then draws region after region, each into one of its buffers. It may begin a region when the one that was in its buffer \
-         is merged, and a region is merged when all have drawn it. The paper simulated that machine on its own, and so does the model here; there is no circuit of it.",
+         is merged, and a region is merged when all have drawn it. Who has drawn its last region begins with the geometry of the next frame, and times are those from frame to frame. The paper simulated that machine on its own, and so does the model here; there is no circuit of it.",
     );
     let regional = &found.regional;
     let section = section.part(table(found)).paragraph(format!(
-        "Geometry and rasterization are fitted, and have no verdict: {} clocks for the classification of a polygon, and, for the clipping of a packet, {:.0} clocks for each of its regions and {:.0} for each \
-         beyond its first. The column of 2x2 regions alone would not tell one from the other, as many packets are in one region and few in several. No clipping needs so many clocks.",
+        "Geometry and rasterization are fitted, and have no verdict. The classification of a polygon takes {} clocks. The clipping of a packet takes {:.0} clocks for each of its \
+         regions, and {:.0} more for each beyond its first. The column of 2x2 regions alone would not tell one from the other, as many packets are in one region and few in several. No clipping needs so many \
+         clocks.",
         super::regions::CLASSIFY, regional.region, regional.further
     ));
     section.part(unclipped(found))

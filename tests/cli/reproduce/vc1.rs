@@ -2,6 +2,7 @@
 
 use super::made::{Made, made};
 use super::{all_checks_hold, is_whole};
+use std::collections::BTreeSet;
 
 /// A quick look, as the README has it.
 const QUICK: &str = "vc1 -o report/ --views 2";
@@ -24,7 +25,7 @@ fn another_seed_finds_other_machines() {
     let names = |made: &Made| made.files().map(|(name, _)| name.to_owned()).collect::<Vec<_>>();
     assert_eq!(names(one), names(other));
     assert_eq!(other.told(), names(other));
-    assert_ne!(one.read("checks.csv"), other.read("checks.csv"));
+    assert_ne!(one.read("random-machines.csv"), other.read("random-machines.csv"));
     for name in ["statements.csv", "figure-7.csv", "figure-6.csv"] {
         assert_eq!(one.read(name), other.read(name), "{name}");
     }
@@ -34,17 +35,17 @@ fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(made: &Made) {
     let parts = [
         "figure-7.csv",
         "figure-7-drawing.csv",
+        "figure-7-estimate.csv",
         "classes-table.csv",
         "classes-ter1k.csv",
         "figure-8a.csv",
         "figure-8a-drawing.csv",
-        "figure-8b.csv",
-        "figure-8b-drawing.csv",
         "figure-9.csv",
         "figure-9-times.csv",
         "figure-9-splits.csv",
         "figure-9-effects.csv",
         "table-1.csv",
+        "table-1-unclipped.csv",
         "clusters.csv",
         "section-6.csv",
         "section-6-drawing.csv",
@@ -54,12 +55,13 @@ fn its_page_is_whole_in_a_browser_and_its_data_is_beside_it(made: &Made) {
         "teapot-frame.png",
         "ter1k-frame.png",
         "frames.csv",
+        "random-machines.csv",
         "not-compared.csv",
     ];
     is_whole(made, &parts);
     let [holds, ..] = made.counts();
     assert!(holds > 20, "{holds} hold");
-    all_checks_hold(made, 3 * 7 + 3, ",exactly 0,teapot,pixels that differ,,,RTL,0,,holds");
+    all_checks_hold(made, 5 * 6 + 3, ",exactly 0,teapot,pixels that differ,,,RTL,0,,holds");
 }
 
 fn each_row_of_the_table_of_statements_is_there(made: &Made) {
@@ -76,8 +78,10 @@ fn each_row_of_the_table_of_statements_is_there(made: &Made) {
         ("VC1-33", 2),
         ("VC1-59", 1),
         ("VC1-F7", 3),
+        ("VC1-EST", 2),
         ("VC1-RATE", 3),
-        ("VC1-F8", 2 + 2 * 3),
+        ("VC1-T1", 7),
+        ("VC1-F8", 2 + 3),
         ("VC1-F9", 10),
         ("VC1-APR", 1),
         ("VC1-CLU", 3),
@@ -85,9 +89,11 @@ fn each_row_of_the_table_of_statements_is_there(made: &Made) {
         ("VC1-THRN", 3),
         ("VC1-IMM", 2),
     ] {
-        let lines = statements.lines().filter(|line| line.starts_with(&format!("{fact},")));
-        let texts: std::collections::BTreeSet<&str> =
-            lines.map(|line| &line[..line.find(" the paper").unwrap_or(90).min(90)]).collect();
+        let lines = statements.lines().filter_map(|line| line.strip_prefix(&format!("{fact},")));
+        let text = |line: &str| {
+            line.strip_prefix('"').map_or(line.split(',').next(), |rest| rest.split('"').next()).unwrap().to_owned()
+        };
+        let texts: BTreeSet<String> = lines.map(text).collect();
         assert!(texts.len() >= count, "{fact}: {texts:#?}");
     }
     // Of what the circuit takes nothing is in question.
@@ -112,12 +118,14 @@ fn times_are_whole_refreshes_and_drawing_goes_on_below_them(made: &Made) {
         // 12 intervals are a whole number of refreshes, but for what the swap comes later in one.
         let refreshes = time * 12.0 * 60.0 / 1000.0;
         assert!((refreshes - refreshes.round()).abs() < 0.2 && *time > 33.2, "{scene}, n = {n}: {time}");
-        assert!(n != "256" || *drawing < *time, "{scene}: {drawing}");
+        assert!(n != "16" || *drawing < *time, "{scene}: {drawing}");
     }
     let circuit: Vec<_> = made.rows("figure-7-drawing.csv").into_iter().filter(|cells| !cells[5].is_empty()).collect();
-    assert_eq!(circuit.len(), 3 + 1, "{circuit:?}");
+    assert_eq!(circuit.len(), 3, "{circuit:?}");
     for cells in circuit {
-        assert_eq!(cells[4], cells[5], "the model’s clocks are the circuit’s: {cells:?}");
+        let [model, circuit] = [4, 5].map(|column| cells[column].parse::<f64>().unwrap());
+        // Of several frames, and of the last of two.
+        assert!((model / circuit - 1.0).abs() < 0.005, "the model’s clocks are the circuit’s: {cells:?}");
     }
 }
 

@@ -12,7 +12,8 @@ pub fn statements(found: &Found) -> Vec<Statement> {
     let [_, _, four_with_2, four_with_4] = all;
     let model = || found.model();
     let by_name = |of: fn(&Means) -> f64, means: &[Means; 4]| [1, 2, 3].map(|at| (NAMES[at], of(&means[at])));
-    let (time, waiting): (fn(&Means) -> f64, fn(&Means) -> f64) = (|it| it.time, |it| it.synchronization);
+    let time: fn(&Means) -> f64 = |it| it.time;
+    let waiting: fn(&Means) -> f64 = |it| it.synchronization;
     let beside = |text: &str, of: fn(&Means) -> f64| {
         let ratios = (1..4).map(|at| (NAMES[at], of(&found.regional.unclipped[at - 1]) / of(&vlfb)));
         Statement::new("VC1-T1", text, Rule::AtLeast).unit("times that of VLFB").paper([1.0]).found(model(), ratios)
