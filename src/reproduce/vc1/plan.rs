@@ -256,6 +256,10 @@ impl Plan {
     /// All that is run, each once.
     pub fn cases(&self) -> Vec<Case> {
         let mut all: Vec<Case> = Vec::new();
+        // What takes longest comes first, so that no processor waits for it in the end.
+        if !self.is_quick() {
+            all.extend([64, 256].map(|n| self.immediate(n)));
+        }
         for &scene in self.scenes() {
             all.extend(self.processors().iter().map(|n| self.case(scene, *n)));
             if !self.is_quick() {
@@ -275,9 +279,6 @@ impl Plan {
         }
         all.extend(self.views().map(|view| self.vlfb(view)));
         all.extend(CLUSTERS.map(|cluster| self.clustered(cluster)));
-        if !self.is_quick() {
-            all.extend([64, 256].map(|n| self.immediate(n)));
-        }
         let mut once: Vec<Case> = Vec::new();
         for case in all {
             if !once.contains(&case) {
