@@ -218,7 +218,7 @@ impl Timeline {
             }
         };
         html! {
-            (plot::timeline(self, plot::WIDE)) (plot::timeline(self, plot::NARROW))
+            (plot::svg_of_times(self, plot::WIDE)) (plot::svg_of_times(self, plot::NARROW))
             ul.legend aria-label="Legend" {
                 @for (number, name) in self.names().into_iter().enumerate() { li { (plot::sample_of_span(number)) (name) } }
                 @for (sign, what) in self.signs() { li { strong { (sign) } " " (what) } }

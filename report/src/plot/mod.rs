@@ -8,7 +8,7 @@ mod svg;
 mod timeline;
 
 pub use legend::legend;
-pub use timeline::{sample_of_span, timeline};
+pub use timeline::{sample_of_span, svg_of_times};
 
 use crate::chart::{Chart, Series};
 use crate::origin::Origin;

@@ -30,7 +30,7 @@ struct Layout<'a> {
 }
 
 /// A chart of times as an SVG element of that format's width.
-pub fn timeline(chart: &Timeline, format: Format) -> Markup {
+pub fn svg_of_times(chart: &Timeline, format: Format) -> Markup {
     let longest = chart.lanes.iter().map(|lane| lane.name.chars().count() as i32).max().unwrap_or(0);
     let width = format.width as i32 * TENTHS;
     let times = chart.lanes.iter().flat_map(|lane| {
@@ -147,7 +147,7 @@ mod tests {
         let lane = Lane::new("bus").span("sending", 0.0, 99.0).span("waiting", 99.0, 100.0);
         let chart = Timeline::new("bus", "The bus", "ms", Origin::rtl([])).lane(lane);
         for format in [WIDE, NARROW] {
-            let svg = timeline(&chart, format).into_string();
+            let svg = svg_of_times(&chart, format).into_string();
             assert!(svg.contains(">sending</text>") && !svg.contains(">waiting</text>"), "{svg}");
         }
     }
@@ -160,7 +160,7 @@ mod tests {
             lanes.into_iter().fold(Timeline::new("bus", "The bus", "ms", Origin::rtl([])), |chart, (name, to)| {
                 chart.lane(Lane::new(name).span("a", 0.0, to).span("b", to, 100.0))
             });
-        let svg = timeline(&chart, WIDE).into_string();
+        let svg = svg_of_times(&chart, WIDE).into_string();
         let number = |bar: &str, name: &str| {
             let rest = &bar[bar.find(&format!("{name}=\"")).unwrap() + name.len() + 2..];
             rest[..rest.find('"').unwrap()].parse::<f64>().unwrap()
