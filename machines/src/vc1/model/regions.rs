@@ -38,7 +38,7 @@ pub struct Regions {
     pub further: u64,
 }
 
-/// What a frame of a still view takes on a region-based machine, as a mean over the intervals between the first and the last of [`FRAMES`].
+/// What a frame of a still view takes on a region-based machine, as a mean over the intervals from frame 3 to frame 15.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionFrame {
     /// By processing element: its clocks of geometry and of rasterization, and the rest, in which it waits for a buffer (`sync`).
