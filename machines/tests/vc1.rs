@@ -10,7 +10,7 @@ use tilewright_machines::{Error, Progress, Watch};
 use tilewright_scenes::{Comparison, Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project};
 use tilewright_sim::Vcd;
 
-use crate::vc1_campaign::{self, BACKGROUND};
+use crate::vc1_campaign::BACKGROUND;
 
 /// Programs that compute little, so that the local frame buffers are busy all the time.
 const HASTY: CostTable =
@@ -361,7 +361,7 @@ proptest! {
         soup in soup(), processors in 1..=5_u32, cluster in 1..4_u32, patch in prop::sample::select(vec![4_u32, 8, 16]),
     ) {
         let size = Size::new(37, 29).expect("in range");
-        let projection = vc1_campaign::projection(size, &soup);
+        let projection = Projection::of_triangles(size, soup.iter().copied());
         let config = Config { processors, cluster, patch, costs: HASTY, ..small(size) };
         let (frame, report) = render(config, &projection).expect("there are pages for all patches");
         let comparison = against_golden(&frame, &projection);

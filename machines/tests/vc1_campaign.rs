@@ -8,7 +8,7 @@ use proptest::test_runner::{Config as Settings, RngAlgorithm, TestRng, TestRunne
 use tilewright_machines::vc1::{Assign, Config, CostTable, Cursor, Machine, Shown};
 use tilewright_machines::{Error, Watch};
 use tilewright_rtl::gfb::{Blanking, Passes};
-use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, compare, golden, set_up};
+use tilewright_scenes::{Projection, ScreenVertex, Size, compare, golden};
 
 pub const BACKGROUND: [u8; 3] = [24, 28, 44];
 
@@ -79,27 +79,6 @@ fn cases(width: u32, height: u32) -> impl Strategy<Value = Case> {
     )
 }
 
-/// The projection of these triangles, each a polygon.
-pub fn projection(size: Size, triangles: &[[ScreenVertex; 3]]) -> Projection {
-    let mut projection = Projection {
-        size,
-        triangles: Vec::new(),
-        vertices: Vec::new(),
-        corners: Vec::new(),
-        counts: Counts::default(),
-    };
-    for (vertices, first) in triangles.iter().zip((0..).step_by(3)) {
-        projection.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
-        if let Some(mut packet) = set_up(vertices, size) {
-            packet.polygon = projection.counts.polygons;
-            projection.triangles.push(packet);
-            projection.vertices.push(*vertices);
-        }
-        projection.counts.polygons += 1;
-    }
-    projection
-}
-
 /// What happened in some runs.
 #[derive(Debug, Default)]
 struct Happened {
@@ -114,7 +93,8 @@ struct Happened {
 
 /// Draws a case, and looks at every refresh.
 fn draw((config, frames): &Case) -> Result<Happened, Error> {
-    let views: Vec<Projection> = frames.iter().map(|triangles| projection(config.size, triangles)).collect();
+    let views: Vec<Projection> =
+        frames.iter().map(|triangles| Projection::of_triangles(config.size, triangles.iter().copied())).collect();
     let (mut next, mut seen, mut averages) = (views.iter().cloned(), Vec::new(), 0);
     let mut shown = |it: Shown| {
         let view = &views[it.number as usize];

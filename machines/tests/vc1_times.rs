@@ -7,7 +7,7 @@ use tilewright_rtl::gfb::Passes;
 use tilewright_scenes::{Frame, Projection, Scene, ScreenVertex, Size, compare, golden, project, project_sample};
 
 use crate::vc1::merge_clocks;
-use crate::vc1_campaign::{BACKGROUND, projection};
+use crate::vc1_campaign::BACKGROUND;
 
 /// T_m of the paper in its refreshes: 25.349 ms in 16.667 ms.
 const RATIO: f64 = 1.521;
@@ -39,7 +39,7 @@ fn bars(size: Size, is_clipped: bool, patches: [u32; 2]) -> Projection {
         [[at(0, row), at(right, row), at(right, row + 1)], [at(0, row), at(right, row + 1), at(0, row + 1)]]
     };
     let [[a, b], [c, d]] = [bar(1, patches[0]), bar(9, patches[1])];
-    projection(size, &[small, small, a, c, b, d])
+    Projection::of_triangles(size, [small, small, a, c, b, d])
 }
 
 /// Draws a frame of each view; all have to be golden.

@@ -63,6 +63,34 @@ pub struct Projection {
     pub counts: Counts,
 }
 
+impl Projection {
+    /// Triangles of no scene, each a polygon with corners of its own. Those without a pixel are counted as polygons alone.
+    ///
+    /// ```
+    /// use tilewright_scenes::{Projection, ScreenVertex, Size};
+    ///
+    /// let corner = |x, y| ScreenVertex { x: 16 * x, y: 16 * y, z: 5, rgb: [200, 100, 50] };
+    /// let triangle = [corner(1, 1), corner(9, 1), corner(9, 9)];
+    /// let projection = Projection::of_triangles(Size::new(64, 48)?, [triangle, [triangle[0]; 3]]);
+    /// assert_eq!((projection.counts.polygons, projection.counts.drawn, projection.triangles.len()), (2, 1, 1));
+    /// # Ok::<(), tilewright_scenes::SceneError>(())
+    /// ```
+    pub fn of_triangles(size: Size, triangles: impl IntoIterator<Item = [ScreenVertex; 3]>) -> Projection {
+        let counts = Counts::default();
+        let mut all = Projection { size, triangles: Vec::new(), vertices: Vec::new(), corners: Vec::new(), counts };
+        for (vertices, first) in triangles.into_iter().zip((0..).step_by(3)) {
+            all.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
+            if let Some(packet) = set_up(&vertices, size) {
+                all.triangles.push(Triangle { polygon: all.counts.polygons, ..packet });
+                all.vertices.push(vertices);
+                all.counts.drawn += 1;
+            }
+            all.counts.polygons += 1;
+        }
+        all
+    }
+}
+
 /// A scene on a screen, in polygons and spheres.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polygons {

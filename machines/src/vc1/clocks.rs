@@ -64,6 +64,11 @@ impl Clocks {
         self.all()[..5].iter().sum()
     }
 
+    /// Those in which it does not wait for others: the fourth clock of an access, in which it takes a page, is of the access.
+    pub fn busy(&self) -> u64 {
+        self.work() + self.stalled
+    }
+
     /// That class's.
     pub(crate) fn of(&mut self, class: Class) -> &mut u64 {
         match class {

@@ -14,6 +14,11 @@ impl Edges {
         Edges { period, next: (count + 1) * period }
     }
 
+    /// The last one, counted from 1 at power-on.
+    pub fn last(&self) -> u64 {
+        self.next / self.period - 1
+    }
+
     /// Whether some came by then.
     pub fn came(&mut self, time: u64) -> bool {
         let came = (time + self.period).saturating_sub(self.next) / self.period;

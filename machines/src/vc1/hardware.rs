@@ -13,8 +13,8 @@ use tilewright_sim::{Port, Simulation};
 
 use super::edges::Edges;
 use super::notes::{Handshakes, Notes};
+use super::ports::Ports;
 use super::processor::{Edge, Processor};
-use super::program::Access;
 use super::words::Word;
 use crate::error::Error;
 
@@ -27,10 +27,10 @@ const AVERAGES: &str = "u_gfb.u_multipass.averages";
 pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
-    ports: Vec<Ports>,
+    pub(super) ports: Vec<Ports>,
     /// What the host offers to the bus, and what stands at its port.
-    command: Option<Word>,
-    command_port: Option<Word>,
+    pub(super) command: Option<Word>,
+    pub(super) command_port: Option<Word>,
     /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
     writes: VecDeque<(u32, u64)>,
     /// What happened.
@@ -54,20 +54,6 @@ pub(crate) struct Hardware {
     refresh_clocks: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
-}
-
-/// What stands at the ports of a processing element.
-#[derive(Clone, Default)]
-struct Ports {
-    access: Option<Access>,
-    sends: Option<Word>,
-    receives: bool,
-    done: bool,
-    /// At the coming edge the local frame buffer takes the access, and the bus the word.
-    taken: bool,
-    sent: bool,
-    /// Clocks for which it computes on, and nothing at the ports is of account to it.
-    ahead: u64,
 }
 
 impl Hardware {
@@ -126,7 +112,6 @@ impl Hardware {
         if self.idle > 1 {
             self.advance(display)?;
             processors.iter_mut().for_each(|it| it.pass(1));
-            self.note_merger();
             return Ok(false);
         }
         self.present_command();
@@ -178,19 +163,12 @@ impl Hardware {
             };
             self.notes.processor(clock, k as u32, handshakes);
         }
-        self.note_merger();
         Ok(line)
-    }
-
-    fn note_merger(&mut self) {
-        let clock = self.merge.next / self.merge.period - 1;
-        let (shown, first_round) = (self.shown(), self.flag(self.sim.o.view.first_round));
-        self.notes.merger(clock, shown, first_round);
     }
 
     /// The last edge of the processing elements' clock, counted from 1 at power-on.
     pub fn edge(&self) -> u64 {
-        self.pe.next / self.pe.period - 1
+        self.pe.last()
     }
 
     /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how
@@ -254,8 +232,12 @@ impl Hardware {
         self.pe.next += self.pe.period;
         self.sim.try_run_to(end)?;
         self.dawns = self.dawn.came(end);
-        if self.merge.came(end) && self.writes.pop_front().is_some() {
-            self.present_write();
+        if self.merge.came(end) {
+            if self.writes.pop_front().is_some() {
+                self.present_write();
+            }
+            let (shown, first_round) = (self.shown(), self.flag(self.sim.o.view.first_round));
+            self.notes.merger(self.merge.last(), shown, first_round);
         }
         Ok(())
     }
@@ -292,82 +274,6 @@ impl Hardware {
     /// Whether the display shows the average of a picture's passes.
     pub fn averages(&mut self) -> bool {
         !self.sim.i.host.multipass.is_empty() && self.sim.peek(AVERAGES).expect("the control has that output") == 1
-    }
-
-    /// Puts what a processing element wants at its ports for the coming clock.
-    fn present(&mut self, number: usize, processor: &Processor) {
-        let port = self.sim.i.processors[number];
-        let access = processor.access();
-        let before = std::mem::replace(&mut self.ports[number].access, access);
-        if before != access {
-            match access {
-                Some(Access::Draw(pixel)) => {
-                    self.sim.set(port.request.x, pixel.x);
-                    self.sim.set(port.request.y, pixel.y);
-                    self.sim.set(port.request.word, pixel.word);
-                }
-                Some(Access::Clear(patch)) => self.sim.set(port.clear.patch, patch),
-                _ => {}
-            }
-            self.sim.set(port.request.valid, matches!(access, Some(Access::Draw(_))));
-            self.sim.set(port.clear.valid, matches!(access, Some(Access::Clear(_))));
-        }
-        let sends = processor.offered();
-        if std::mem::replace(&mut self.ports[number].sends, sends) != sends {
-            self.offer(port.sends.valid, port.sends.word, port.sends.last, sends);
-        }
-        let receives = processor.receives();
-        if std::mem::replace(&mut self.ports[number].receives, receives) != receives {
-            self.sim.set(self.sim.o.processors[number].received.ready, receives);
-        }
-        let done = processor.done();
-        if std::mem::replace(&mut self.ports[number].done, done) != done {
-            self.sim.set(port.done, done);
-        }
-    }
-
-    fn offer(&mut self, valid: Port, word: Port, last: Port, offered: Option<Word>) {
-        if let Some(offered) = offered {
-            self.sim.set(word, offered.word);
-            self.sim.set(last, offered.last);
-        }
-        self.sim.set(valid, offered.is_some());
-    }
-
-    /// Whether the local frame buffer takes the access at its port at the coming edge.
-    fn takes(&mut self, processor: usize) -> bool {
-        let port = self.sim.i.processors[processor];
-        match self.ports[processor].access {
-            Some(Access::Draw(_)) => self.flag(port.request.ready),
-            Some(Access::Clear(_)) => self.flag(port.clear.ready),
-            _ => false,
-        }
-    }
-
-    /// Whether the bus takes the word that a processing element offers at the coming edge.
-    fn sends(&mut self, processor: usize) -> bool {
-        self.ports[processor].sends.is_some() && self.flag(self.sim.i.processors[processor].sends.ready)
-    }
-
-    /// Whether the host's word has gone to the bus, so that there is room for another one.
-    pub fn takes_command(&self) -> bool {
-        self.command.is_none()
-    }
-
-    /// Offers a word of the host to the bus, or none.
-    pub fn command(&mut self, word: Option<Word>) {
-        self.command = word;
-    }
-
-    /// Puts the host's word at its port for the coming clock. The host holds the line low until its words have gone.
-    fn present_command(&mut self) {
-        let word = self.command;
-        let before = std::mem::replace(&mut self.command_port, word);
-        if before != word {
-            let port = self.sim.i.command;
-            self.offer(port.valid, port.word, port.last, word);
-            self.sim.set(self.sim.i.ready, word.is_none());
-        }
     }
 
     /// Pages taken in the front buffer.
@@ -411,7 +317,7 @@ impl Hardware {
         self.sim.cycles(clock).expect("the VC-1 has that clock")
     }
 
-    fn flag(&mut self, port: Port) -> bool {
+    pub(super) fn flag(&mut self, port: Port) -> bool {
         self.sim.get_u64(port) != 0
     }
 }

@@ -18,7 +18,7 @@ use super::job::{View, Views};
 use super::model::Model;
 use super::processor::Processor;
 use super::report::{FrameReport, ProcessorReport, Shown, Times};
-use super::words::{Message, POLYGON_WORDS, Word};
+use super::words::{Message, Word};
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
 
@@ -198,8 +198,7 @@ impl<'a, 'w> Host<'a, 'w> {
         }
         self.views.insert(number, view.clone());
         self.comparison.command(view.clone());
-        let mut packets = if self.config.immediate { Message::scene(self.scene.words) } else { Vec::new() };
-        packets.push(Message::Command { frame: number });
+        let packets = Message::begin(number, self.config.immediate.then_some(self.scene.words));
         self.words.extend(packets.iter().flat_map(Message::words));
         let times = Times { command: self.hardware.time(), ..Times::default() };
         self.frames.push_back(InFlight {
@@ -268,23 +267,10 @@ impl<'a, 'w> Host<'a, 'w> {
     /// What has become of a frame that has been shown for a refresh.
     fn shown(&self, frame: InFlight, processors: &[Processor]) -> Shown {
         let InFlight { number, view, times, pages, refreshes, words, frame, average } = frame;
-        let report = |(k, it): (usize, &Processor)| {
-            let tally = it.frames()[number as usize];
-            ProcessorReport {
-                polygons: view.polygons(k as u32).len() as u32,
-                expected: view.assignment.loads[k],
-                pixels: tally.pixels,
-                pages: pages[k],
-                overflows: tally.overflows,
-                broadcast: tally.broadcast,
-                clocks: tally.clocks,
-            }
-        };
-        let processors: Vec<ProcessorReport> = processors.iter().enumerate().map(report).collect();
-        let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
-        let words = words + broadcast * POLYGON_WORDS as u64;
-        let report =
-            FrameReport { packets: view.projection.triangles.len() as u64, words, times, refreshes, processors };
+        let tallies = processors.iter().map(|it| &it.frames()[number as usize]);
+        let processors = (0..).zip(tallies).zip(pages);
+        let processors = processors.map(|((k, tally), pages)| ProcessorReport::of(&view, k, tally, pages)).collect();
+        let report = FrameReport::of(&view, words, times, refreshes, processors);
         Shown { number, frame: frame.expect("it has come on display"), average, report }
     }
 

@@ -109,12 +109,11 @@ impl Machine {
         mut views: impl FnMut() -> Option<Projection>,
         mut seen: impl FnMut(Shown) -> bool,
     ) -> Result<Report, Error> {
-        let Config { size, processors, costs, apr, accumulate, .. } = self.config;
         let patches = self.config.patches()?.count();
         let known = Views::default();
-        let of = |number| Settings { number, processors, size, patches, costs, apr };
-        let mut processors: Vec<_> = (0..processors).map(|number| Processor::new(of(number), known.clone())).collect();
-        self.hardware.reset(background, accumulate)?;
+        let of = |number| Processor::new(Settings::of(&self.config, number, patches), known.clone());
+        let mut processors: Vec<_> = (0..self.config.processors).map(of).collect();
+        self.hardware.reset(background, self.config.accumulate)?;
         let mut report = Report {
             machine: self.config.built()?,
             polygons: 0,

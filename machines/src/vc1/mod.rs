@@ -40,6 +40,7 @@ mod job;
 mod machine;
 pub mod model;
 mod notes;
+mod ports;
 mod processor;
 mod program;
 mod report;

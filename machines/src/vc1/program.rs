@@ -12,6 +12,7 @@ use tilewright_rtl::swap::SwapState;
 use tilewright_scenes::{Size, Triangle};
 
 use super::clocks::Class;
+use super::config::Config;
 use super::cost::CostTable;
 use super::job::View;
 use super::scan_conversion::{Pixel, Pixels, Rows};
@@ -33,6 +34,12 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
+    /// Those of a machine, with so many entries of a patch table.
+    pub fn of(config: &Config, number: u32, patches: u32) -> Settings {
+        let Config { size, processors, costs, apr, .. } = *config;
+        Settings { number, processors, size, patches, costs, apr }
+    }
+
     /// Whether a packet is drawn by all.
     pub fn is_large(apr: Option<u32>, packet: &Triangle) -> bool {
         apr.is_some_and(|threshold| packet.area() > f64::from(threshold))

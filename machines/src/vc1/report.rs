@@ -8,6 +8,9 @@ use tilewright_scenes::Frame;
 
 use super::clocks::Clocks;
 use super::config::Built;
+use super::job::View;
+use super::processor::Tally;
+use super::words::POLYGON_WORDS;
 
 /// The report of a run. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -99,7 +102,36 @@ impl Times {
     }
 }
 
+impl ProcessorReport {
+    /// For a view, and what the processing element of that number counted and holds.
+    pub(crate) fn of(view: &View, number: u32, tally: &Tally, pages: u32) -> ProcessorReport {
+        ProcessorReport {
+            polygons: view.polygons(number).len() as u32,
+            expected: view.assignment.loads[number as usize],
+            pixels: tally.pixels,
+            pages,
+            overflows: tally.overflows,
+            broadcast: tally.broadcast,
+            clocks: tally.clocks,
+        }
+    }
+}
+
 impl FrameReport {
+    /// For a view, and as many words of the host; those of polygons for all are added.
+    pub(crate) fn of(
+        view: &View,
+        words: u64,
+        times: Times,
+        refreshes: u64,
+        processors: Vec<ProcessorReport>,
+    ) -> FrameReport {
+        let packets = view.projection.triangles.len() as u64;
+        let mut report = FrameReport { packets, words, times, refreshes, processors };
+        report.words += report.broadcast() * POLYGON_WORDS as u64;
+        report
+    }
+
     /// Simulated picoseconds from the command until the frame is shown, or the average of the picture that it ends.
     pub fn picoseconds(&self) -> u64 {
         self.times.seen().map_or(0, |seen| seen - self.times.command)
@@ -122,7 +154,7 @@ impl FrameReport {
 
     /// How evenly the work was shared: the mean of the processing elements' busy clocks over the greatest, from 0 to 1.
     pub fn balance(&self) -> f64 {
-        let busy = || self.processors.iter().map(|it| it.clocks.work() + it.clocks.stalled);
+        let busy = || self.processors.iter().map(|it| it.clocks.busy());
         let most = busy().max().unwrap_or(0).max(1) * self.processors.len() as u64;
         busy().sum::<u64>() as f64 / most as f64
     }

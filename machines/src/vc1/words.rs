@@ -69,13 +69,20 @@ impl Message {
     }
 
     /// The packets that carry a scene of so many words.
-    pub fn scene(mut words: u64) -> Vec<Message> {
+    fn scene(mut words: u64) -> Vec<Message> {
         let mut packets = Vec::new();
         while words > 0 {
             let part = words.min(u64::from(MOST_WORDS - 1)) as u32;
             packets.push(Message::Scene { words: part });
             words -= u64::from(part);
         }
+        packets
+    }
+
+    /// The packets with which the host begins a frame: the scene, of so many words, if it sends that, and the command.
+    pub fn begin(frame: u32, scene: Option<u64>) -> Vec<Message> {
+        let mut packets = scene.map(Message::scene).unwrap_or_default();
+        packets.push(Message::Command { frame });
         packets
     }
 

@@ -73,6 +73,11 @@ impl Running {
                 return Err(self.violated(failed, until));
             }
         }
+        self.rise(until)
+    }
+
+    /// Goes through the edges of the clocks that rise then.
+    fn rise(&mut self, until: u64) -> Result<(), Error> {
         let done = self.engine.edges(&self.rising, 1)?;
         if done.edges == 0 {
             let failed = self.engine.check(&self.rising);
@@ -194,12 +199,7 @@ impl Running {
             }
             self.rising.clear();
             self.rising.extend((0..clocks).filter(|&clock| self.next[clock] == until));
-            let done = self.engine.edges(&self.rising, 1)?;
-            if done.edges == 0 {
-                let failed = self.engine.check(&self.rising);
-                return Err(self.violated(failed, until));
-            }
-            self.timeline.advance(&self.rising);
+            self.rise(until)?;
             for &clock in &self.rising {
                 self.next[clock] = self.timeline.next_of(clock);
             }

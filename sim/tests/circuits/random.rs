@@ -20,8 +20,16 @@ impl Random {
     }
 }
 
-/// The number in a variable of the environment, for a campaign by hand.
-pub fn number(name: &str) -> u64 {
+/// Runs as many machines as `<NAME>_MACHINES` says, from number `<NAME>_SEED` on, by hand; each gives how many edges were left out.
+pub fn campaign(name: &str, run: impl Fn(u64) -> u64) {
+    let (seed, machines) = (number(&format!("{name}_SEED")), number(&format!("{name}_MACHINES")));
+    let left_out: u64 = (seed..seed + machines).map(run).sum();
+    println!("edges that were left out: {left_out}");
+    assert!(left_out > 0);
+}
+
+/// The number in a variable of the environment.
+fn number(name: &str) -> u64 {
     let text = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
     text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}"))
 }

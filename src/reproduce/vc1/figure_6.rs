@@ -5,7 +5,7 @@ use tilewright_machines::vc1::{Assign, Config, CostTable, Machine};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Lane, Origin, Rule, Section, Statement, Timeline};
 use tilewright_rtl::swap::SwapState;
-use tilewright_scenes::{Counts, MeshVertex, Projection, ScreenVertex, Size, set_up};
+use tilewright_scenes::{Projection, ScreenVertex, Size};
 
 const PROCESSORS: usize = 4;
 /// Pages of each, and patches that a processing element draws on; the first one of them on more in the last frame.
@@ -219,24 +219,7 @@ fn view(patches: i32) -> Result<Projection, Error> {
     };
     let bars: Vec<_> = (0..PROCESSORS).map(bar).collect();
     let triangles = [0, 1].into_iter().flat_map(|half| bars.iter().map(move |bar| bar[half]));
-    Ok(projection(size(), triangles))
-}
-
-/// The projection of these triangles, each a polygon.
-pub fn projection(size: Size, triangles: impl IntoIterator<Item = [ScreenVertex; 3]>) -> Projection {
-    let (triangles_of, counts) = (Vec::new(), Counts::default());
-    let mut projection =
-        Projection { size, triangles: triangles_of, vertices: Vec::new(), corners: Vec::new(), counts };
-    for (vertices, first) in triangles.into_iter().zip((0..).step_by(3)) {
-        projection.corners.push([0, 1, 2].map(|i| MeshVertex { position: first + i, normal: Some(first) }));
-        if let Some(mut packet) = set_up(&vertices, size) {
-            packet.polygon = projection.counts.polygons;
-            projection.triangles.push(packet);
-            projection.vertices.push(vertices);
-        }
-        projection.counts.polygons += 1;
-    }
-    projection
+    Ok(Projection::of_triangles(size(), triangles))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::beside::Beside;
 use super::plan::{Capacity, Case, Plan, THRESHOLD};
-use super::run::{CLOCK, busy};
+use super::run::CLOCK;
 use crate::golden;
 use crate::reproduce::right;
 use crate::shell::Failure;
@@ -91,7 +91,7 @@ impl Drawn {
     /// Clearing and drawing of the busiest processing element in the last frame, in ms: D.
     pub fn drawing(&self) -> f64 {
         let last = self.report.frames.last().expect("there are frames");
-        last.processors.iter().map(busy).max().unwrap_or_default() as f64 * CLOCK * self.hurry
+        last.processors.iter().map(|it| it.clocks.busy()).max().unwrap_or_default() as f64 * CLOCK * self.hurry
     }
 
     /// What processing elements received otherwise than it was sent: words.

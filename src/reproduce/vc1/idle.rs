@@ -1,7 +1,6 @@
 //! How long a processing element waits for the swap of an overflow, at worst (VC1-SW4): two of them draw a few bars, the first frame at any
 //! time of a refresh.
 
-use super::figure_6::projection;
 use super::run::CLOCK;
 use std::sync::Arc;
 use tilewright_machines::vc1::model::{Dealt, Model};
@@ -90,5 +89,5 @@ fn bars(size: Size, is_clipped: bool, patches: [i32; 2]) -> Projection {
         [[at(0, row), at(right, row), at(right, row + 1)], [at(0, row), at(right, row + 1), at(0, row + 1)]]
     };
     let [[a, b], [c, d]] = [bar(1, patches[0]), bar(9, patches[1])];
-    projection(size, [small, small, a, c, b, d])
+    Projection::of_triangles(size, [small, small, a, c, b, d])
 }

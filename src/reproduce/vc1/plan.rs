@@ -2,7 +2,9 @@
 
 use crate::reproduce::effort::Effort;
 use tilewright_machines::vc1::{Assign, Config, CostTable};
-use tilewright_rtl::gfb::Blanking;
+use tilewright_rtl::gfb::{Blanking, GfbSequencer};
+use tilewright_rtl::parameter::Screen;
+use tilewright_rtl::vc1::OVERHEAD;
 use tilewright_scenes::Size;
 
 /// Figure 13's scenes.
@@ -160,7 +162,8 @@ impl Plan {
 
     /// How much sooner a refresh comes, so that T_m is as many as on the paper's screen. Times of a quick look are given as if it did not.
     pub fn hurry(&self, processors: u32) -> f64 {
-        merge_clocks(Size::VGA, processors) / merge_clocks(self.size(), processors)
+        let clocks = |size| merge_clocks(size, processors, OVERHEAD);
+        clocks(Size::VGA) / clocks(self.size())
     }
 
     pub fn scenes(&self) -> &'static [&'static str] {
@@ -309,7 +312,7 @@ fn hasty(costs: CostTable, hurry: f64) -> CostTable {
 }
 
 /// T_m in clocks of the merger.
-fn merge_clocks(size: Size, processors: u32) -> f64 {
-    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-    (width + f64::from(Config::new(size).overhead)) * height + 4.0 * f64::from(processors)
+pub fn merge_clocks(size: Size, processors: u32, overhead: u32) -> f64 {
+    let screen = Screen { width: size.width(), height: size.height() };
+    GfbSequencer { screen, units: processors, overhead }.merge_clocks() as f64
 }

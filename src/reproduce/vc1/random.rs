@@ -1,11 +1,11 @@
 //! Random machines with random frames, on small screens: circuit and model have to be the same there, too.
 
-use super::figure_6::projection;
+use super::plan::merge_clocks;
 use tilewright_machines::vc1::{Assign, Config, CostTable, Cursor, Machine, Shown};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Origin, Rule, Statement, Table};
 use tilewright_rtl::gfb::{Blanking, Passes};
-use tilewright_scenes::{Frame, Projection, ScreenVertex, Size, compare, golden};
+use tilewright_scenes::{Projection, ScreenVertex, Size, compare, golden};
 
 /// What came of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -85,7 +85,7 @@ impl Ran {
             ran.differing += compare(&shown.frame, &expected).differing;
             goldens.push(expected);
             if let Some(average) = shown.average {
-                ran.differing += differing(&average, &golden::average(&goldens));
+                ran.differing += compare(&average, &golden::average(&goldens)).differing;
                 ran.averages += 1;
             }
             ran.frames += 1;
@@ -97,10 +97,6 @@ impl Ran {
         ran.broadcast = report.frames.iter().map(|frame| frame.broadcast()).sum();
         Ok(Ran { machines: 1, refreshes: report.judged, compared: report.compared, ..ran })
     }
-}
-
-fn differing(one: &Frame, other: &Frame) -> u64 {
-    compare(one, other).differing
 }
 
 /// Random numbers (SplitMix64), the same on every computer.
@@ -141,7 +137,7 @@ impl Dice {
         let cursor = Cursor { x: self.small(0, width - 1), y: self.small(0, height - 1) };
         let [apr_all, apr_some] = [Some(0), Some(self.small(1, 300))];
         // T_m is from a third of a refresh to five of them, and a line of the display long enough for the crossings of clocks.
-        let t_m = 80e-9 * f64::from((width + overhead) * height + 4 * processors);
+        let t_m = 80e-9 * merge_clocks(size, processors, overhead);
         let refresh = t_m * self.within(20, 300) as f64 / 100.0;
         let config = Config {
             processors,
@@ -182,7 +178,7 @@ impl Dice {
     /// Triangles on the screen and beyond its border.
     fn view(&mut self, size: Size, count: u64) -> Projection {
         let triangles: Vec<_> = (0..count).map(|_| [(); 3].map(|()| self.vertex(size))).collect();
-        projection(size, triangles)
+        Projection::of_triangles(size, triangles)
     }
 
     fn vertex(&mut self, size: Size) -> ScreenVertex {

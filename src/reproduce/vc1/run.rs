@@ -4,7 +4,7 @@ use super::plan::{Case, FIRST, FRAMES, Plan, STEP};
 use std::sync::Arc;
 use tilewright_machines::Error;
 use tilewright_machines::vc1::model::Model;
-use tilewright_machines::vc1::{Clocks, Config, FrameReport, ProcessorReport, Report};
+use tilewright_machines::vc1::{Clocks, Config, FrameReport, Report};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::{Projection, Scene, project};
 
@@ -42,11 +42,6 @@ pub fn interval(report: &Report) -> f64 {
     (shown(FRAMES) - shown(FIRST)) / (FRAMES - FIRST) as f64
 }
 
-/// A processing element's clocks but those in which it waits for others; the fourth clock of an access is of the access.
-pub fn busy(processor: &ProcessorReport) -> u64 {
-    processor.clocks.work() + processor.clocks.stalled
-}
-
 impl Timed {
     /// The same of a case that differs in nothing that is of account.
     pub fn of_case(&self, case: Case) -> Timed {
@@ -58,7 +53,8 @@ impl Timed {
         let frames = &report.frames[FIRST..FRAMES];
         let count = frames.len() as f64;
         let mean = |of: &dyn Fn(&FrameReport) -> f64| frames.iter().map(of).sum::<f64>() / count;
-        let busiest = |frame: &FrameReport| frame.processors.iter().map(busy).max().unwrap_or_default() as f64;
+        let busiest =
+            |frame: &FrameReport| frame.processors.iter().map(|it| it.clocks.busy()).max().unwrap_or_default() as f64;
         let words = mean(&|frame| frame.words as f64);
         let mut clocks = Clocks::default();
         frames.iter().flat_map(|frame| &frame.processors).for_each(|it| clocks += it.clocks);
@@ -67,7 +63,7 @@ impl Timed {
             time: interval(report) * hurry,
             drawing: mean(&busiest) * clock,
             imbalance: mean(&|frame| {
-                let sum: u64 = frame.processors.iter().map(busy).sum();
+                let sum: u64 = frame.processors.iter().map(|it| it.clocks.busy()).sum();
                 busiest(frame) * frame.processors.len() as f64 / sum as f64
             }),
             clocks: clocks.all().map(|sum| sum as f64 * hurry / (count * f64::from(case.processors))),

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use super::host::Run;
 use super::{Dealt, Model};
+use crate::vc1::config::Config;
 use crate::vc1::job::View;
 use crate::vc1::program::Settings;
 use crate::vc1::report::Report;
@@ -30,7 +31,7 @@ impl Estimate {
     pub fn slowest(&self) -> &Report {
         let time = |report: &&Report| {
             let last = report.frames.last().expect("a frame");
-            (last.times.shown, last.processors[0].clocks.work() + last.processors[0].clocks.stalled)
+            (last.times.shown, last.processors[0].clocks.busy())
         };
         self.with_broadcast.iter().max_by_key(time).expect("a machine has a processing element")
     }
@@ -40,7 +41,7 @@ impl Model {
     /// The paper's estimate for so many frames of a still view.
     pub fn estimate(&self, view: &Dealt, frames: usize) -> Estimate {
         let numbers = || 0..self.config.processors;
-        let own = Model { config: crate::vc1::Config { apr: None, ..self.config }, ..self.clone() };
+        let own = Model { config: Config { apr: None, ..self.config }, ..self.clone() };
         let without = view.without_broadcast(self);
         Estimate {
             own: numbers().map(|k| own.alone(&without, k, &[], frames)).collect(),
@@ -49,15 +50,9 @@ impl Model {
     }
 
     /// A processing element alone, to which the host sends those packets behind each command.
-    fn alone(&self, Dealt(view): &Dealt, processor: u32, packets: &[Message], frames: usize) -> Report {
-        let mut run = Run::of(self, processor..processor + 1, packets, |_| {});
-        for _ in 0..frames {
-            run.advance(u64::MAX, true);
-            run.command(view.clone());
-        }
-        run.advance(u64::MAX, true);
-        run.advance(u64::MAX, false);
-        self.report(run)
+    fn alone(&self, view: &Dealt, processor: u32, packets: &[Message], frames: usize) -> Report {
+        let run = Run::of(self, processor..processor + 1, packets, |_| {});
+        self.report(run, std::iter::repeat_n(view.clone(), frames))
     }
 }
 

@@ -22,7 +22,7 @@ use crate::vc1::job::{View, Views};
 use crate::vc1::processor::Processor;
 use crate::vc1::program::Settings;
 use crate::vc1::report::{FrameReport, ProcessorReport, Times};
-use crate::vc1::words::{Message, POLYGON_WORDS, Word};
+use crate::vc1::words::{Message, Word};
 
 /// A run of the model.
 pub(crate) struct Run<'a, S> {
@@ -81,14 +81,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let (patches, views) = (model.vc1.lfb.patches, Views::default());
         let reset = model.reset / PE_PERIOD;
         let element = |number| {
-            let settings = Settings {
-                number,
-                processors: config.processors,
-                size: config.size,
-                patches: patches.count(),
-                costs: config.costs,
-                apr: config.apr,
-            };
+            let settings = Settings::of(config, number, patches.count());
             let lfb = Lfb::new(patches.count(), model.vc1.lfb.pages);
             Element::new(number, Processor::new(settings, views.clone()), lfb, patches, config.costs.clear, reset)
         };
@@ -129,8 +122,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let edge = self.may_command.take().expect("the frame before is drawn");
         let scene = *self.scene.get_or_insert_with(|| Loaded::of(&view.projection));
         let number = self.commanded;
-        let mut packets = if self.model.config.immediate { Message::scene(scene.words) } else { Vec::new() };
-        packets.push(Message::Command { frame: number });
+        let packets = Message::begin(number, self.model.config.immediate.then_some(scene.words));
         self.words = packets.iter().flat_map(Message::words).chain(self.packets.iter().copied()).collect();
         // The first one comes while the display's clock may have an edge later than the last of the processing elements.
         let time = if number == 0 { self.model.reset } else { edge * PE_PERIOD };
@@ -152,8 +144,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         self.may_command.is_some()
     }
 
-    /// The edges at which a blanking is about to end and at which the first pixel behind it is there, of the first refresh of which the former
-    /// is not before that one.
+    /// The edge at which a blanking is about to end, not before that one; and that of the first pixel behind it.
     pub fn refresh_from(&self, edge: u64) -> (u64, u64) {
         self.merger.display.dawn_from(edge)
     }
@@ -350,23 +341,11 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let times = Times { merged, shown, averaged, ..frame.times };
         let refreshes = showing.refresh - std::mem::replace(&mut self.refresh, showing.refresh);
         let processor = |(element, pages): (&Element, u32)| {
-            let tally = element.program.frames()[frame.number as usize];
-            ProcessorReport {
-                polygons: frame.view.polygons(element.number).len() as u32,
-                expected: frame.view.assignment.loads[element.number as usize],
-                pixels: tally.pixels,
-                pages,
-                overflows: tally.overflows,
-                broadcast: tally.broadcast,
-                clocks: tally.clocks,
-            }
+            let tally = &element.program.frames()[frame.number as usize];
+            ProcessorReport::of(&frame.view, element.number, tally, pages)
         };
-        let processors: Vec<ProcessorReport> =
-            self.elements.iter().zip(frame.pages.iter().copied()).map(processor).collect();
-        let broadcast: u64 = processors.iter().map(|it| it.broadcast).sum();
-        let words = frame.words + broadcast * POLYGON_WORDS as u64;
-        let packets = frame.view.projection.triangles.len() as u64;
+        let processors = self.elements.iter().zip(frame.pages).map(processor).collect();
         self.views.remove(frame.number);
-        self.shown.push_back(FrameReport { packets, words, times, refreshes, processors });
+        self.shown.push_back(FrameReport::of(&frame.view, frame.words, times, refreshes, processors));
     }
 }

@@ -13,10 +13,12 @@
 //! page given, a word carried and a buffer swapped follows from the last events by formulas. A processing element runs ahead of the others
 //! as long as nothing on the bus is of account to it, and stays behind while a packet comes of which the end has not come.
 //!
-//! All clocks are those of the hardware ([`Vc1`]), one for one: [`Machine::render`](super::Machine::render) compares, in every run, of each
-//! processing element each access that is taken, each word received, and each overflow, swap, resumption and end of its program; each word
-//! on the bus; each change of the banks and restart of the scan; each refresh that is looked at; and each number of a
-//! [`FrameReport`](super::FrameReport).
+//! All clocks are those of the hardware ([`Vc1`]), one for one. [`Machine::render`](super::Machine::render) compares in every run:
+//!
+//! - of each processing element each access taken, word received, overflow, swap, resumption and end of its program;
+//! - each word on the bus;
+//! - each change of the banks and restart of the scan, and each refresh that is looked at;
+//! - each number of a [`FrameReport`](super::FrameReport).
 //!
 //! | file | what is in it |
 //! |---|---|
@@ -138,17 +140,17 @@ impl Model {
 
     /// As [`Model::render`]; `seen` gets all that happens. What happens at one place comes in order.
     pub fn observe(&self, views: impl IntoIterator<Item = Dealt>, seen: impl FnMut(Event)) -> Report {
-        let mut run = Run::new(self, seen);
+        self.report(Run::new(self, seen), views)
+    }
+
+    /// Goes through a run with these views.
+    fn report<S: FnMut(Event)>(&self, mut run: Run<'_, S>, views: impl IntoIterator<Item = Dealt>) -> Report {
         for Dealt(view) in views {
             run.advance(u64::MAX, true);
             run.command(view);
         }
         run.advance(u64::MAX, true);
         run.advance(u64::MAX, false);
-        self.report(run)
-    }
-
-    fn report<S: FnMut(Event)>(&self, run: Run<'_, S>) -> Report {
         let scene = run.scene();
         Report {
             machine: self.built.clone(),

@@ -126,8 +126,8 @@ impl Element {
         self.due = due.min(self.lfb.overflows.unwrap_or(u64::MAX));
     }
 
-    /// Goes through an edge. `is_due`: the line is high; `sent`: the bus takes the word that it offers; `queue`: the words that are at the front of
-    /// its queue, and behind that, when the bus has done what it does at this edge.
+    /// Goes through an edge. `is_due`: the line is high. `sent`: the bus takes the word that it offers. `queue`: the two words at the front of
+    /// its queue, behind what the bus does at this edge.
     pub fn go(
         &mut self,
         edge: u64,

@@ -86,8 +86,7 @@ impl Display {
         ends.last().map_or(clock, |end| end.max(clock))
     }
 
-    /// The edges of the processing elements' clock at which a blanking ends soon, and at which the first pixel behind it is there, of the first
-    /// refresh of which the former is not before that one.
+    /// The edge of the processing elements' clock at which a blanking ends soon, not before that one; and that of the first pixel behind it.
     pub fn dawn_from(&self, edge: u64) -> (u64, u64) {
         let mut refresh = self.before(edge * PE_PERIOD / MERGE_PERIOD);
         loop {

@@ -2,9 +2,8 @@
 //!
 //! In a circuit of several clocks, one often has nothing to do while the others go on. Its edges change nothing then, or only registers
 //! that count ([`counting`]). An edge is compared with the state before it from time to time. If it has changed nothing else, the clock
-//! *rests*: as long as its edges look at the same, each does only what is left of it. That they do is known from inputs, which nobody
-//! has set; from what other clocks change, which is compared with what it was; and from flags of what counts, which the code for
-//! what is left looks at before it.
+//! *rests*: as long as its edges look at the same, each does only what is left of it. Nobody has set an input then. What other clocks
+//! change is compared with what it was, and so are the flags of what counts.
 
 mod counting;
 mod way;
@@ -34,9 +33,8 @@ const WAYS: usize = 8;
 pub(super) struct Idle {
     /// Its registers and the words that were read.
     own: Vec<(ValueId, Span)>,
-    /// Those that count by themselves, and with them those that change as others count.
+    /// Those that count by themselves.
     counters: BTreeSet<ValueId>,
-    may_count: BTreeSet<ValueId>,
     /// What others change.
     others: Vec<Span>,
     /// Both as they were.
@@ -68,7 +66,6 @@ impl Idle {
             own.sort_by_key(|(id, _)| counters.contains(id));
             Some(Idle {
                 own,
-                may_count: counters.clone(),
                 counters,
                 others: others.into_iter().map(span_of).collect(),
                 before: Vec::new(),
@@ -83,6 +80,11 @@ impl Idle {
             })
         };
         (0..program.clocks.len()).map(of).collect()
+    }
+
+    /// Whether a register counts by itself, or as others do.
+    fn may_count(&self, register: ValueId) -> bool {
+        self.counters.contains(&register) || self.ways.iter().any(|way| way.registers.contains(&register))
     }
 
     /// The clock has something to do.
@@ -231,9 +233,7 @@ impl Compiled {
         });
         idle.alone[known].1 += 1;
         if idle.alone[known].1 == SEEN && idle.ways.len() < WAYS {
-            let way = self.make_way(clock, &changed);
-            idle.may_count.extend(way.iter().flat_map(|way| &way.registers));
-            idle.ways.extend(way);
+            idle.ways.extend(self.make_way(clock, &changed));
         }
     }
 
@@ -245,7 +245,7 @@ impl Compiled {
             before = rest;
             if self.state.differs(span, kept) {
                 changed.push(id);
-                if changed.len() > COUNTING || !idle.may_count.contains(&id) {
+                if changed.len() > COUNTING || !idle.may_count(id) {
                     return None;
                 }
             }
