@@ -16,11 +16,14 @@ fn processor_time() -> f64 {
 #[test]
 #[ignore = "measures"]
 fn a_frame_takes_milliseconds() {
-    for scene in ["ter1k", "ter250", "table", "teapot"] {
+    for (scene, immediate) in
+        [("ter1k", false), ("ter250", false), ("ter250", true), ("table", false), ("teapot", false)]
+    {
         let view = Arc::new(Scene::builtin(scene).expect("a built-in scene").project().expect("in sight"));
         for processors in [1, 16, 64, 256] {
             let apr = (processors > 1).then_some(500 * 16 / processors);
-            let model = Model::new(Config { processors, apr, ..Config::new(view.size) }).expect("can be built");
+            let model =
+                Model::new(Config { processors, apr, immediate, ..Config::new(view.size) }).expect("can be built");
             let begin = processor_time();
             let dealt = model.deal(&view, None).expect("of its size");
             let dealing = processor_time() - begin;
@@ -28,8 +31,9 @@ fn a_frame_takes_milliseconds() {
             let report = model.render(std::iter::repeat_n(dealt, 10));
             let each = (processor_time() - begin) / 10.0;
             let refreshes: u64 = report.frames.iter().map(|it| it.refreshes).sum();
+            let mode = if immediate { " sent each time" } else { "" };
             println!(
-                "{scene}, n = {processors}: dealt in {dealing:.1} ms, {each:.1} ms a frame of {refreshes} / 10 refreshes"
+                "{scene}{mode}, n = {processors}: dealt in {dealing:.1} ms, {each:.1} ms a frame of {refreshes} / 10 refreshes"
             );
         }
     }

@@ -16,6 +16,7 @@ mod statement;
 mod table;
 mod timeline;
 mod verdict;
+mod verdicts;
 
 pub use chart::{Axis, Chart, Series};
 pub use heat_map::HeatMap;
@@ -24,7 +25,8 @@ pub use page::{File, Link, Page, Part, Section};
 pub use picture::Picture;
 pub use problem::Problems;
 pub use provenance::Provenance;
-pub use statement::{Statement, Verdicts};
+pub use statement::Statement;
 pub use table::{Cell, Table};
 pub use timeline::{Lane, Timeline};
 pub use verdict::{Difference, Point, Rule, Verdict};
+pub use verdicts::Verdicts;

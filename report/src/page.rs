@@ -6,9 +6,9 @@ use crate::html;
 use crate::picture::Picture;
 use crate::problem::{Problems, problems};
 use crate::provenance::Provenance;
-use crate::statement::Verdicts;
 use crate::table::Table;
 use crate::timeline::Timeline;
+use crate::verdicts::Verdicts;
 use serde::Serialize;
 
 /// A report: a title, an introduction, sections, and where it comes from.

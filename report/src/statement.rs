@@ -1,4 +1,4 @@
-//! A statement of a paper beside what was found of it here, and the table of such statements.
+//! A statement of a paper beside what was found of it here.
 
 use crate::csv;
 use crate::number::shown;
@@ -23,12 +23,13 @@ use serde::ser::{SerializeStruct, Serializer};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     fact: String,
-    text: String,
+    pub(crate) text: String,
     rule: Rule,
     unit: String,
     reference: Option<Numbers>,
     found: Option<Numbers>,
     obstacle: Option<String>,
+    pub(crate) reason: Option<String>,
 }
 
 /// Numbers of one origin.
@@ -55,7 +56,7 @@ impl Statement {
     /// ```
     pub fn new(fact: impl Into<String>, text: impl Into<String>, rule: Rule) -> Statement {
         let (fact, text) = (fact.into(), text.into());
-        Statement { fact, text, rule, unit: String::new(), reference: None, found: None, obstacle: None }
+        Statement { fact, text, rule, unit: String::new(), reference: None, found: None, obstacle: None, reason: None }
     }
 
     /// The unit of all its numbers.
@@ -121,6 +122,19 @@ impl Statement {
         Statement { obstacle: Some(why.into()), ..self }
     }
 
+    /// Says why it differs, if it does.
+    ///
+    /// ```
+    /// use tilewright_report::{Origin, Rule, Statement, Verdicts};
+    ///
+    /// let of = |found: f64| Statement::new("VC1-TM", "T_m", Rule::Equals).paper([25.3]).found(Origin::Formula, [found]).because("β is ours");
+    /// let reasons = |found| Verdicts::new("statements", "Statements").state(of(found)).differing().count();
+    /// assert_eq!([25.3, 26.0].map(reasons), [0, 1]);
+    /// ```
+    pub fn because(self, reason: impl Into<String>) -> Statement {
+        Statement { reason: Some(reason.into()), ..self }
+    }
+
     /// What its rule says of its numbers.
     ///
     /// ```
@@ -155,7 +169,7 @@ impl Statement {
         in_words(&self.rule, if is_formula { "the formula’s value" } else { "the paper’s value" })
     }
 
-    fn html(&self) -> Markup {
+    pub(crate) fn html(&self) -> Markup {
         let verdict = self.verdict();
         let named = match &verdict {
             Verdict::Differs { at, .. } => at.as_slice(),
@@ -175,7 +189,7 @@ impl Statement {
     }
 
     /// A row for each place.
-    fn rows(&self) -> Vec<Vec<String>> {
+    pub(crate) fn rows(&self) -> Vec<Vec<String>> {
         let verdict = self.verdict().to_string();
         let row = |at: &str| {
             // A number without a place counts for all.
@@ -273,107 +287,5 @@ pub(crate) fn in_full(origin: &Origin) -> String {
         [seed] => format!("{}, seed {seed}", origin.name()),
         seeds if seeds.len() <= 4 => format!("{}, seeds {}", origin.name(), origin.seeds_in_words()),
         seeds => format!("{}, {} seeds", origin.name(), seeds.len()),
-    }
-}
-
-/// A table of statements with their verdicts.
-///
-/// ```
-/// use tilewright_report::{Origin, Rule, Statement, Verdicts};
-///
-/// let equal = |found| Statement::new("VC1-TM", "T_m in merge clocks", Rule::Equals).paper([316_864.0]).found(Origin::rtl([]), [found]);
-/// let verdicts = Verdicts::new("statements", "Statements of the paper").state(equal(316_864.0)).state(equal(316_865.0));
-/// assert_eq!(verdicts.count(), [1, 1, 0]);
-/// ```
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Verdicts {
-    pub(crate) id: String,
-    pub(crate) title: String,
-    statements: Vec<Statement>,
-}
-
-impl Verdicts {
-    /// A table without statements. `id` names it in addresses and files: lower-case letters, digits, hyphens.
-    ///
-    /// ```
-    /// assert_eq!(tilewright_report::Verdicts::new("statements", "Statements of the paper").count(), [0, 0, 0]);
-    /// ```
-    pub fn new(id: impl Into<String>, title: impl Into<String>) -> Verdicts {
-        Verdicts { id: id.into(), title: title.into(), statements: Vec::new() }
-    }
-
-    /// Adds a statement.
-    ///
-    /// ```
-    /// use tilewright_report::{Rule, Statement, Verdicts};
-    ///
-    /// let table = Verdicts::new("table", "Statements").state(Statement::new("A", "Nobody asked", Rule::Equals));
-    /// assert_eq!(table.count(), [0, 0, 1]);
-    /// ```
-    pub fn state(mut self, statement: Statement) -> Verdicts {
-        self.statements.push(statement);
-        self
-    }
-
-    /// Adds several.
-    ///
-    /// ```
-    /// use tilewright_report::{Rule, Statement, Verdicts};
-    ///
-    /// let asked = ["A", "B"].map(|fact| Statement::new(fact, "Nobody asked", Rule::Equals));
-    /// assert_eq!(Verdicts::new("table", "Statements").states(asked).count(), [0, 0, 2]);
-    /// ```
-    pub fn states(mut self, statements: impl IntoIterator<Item = Statement>) -> Verdicts {
-        self.statements.extend(statements);
-        self
-    }
-
-    /// How many statements hold, differ, and cannot be compared.
-    ///
-    /// ```
-    /// assert_eq!(tilewright_report::Verdicts::new("table", "Statements").count(), [0, 0, 0]);
-    /// ```
-    pub fn count(&self) -> [usize; 3] {
-        let mut count = [0; 3];
-        for statement in &self.statements {
-            count[match statement.verdict() {
-                Verdict::Holds => 0,
-                Verdict::Differs { .. } => 1,
-                Verdict::CannotBeCompared { .. } => 2,
-            }] += 1;
-        }
-        count
-    }
-
-    pub(crate) fn html(&self) -> Markup {
-        html! {
-            table.verdicts role="table" {
-                thead role="rowgroup" {
-                    tr role="row" {
-                        @for name in ["Statement and rule", "Reference", "Found here", "Verdict"] { th role="columnheader" scope="col" { (name) } }
-                    }
-                }
-                tbody role="rowgroup" { @for statement in &self.statements { (statement.html()) } }
-            }
-        }
-    }
-
-    pub(crate) fn csv(&self) -> Vec<u8> {
-        let names = [
-            "fact",
-            "statement",
-            "rule",
-            "at",
-            "unit",
-            "reference from",
-            "reference",
-            "found by",
-            "found",
-            "seeds",
-            "verdict",
-        ];
-        csv::csv(
-            [names.map(str::to_owned).to_vec()].into_iter().chain(self.statements.iter().flat_map(Statement::rows)),
-        )
     }
 }

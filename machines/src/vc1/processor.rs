@@ -6,6 +6,7 @@
 
 use tilewright_rtl::swap::SwapState;
 
+pub(crate) use self::ahead::Shared;
 use super::clocks::{Class, Clocks};
 use super::job::Views;
 use super::program::{Access, Next, Phase, Settings, Sight, Task};
@@ -183,44 +184,10 @@ impl Processor {
         self.now
     }
 
-    /// Whether the end of what it does leads to another pixel or entry of the same task, so that the bus is of no account to it.
-    pub fn is_by_itself(&self) -> bool {
-        match self.now {
-            Now::Computing(_, _, None | Some(Access::Clear(_) | Access::Draw(_)))
-            | Now::Accessing(Access::Clear(_) | Access::Draw(_)) => match self.tasks.last() {
-                Some(Task::Scan(scan)) => scan.has_pixel(),
-                Some(Task::Clear { patch }) => *patch < self.settings.patches,
-                _ => false,
-            },
-            _ => false,
-        }
-    }
-
-    /// Clears so many entries at once, before one that is still to be cleared, and waits for each as long as the local frame buffer
-    /// takes one in `every` clocks.
-    pub fn clear_ahead(&mut self, entries: u32, every: u64) {
-        let (Now::Computing(_, _, Some(Access::Clear(next))) | Now::Accessing(Access::Clear(next))) = &mut self.now
-        else {
-            unreachable!("it clears");
-        };
-        let Some(Task::Clear { patch }) = self.tasks.last_mut() else { unreachable!("an entry is cleared by a task") };
-        *next += entries;
-        *patch += entries;
-        let (entries, cost) = (u64::from(entries), self.settings.costs.clear);
-        self.tally.clocks.clearing += entries * cost;
-        self.tally.clocks.stalled += entries * (every - cost);
-    }
-
-    /// Receives a word that is not the last of its packet, when it has waited for it for so many clocks beside what it computes.
-    pub fn receive_ahead(&mut self, waits: u64, word: u32) {
-        if let Now::Computing(left, class, Some(Access::Receive)) = self.now {
-            *self.tally.clocks.of(class) += left;
-        }
+    /// What has come of the packet that it receives.
+    pub fn packet(&mut self) -> &mut Vec<u32> {
         let Some(Task::Receive { words }) = self.tasks.last_mut() else { unreachable!("a word is received by a task") };
-        words.push(word);
-        self.tally.clocks.bus += waits;
-        self.tally.clocks.receiving += 1;
-        self.compute(self.settings.costs.receive - 1, Class::Receiving, Some(Access::Receive));
+        words
     }
 
     /// The bus has taken the word that it offered.
@@ -325,7 +292,7 @@ impl Processor {
     }
 
     fn receive(&mut self, word: Word) {
-        let Some(Task::Receive { words }) = self.tasks.last_mut() else { unreachable!("a word is received by a task") };
+        let words = self.packet();
         words.push(word.word);
         if word.last {
             let message = Message::of_words(words);
@@ -390,5 +357,6 @@ impl Processor {
     }
 }
 
+mod ahead;
 #[cfg(test)]
 mod tests;

@@ -42,9 +42,11 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
     let plan = Plan::new(effort);
     let Some(drawings) = Drawings::all(&plan, watch)? else { return Ok(None) };
     let Some(found) = Found::all(&plan, watch)? else { return Ok(None) };
+    let verdicts = statements::verdicts(&found);
+    let differences = words::differences(&plan, &verdicts);
     let page = words::introduction(Page::new("VC-1: virtual local frame buffers", words::provenance(&plan)), &plan)
-        .section(Section::new("Statements").part(statements::verdicts(&found)))
-        .section(words::differences(&plan))
+        .section(Section::new("Statements").part(verdicts))
+        .section(differences)
         .section(words::definitions(&plan))
         .section(charts::figure_7(&found, &drawings.frames))
         .section(charts::figure_8(&found))

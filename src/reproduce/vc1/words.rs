@@ -2,7 +2,7 @@
 
 use super::plan::{Plan, SPLITS, split};
 use tilewright_machines::vc1::CostTable;
-use tilewright_report::{Page, Provenance, Section};
+use tilewright_report::{Page, Provenance, Section, Verdicts};
 
 pub fn introduction(page: Page, plan: &Plan) -> Page {
     let page = page
@@ -76,44 +76,21 @@ pub fn definitions(plan: &Plan) -> Section {
         ))
 }
 
-/// The reasons, where a count shows one. They are of the paper’s screen.
-const REASONS: [(&str, &str); 6] = [
-    (
-        "The wait of an overflow.",
-        "A swap has two guards. Behind one in a blanking it waits for two refreshes at most, which is the paper’s 33.3 ms. But all may have swapped at any time of a refresh: then it waits for up to T_m and \
-         a refresh, 42.0 ms. And a processing element that overflowed late holds its own swap back, and so that of the global frame buffer: another may then wait for up to 2 T_m and a refresh, 67.4 ms.",
-    ),
-    (
-        "Rates and speed-up of ter250.",
-        "The costs are fitted to ter1k. ter250 is the same terrain in 16 times as many polygons, each of which has fewer rows and pixels. By those costs one takes 1082 clocks, where the paper’s numbers \
-         make 1246. So one processing element takes less time, while 256 of them take two refreshes in both.",
-    ),
-    (
-        "What the threshold saves.",
-        "A frame is shown at a whole refresh. With one overflow it takes 4 of them, as 2 T_m is more than 3, and with more overflows 5 and more. So T without a threshold is a multiple of that with it, \
-         and 75 % is not among the numbers that can come out.",
-    ),
-    (
-        "Pages of ter250.",
-        "A cluster of 32 small polygons covers less of the screen than one of large ones. It has more patches at its border for each that it fills. So the pages of a processing element grow with the \
-         number of polygons, while its pixels do not.",
-    ),
-    (
-        "Waiting in regions.",
-        "Each region has a busiest processing element of its own, so that waiting adds up over regions. The clocks of clipping are fitted to sums of all processing elements. How they are spread over \
-         packets, and so over processing elements, is a choice here, and waiting follows from it.",
-    ),
-    (
-        "Facts that do not stand.",
-        "42.0 ms is no bound of the time for which an overflow idles, as above. From 754 to 1492 clocks of rasterization, as 2x2 regions have, there are 738 clocks more, and not 739.",
-    ),
-];
-
-/// Why statements differ.
-pub fn differences(plan: &Plan) -> Section {
+/// The statements that differ, and why where a count shows why.
+pub fn differences(plan: &Plan, verdicts: &Verdicts) -> Section {
     let section = Section::new("What differs, and why");
     if plan.is_quick() {
         return section.paragraph("On a small screen more differs than on the paper’s: a page is a larger part of it, and a polygon has few pixels.");
     }
-    REASONS.into_iter().fold(section, |section, (what, why)| section.paragraph(format!("{what} {why}")))
+    let mut reasons: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
+    for (statement, reason) in verdicts.differing() {
+        match reasons.iter_mut().find(|(other, _)| *other == reason) {
+            Some((_, statements)) => statements.push(statement),
+            None => reasons.push((reason, vec![statement])),
+        }
+    }
+    reasons.into_iter().fold(section, |section, (reason, statements)| {
+        let reason = reason.unwrap_or("No count shows why.");
+        section.paragraph(format!("“{}” {reason}", statements.join("” “")))
+    })
 }

@@ -19,7 +19,28 @@ fn drawn(falsify: impl Fn(Event) -> Option<Event> + 'static) -> Result<Report, E
     machine.render_frames([0; 3], &mut Watch::default(), || views.next(), |_| true)
 }
 
-fn differing(drawn: Result<Report, Error>) -> (String, &'static str, [u64; 2]) {
+/// The model beside itself, with events and frames that those functions change.
+fn beside_itself(falsify: impl Fn(Event) -> Option<Event>, change: impl Fn(&mut FrameReport)) -> Result<(), Error> {
+    let (config, view) = config();
+    let model = Model::new(config).unwrap();
+    let dealt = model.deal(&Arc::new(view), None).unwrap();
+    let mut events = Vec::new();
+    let report = model.observe([dealt.clone()], |event| events.extend(falsify(event)));
+    let mut comparison = Comparison::new(&model);
+    comparison.command(dealt.view());
+    comparison.see(events);
+    report.frames.into_iter().for_each(|mut frame| {
+        change(&mut frame);
+        comparison.show(frame);
+    });
+    comparison.compare(u64::MAX)
+}
+
+fn falsified(falsify: impl Fn(Event) -> Option<Event>) -> Result<(), Error> {
+    beside_itself(falsify, |_| {})
+}
+
+fn differing<T: std::fmt::Debug>(drawn: Result<T, Error>) -> (String, &'static str, [u64; 2]) {
     match drawn {
         Err(Error::Differs { unit, signal, seen, expected, .. }) => (unit, signal, [seen, expected]),
         other => panic!("{other:?}"),
@@ -40,17 +61,27 @@ const KINDS: [What; 11] = [
     What::Shows(0),
 ];
 
+/// The circuit's, and one that comes a clock later.
+#[test]
+fn events_of_the_circuit_are_compared() {
+    let report = drawn(Some).expect("nothing differs");
+    assert!(report.compared > 10_000, "{}", report.compared);
+    let late = |event: Event| Some(Event { clock: event.clock + u64::from(event.what == What::Overflows), ..event });
+    let (unit, signal, values) = differing(drawn(late));
+    assert!(unit.starts_with("processing element "), "{unit}");
+    assert_eq!((signal, values), ("the number of overflows", [0, 1]));
+}
+
 /// Of each kind, one that comes a clock later, and one that never comes.
 #[test]
 fn an_event_of_any_kind_that_differs_is_found() {
-    let report = drawn(Some).expect("nothing differs");
-    assert!(report.compared > 10_000, "{}", report.compared);
+    falsified(Some).expect("nothing differs");
     for what in KINDS {
         let is_it = move |event: Event| event.what.kind() == what.kind();
         let late = move |event: Event| Some(Event { clock: event.clock + u64::from(is_it(event)), ..event });
-        let (_, signal, values) = differing(drawn(late));
+        let (_, signal, values) = differing(falsified(late));
         assert_eq!((signal, values), (what.kind(), [0, 1]));
-        let (unit, signal, values) = differing(drawn(move |event| Some(event).filter(|it| !is_it(*it))));
+        let (unit, signal, values) = differing(falsified(move |event| Some(event).filter(|it| !is_it(*it))));
         assert_eq!((signal, values), (what.kind(), [0, 1]));
         let place = match what {
             What::Carries(..) => "the bus",
@@ -77,7 +108,7 @@ fn what_an_event_says_is_compared() {
     };
     for what in KINDS.into_iter().filter(|what| what.value_name() != what.kind()) {
         let falsify = move |event: Event| Some(if event.what.kind() == what.kind() { another(event) } else { event });
-        let (_, signal, [seen, expected]) = differing(drawn(falsify));
+        let (_, signal, [seen, expected]) = differing(falsified(falsify));
         assert_eq!(signal, what.value_name());
         assert_ne!(seen, expected);
     }
@@ -90,32 +121,14 @@ fn an_event_that_does_not_happen_is_found() {
         What::Overflows => Some(Event { what: What::Ends, ..event }),
         _ => Some(event),
     };
-    let (unit, signal, values) = differing(drawn(more));
+    let (unit, signal, values) = differing(falsified(more));
     assert!(unit.starts_with("processing element "), "{unit}");
     assert_eq!((signal, values), ("the number of overflows", [0, 1]));
 }
 
-/// The model beside itself, with its own events.
-fn beside_itself(change: impl Fn(&mut FrameReport)) -> Result<(), Error> {
-    let (config, view) = config();
-    let model = Model::new(config).unwrap();
-    let dealt = model.deal(&Arc::new(view), None).unwrap();
-    let mut events = Vec::new();
-    let report = model.observe([dealt.clone()], |event| events.push(event));
-    let mut comparison = Comparison::new(&model);
-    comparison.command(dealt.view());
-    comparison.see(events);
-    report.frames.into_iter().for_each(|mut frame| {
-        change(&mut frame);
-        comparison.show(frame);
-    });
-    comparison.compare(u64::MAX)
-}
-
 #[test]
 fn every_number_of_a_frame_is_compared() {
-    beside_itself(|_| {}).expect("nothing differs");
-    let signal = |change: &dyn Fn(&mut FrameReport)| match beside_itself(change) {
+    let signal = |change: &dyn Fn(&mut FrameReport)| match beside_itself(Some, change) {
         Err(Error::Differs { signal, .. }) => signal,
         other => panic!("{other:?}"),
     };

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use super::host::Run;
 use super::{Dealt, Model};
 use crate::vc1::config::Config;
+use crate::vc1::host::Loaded;
 use crate::vc1::job::View;
 use crate::vc1::program::Settings;
 use crate::vc1::report::Report;
@@ -43,15 +44,17 @@ impl Model {
         let numbers = || 0..self.config.processors;
         let own = Model { config: Config { apr: None, ..self.config }, ..self.clone() };
         let without = view.without_broadcast(self);
+        let scene = Loaded::of(&view.0.projection);
+        let with = |k| self.alone(view, scene, k, &view.broadcast(self, k), frames);
         Estimate {
-            own: numbers().map(|k| own.alone(&without, k, &[], frames)).collect(),
-            with_broadcast: numbers().map(|k| self.alone(view, k, &view.broadcast(self, k), frames)).collect(),
+            own: numbers().map(|k| own.alone(&without, scene, k, &[], frames)).collect(),
+            with_broadcast: numbers().map(with).collect(),
         }
     }
 
     /// A processing element alone, to which the host sends those packets behind each command.
-    fn alone(&self, view: &Dealt, processor: u32, packets: &[Message], frames: usize) -> Report {
-        let run = Run::of(self, processor..processor + 1, packets, |_| {});
+    fn alone(&self, view: &Dealt, scene: Loaded, processor: u32, packets: &[Message], frames: usize) -> Report {
+        let run = Run::of(self, processor..processor + 1, packets, Some(scene), |_| {});
         self.report(run, std::iter::repeat_n(view.clone(), frames))
     }
 }

@@ -1,7 +1,6 @@
 //! The host's program, and the order of all that happens: from event to event, and none before what it follows from.
 //!
-//! A processing element is run ahead of the others as long as nothing on the bus is of account to it. At an edge of several, the bus comes
-//! first, as it sees what processing elements offered before that edge.
+//! At an edge of several, the bus comes first, as it sees what processing elements offered before that edge.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -19,10 +18,12 @@ use super::processor::Element;
 use super::timing::PE_PERIOD;
 use crate::vc1::host::Loaded;
 use crate::vc1::job::{View, Views};
-use crate::vc1::processor::Processor;
+use crate::vc1::processor::{Processor, Shared};
 use crate::vc1::program::Settings;
 use crate::vc1::report::{FrameReport, ProcessorReport, Times};
 use crate::vc1::words::{Message, Word};
+
+mod ahead;
 
 /// A run of the model.
 pub(crate) struct Run<'a, S> {
@@ -43,6 +44,8 @@ pub(crate) struct Run<'a, S> {
     words: VecDeque<Word>,
     /// The last edge at which the bus did something.
     carried: u64,
+    /// The polygons that are in the queues.
+    polygons: VecDeque<Shared>,
     scene: Option<Loaded>,
     /// Frames that are commanded and not yet shown.
     frames: VecDeque<Frame>,
@@ -71,12 +74,18 @@ struct Frame {
 impl<'a, S: FnMut(Event)> Run<'a, S> {
     /// One that begins behind the reset.
     pub fn new(model: &'a Model, seen: S) -> Run<'a, S> {
-        Run::of(model, 0..model.config.processors, &[], seen)
+        Run::of(model, 0..model.config.processors, &[], None, seen)
     }
 
     /// One of these processing elements alone, in a machine in which nobody waits for the others; the host sends those packets behind each
-    /// command.
-    pub(super) fn of(model: &'a Model, numbers: Range<u32>, packets: &[Message], seen: S) -> Run<'a, S> {
+    /// command. `scene` is that of the views, if it has been counted.
+    pub(super) fn of(
+        model: &'a Model,
+        numbers: Range<u32>,
+        packets: &[Message],
+        scene: Option<Loaded>,
+        seen: S,
+    ) -> Run<'a, S> {
         let config = &model.config;
         let (patches, views) = (model.vc1.lfb.patches, Views::default());
         let reset = model.reset / PE_PERIOD;
@@ -101,7 +110,8 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             packets: packets.iter().flat_map(Message::words).collect(),
             words: VecDeque::new(),
             carried: 0,
-            scene: None,
+            polygons: VecDeque::new(),
+            scene,
             frames: VecDeque::new(),
             commanded: 0,
             may_command: Some(reset),
@@ -158,8 +168,11 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             let shows = self.showing.map_or(u64::MAX, |it| it.shown);
             let edge = due.min(line).min(self.bus.next).min(shows);
             if edge > until || edge == u64::MAX {
-                self.catch_up(until);
-                return;
+                let behind = (0..self.elements.len()).filter(|k| self.catch_up(*k)).count();
+                if behind == 0 {
+                    return;
+                }
+                continue;
             }
             if self.bus.next == edge {
                 self.carry(edge);
@@ -192,80 +205,46 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             (self.seen)(Event { clock: edge, place: Place::Bus, what });
             if sender == host {
                 self.offer_command(edge);
-            } else if self.elements[sender].waits_for_bus() && !self.is_behind(sender) {
-                self.go(sender, edge, false, true);
             } else {
-                self.elements[sender].program.taken_by_bus();
+                self.take_from(sender, edge);
             }
         }
         if carried.delivers {
+            self.share();
             self.wake();
         }
     }
 
-    /// A word has come to all queues.
-    fn wake(&mut self) {
-        let goes_on = self.bus.was_last() || !self.bus.has_room();
-        for k in 0..self.elements.len() {
-            // Of those that lag, the first word of a packet is of account when the last one has come.
-            if !goes_on && !self.bus.has_one(k) {
-                continue;
-            }
-            let element = &self.elements[k];
-            if if element.lags { goes_on } else { element.looks_at_queue() && self.bus.has_one(k) } {
-                self.plan(k);
-                if self.elements[k].due < self.carried {
-                    self.process(k);
-                }
-            }
+    /// The bus takes the word that a processing element offers.
+    fn take_from(&mut self, k: usize, edge: u64) {
+        let until = std::mem::replace(&mut self.until, edge - 1);
+        self.catch_up(k);
+        self.until = until;
+        if self.elements[k].waits_for_bus() {
+            self.go(k, edge, false, true);
+        } else {
+            self.elements[k].program.taken_by_bus();
+            self.plan(k);
         }
-    }
-
-    /// Lets those that are behind the others go on until that edge.
-    fn catch_up(&mut self, until: u64) {
-        for k in 0..self.elements.len() {
-            while self.elements[k].lags {
-                self.plan(k);
-                if self.elements[k].due > until || self.elements[k].due == u64::MAX {
-                    break;
-                }
-                self.process(k);
-            }
-        }
-    }
-
-    /// Whether a processing element has still to look at a word that came before.
-    fn is_behind(&self, k: usize) -> bool {
-        self.elements[k].lags && self.bus.coming(k, 0).is_some()
-    }
-
-    /// What a processing element does at its next edge, and then as long as it is by itself, until that edge at most.
-    fn process(&mut self, k: usize) {
-        let edge = self.elements[k].due;
-        self.go(k, edge, false, false);
-        let element = &mut self.elements[k];
-        while element.is_by_itself() && element.due <= self.until {
-            let front = element.program.front();
-            let done = element.go(element.due, false, false, [front; 2], &mut self.seen);
-            if done.cleared {
-                element.clear_ahead(self.until, &mut self.seen);
-            }
-            element.plan(None);
-        }
-        element.receive_ahead(&mut self.bus, k, edge.max(self.carried), self.until, &mut self.seen);
-        self.plan(k);
     }
 
     /// Finds the next edge of a processing element.
     fn plan(&mut self, k: usize) {
         let element = &mut self.elements[k];
         element.plan(self.bus.coming(k, 0).map(|(_, came)| came));
-        element.lags = element.may_lag() && !self.bus.is_complete(k) && self.bus.has_room();
+        let is_early = element.program.is_unseen() || !self.bus.is_complete(k);
+        element.lags = element.may_lag() && is_early && self.bus.knows_room();
         self.due.set(k, if element.lags { u64::MAX } else { element.due });
     }
 
     /// An edge of a processing element, with all that follows from it.
     fn go(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
+        self.pass(k, edge, is_due, sent);
+        self.plan(k);
+    }
+
+    /// An edge of a processing element, with all that follows from it but its next one.
+    fn pass(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
         let element = &mut self.elements[k];
         let was_ready = element.is_ready();
         let [front, _] = self.bus.queue(k, edge - 1);
@@ -286,7 +265,6 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             Some(state) => self.swapped(k, edge, state),
             None => self.allow_swap(k, edge + 1),
         }
-        self.plan(k);
     }
 
     /// A processing element has swapped.

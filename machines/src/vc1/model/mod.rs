@@ -24,6 +24,7 @@
 //! |---|---|
 //! | `host` | commands, and the order of all that happens |
 //! | `due` | whose turn it is |
+//! | `senders` | whose turn it is on the bus |
 //! | `processor` | a program, run from event to event |
 //! | `lfb` | when a local frame buffer takes an access, gives a page and overflows |
 //! | `bus` | whose turn it is, and what is in the receive queues |
@@ -61,6 +62,7 @@ mod lfb;
 mod merger;
 mod processor;
 mod regions;
+mod senders;
 mod timing;
 
 use std::sync::Arc;

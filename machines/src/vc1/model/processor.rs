@@ -1,14 +1,16 @@
 //! A processing element: the machine's own program, run from event to event against a local frame buffer of the model.
 
+use std::collections::VecDeque;
+
 use tilewright_rtl::lfb::Patches;
 use tilewright_rtl::swap::SwapState;
 
 use super::bus::Bus;
 use super::event::{Event, Place, What};
 use super::lfb::{CLEAR_CLOCKS, Lfb};
-use crate::vc1::processor::{Edge, Now, Processor};
+use crate::vc1::processor::{Edge, Now, Processor, Shared};
 use crate::vc1::program::Access;
-use crate::vc1::words::Word;
+use crate::vc1::words::{POLYGON_WORDS, Word};
 
 /// A processing element with its local frame buffer.
 pub(super) struct Element {
@@ -106,6 +108,18 @@ impl Element {
         !self.is_halted() && self.lfb.overflows.is_none() && self.program.is_by_itself()
     }
 
+    /// How many words of its queue have to be known for its next edge, if nothing else has to be, and nobody looks at what it does there.
+    pub fn looks_ahead(&self) -> Option<u64> {
+        let words = match self.program.now() {
+            Now::Waiting | Now::Computing(_, _, None) => 1,
+            Now::Accessing(Access::Send(_)) if self.program.offered().is_some() => 1,
+            Now::Computing(_, _, Some(Access::Receive)) | Now::Accessing(Access::Receive) => 2,
+            _ => return None,
+        };
+        let is_seen = self.is_halted() || self.lfb.overflows.is_some();
+        (!is_seen).then_some(words)
+    }
+
     /// Finds its next edge. `came`: when the first word that it has not taken came to its queue, if it did.
     pub fn plan(&mut self, came: Option<u64>) {
         let next = self.at + 1;
@@ -195,10 +209,11 @@ impl Element {
 
     /// Whether nobody sees what it does before it has received a packet.
     pub fn may_lag(&self) -> bool {
-        let receives = matches!(
-            self.program.now(),
-            Now::Waiting | Now::Accessing(Access::Receive) | Now::Computing(_, _, Some(Access::Receive))
-        );
+        let receives = match self.program.now() {
+            Now::Waiting | Now::Accessing(Access::Receive) | Now::Computing(_, _, Some(Access::Receive)) => true,
+            Now::Accessing(Access::Send(_)) => self.program.offered().is_some(),
+            _ => false,
+        };
         receives && !self.is_halted() && self.lfb.overflows.is_none()
     }
 
@@ -212,19 +227,47 @@ impl Element {
         }
     }
 
-    /// Receives at once the words of a packet that are in its queue, but the last, as far as the bus does not come to wait for that. All that
-    /// happened before the edge `now` is known; its queue is the `k`-th one.
-    pub fn receive_ahead(&mut self, bus: &mut Bus, k: usize, now: u64, until: u64, seen: &mut impl FnMut(Event)) {
-        while let Some((word, came)) = bus.coming(k, 0).filter(|(word, _)| !word.last)
-            && let Some(clock) = self.receives_from()
-            && let edge = clock.max(came + 1)
-            && edge <= until
-            && (edge <= now || bus.has_room_until(k, now, edge))
-        {
-            seen(Event { clock: edge, place: Place::Processor(self.number), what: What::Receives(word.word) });
-            bus.receive(k, edge);
-            self.program.receive_ahead(edge - clock, word.word);
-            self.at = edge;
+    /// Receives at once the words of a packet that are in its queue, the `k`-th one, but the last; none after that edge.
+    pub fn receive_ahead(&mut self, bus: &mut Bus, k: usize, until: u64, seen: &mut impl FnMut(Event)) {
+        let Some(clock) = self.receives_from() else { return };
+        let (begin, place) = (self.at, Place::Processor(self.number));
+        let every = self.program.receive_clocks();
+        let packet = self.program.packet();
+        let before = packet.len();
+        bus.receive_ahead(k, clock, every, until, |word, clock| {
+            seen(Event { clock, place, what: What::Receives(word) });
+            packet.push(word);
+            self.at = clock;
+        });
+        let words = packet.len() - before;
+        if words > 0 {
+            self.program.receive_ahead(words as u64, self.at - begin);
+        }
+    }
+
+    /// Receives at once what is left of a polygon that has come as a whole, if it has no row of it; nothing after that edge.
+    pub fn skip_ahead(
+        &mut self,
+        bus: &mut Bus,
+        k: usize,
+        polygons: &VecDeque<Shared>,
+        until: u64,
+        seen: &mut impl FnMut(Event),
+    ) {
+        let (Some(clock), Some(taken)) = (self.receives_from(), self.program.taken()) else { return };
+        let first = bus.next_of(k) - taken;
+        let next = polygons.partition_point(|it| it.first < first);
+        let skips = |it: &&Shared| it.first == first && self.program.skips(it);
+        let Some(polygon) = polygons.get(next).filter(skips) else { return };
+        let every = self.program.receive_clocks();
+        let receives = (POLYGON_WORDS as u64 - 1 - taken) * every;
+        if clock.max(polygon.came + 1) + receives <= until {
+            let place = Place::Processor(self.number);
+            let last = bus.receive_packet(k, clock, every, |word, clock| {
+                seen(Event { clock, place, what: What::Receives(word) });
+            });
+            self.program.skip_ahead(clock - self.at + receives, last - self.at);
+            self.at = last;
         }
     }
 
