@@ -84,5 +84,8 @@ pub fn not_compared() -> Section {
     ];
     let table = Table::new("not-compared", "What is not compared, and why", ["what", "why"]);
     let table = rows.into_iter().fold(table, |table, (what, why)| table.row([what.into(), why.into()]));
-    Section::new("Not compared").part(table)
+    Section::new("Not compared").part(table).paragraph(
+        "Two numbers that were expected of this machine do not stand. 42.0 ms, T_m and a refresh, is no bound of an overflow’s wait. From 754 clocks of rasterization to the 1492 of 2x2 regions there are 738 more, \
+         and not 739.",
+    )
 }

@@ -94,3 +94,29 @@ pub fn differences(plan: &Plan, verdicts: &Verdicts) -> Section {
         section.paragraph(format!("“{}” {reason}", statements.join("” “")))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+    use tilewright_report::{Origin, Rule, Statement};
+
+    #[test]
+    fn statements_that_differ_for_one_reason_stand_together() {
+        let of = |text: &str, found: f64| {
+            Statement::new("VC1-33", text, Rule::Equals).paper([33.3]).found(Origin::model([]), [found])
+        };
+        let all = [
+            of("One.", 50.0).because("A page is lacking."),
+            of("Two.", 33.3).because("It holds."),
+            of("Three.", 1.0),
+            of("Four.", 67.0).because("A page is lacking."),
+        ];
+        let plan = Plan::new(Effort { seed: 1, most: None });
+        let section = differences(&plan, &Verdicts::new("statements", "Statements").states(all));
+        let expected = Section::new("What differs, and why")
+            .paragraph("“One.” “Four.” A page is lacking.")
+            .paragraph("“Three.” No count shows why.");
+        assert_eq!(section, expected);
+    }
+}

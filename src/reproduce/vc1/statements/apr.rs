@@ -3,6 +3,7 @@
 use super::super::found::Found;
 use super::super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, THRESHOLD};
 use super::super::run::{CLOCK, Timed};
+use super::reasons::{DEALT, REFRESHES};
 use super::{ALMOST_LEAST, LITTLE, WITHIN_10, named};
 use tilewright_report::{Rule, Statement};
 use tilewright_rtl::gfb::Blanking;
@@ -51,6 +52,7 @@ fn figure_9(found: &Found) -> Vec<Statement> {
                 .unit("T(500) / T(off)")
                 .paper([LEFT])
                 .found(found.model(), found.ratio(String::new(), cases, time).map(|it| it.1))
+                .because(REFRESHES)
         }));
     }
     let first = plan.thresholds().next().flatten();
@@ -75,7 +77,8 @@ fn figure_9(found: &Found) -> Vec<Statement> {
             "the busiest over the mean",
             grows,
             |it| it.imbalance,
-        ),
+        )
+        .because(DEALT),
         along("As the threshold becomes larger, overflows increase.", "overflows a frame", grows, |it| it.overflows),
         along(
             "As it becomes smaller, communication increases.",

@@ -3,6 +3,7 @@
 use super::super::found::Found;
 use super::super::idle::Idle;
 use super::super::plan::Capacity;
+use super::reasons::GUARDS;
 use super::{FLOOR, WITHIN_1, WITHIN_2, WITHIN_HALF};
 use tilewright_report::{Origin, Rule, Statement};
 use tilewright_rtl::clocks::{MERGE, PE};
@@ -71,5 +72,6 @@ pub fn statements(found: &Found) -> Vec<Statement> {
 /// The longest wait of an overflow, of those that were found.
 fn idle(found: &Found, when: &str, of: fn(&Idle) -> f64) -> Statement {
     let text = format!("A processor’s worst-case idle time upon an overflow is 33.3 ms: {when}.");
-    Statement::new("VC1-SW4", text, Rule::AtMost).unit("ms").paper([FLOOR]).found(found.model(), [of(&found.idle)])
+    let statement = Statement::new("VC1-SW4", text, Rule::AtMost).unit("ms").paper([FLOOR]);
+    statement.found(found.model(), [of(&found.idle)]).because(GUARDS)
 }

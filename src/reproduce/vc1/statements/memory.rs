@@ -4,6 +4,7 @@ use super::super::counted::PROCESSORS;
 use super::super::found::Found;
 use super::super::plan::CLUSTERS;
 use super::super::run::Timed;
+use super::reasons::BORDERS;
 use super::{LITTLE, WITHIN_5, WITHIN_10};
 use tilewright_report::{Rule, Statement};
 
@@ -84,7 +85,8 @@ fn locality(found: &Found) -> Vec<Statement> {
             WITHIN_10,
         )
         .paper([1.0])
-        .found(counted.origin(), beside(|it| it.pages)),
+        .found(counted.origin(), beside(|it| it.pages))
+        .because(BORDERS),
     ];
     statements.extend(["ter1k", "ter250"].map(|scene| {
         let of = |n| counted.share(scene, n).map(|it| (format!("n = {n}"), it.pages));

@@ -3,6 +3,7 @@
 mod apr;
 mod machine;
 mod memory;
+mod reasons;
 mod scaling;
 mod section_6;
 mod table_1;

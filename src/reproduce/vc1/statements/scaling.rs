@@ -3,6 +3,7 @@
 use super::super::found::Found;
 use super::super::plan::Plan;
 use super::super::run::Timed;
+use super::reasons::{COSTS, OVERFLOWS};
 use super::{FLOOR, GUARDS, WITHIN_1, WITHIN_10, place};
 use tilewright_report::{Rule, Statement};
 
@@ -59,17 +60,20 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             WITHIN_10,
         )
         .paper([1.0])
-        .found(found.model(), proportional),
+        .found(found.model(), proportional)
+        .because(OVERFLOWS),
         Statement::new("VC1-F7", "256 processing elements draw ter250 190 times as fast as one.", WITHIN_10)
             .unit("times")
             .paper([SPEED_UP])
-            .found(found.model(), found.ratio(String::new(), ter250, time).map(|it| it.1)),
+            .found(found.model(), found.ratio(String::new(), ter250, time).map(|it| it.1))
+            .because(COSTS),
         estimate(1, 16),
         estimate(32, 256),
         Statement::new("VC1-RATE", "16 processing elements draw 514,000 polygons a second at most.", WITHIN_10)
             .unit("thousand polygons/s, of the fastest scene")
             .paper([THOUSANDS_WITH_16])
-            .found(found.model(), fastest(16).map(|millions| 1e3 * millions)),
+            .found(found.model(), fastest(16).map(|millions| 1e3 * millions))
+            .because(COSTS),
         Statement::new("VC1-RATE", "256 processing elements draw 6.1 million polygons a second at most.", WITHIN_1)
             .unit("million polygons/s, of the fastest scene")
             .paper([MILLIONS_WITH_256])
@@ -80,6 +84,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .found(
                 found.model(),
                 [1, 16].into_iter().filter_map(|n| found.at(format!("n = {n}"), plan.case("ter250", n), time)),
-            ),
+            )
+            .because(COSTS),
     ]
 }

@@ -3,6 +3,7 @@
 use super::super::found::Found;
 use super::super::plan::Plan;
 use super::super::run::Timed;
+use super::reasons::{COMMAND, EQUALS};
 use super::{FLOOR, WITHIN_1, WITHIN_2};
 use tilewright_report::{Origin, Rule, Statement};
 use tilewright_scenes::Size;
@@ -41,7 +42,8 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             Rule::Decreases { with: with() },
         )
         .unit("pixels")
-        .found(found.counted.origin(), areas),
+        .found(found.counted.origin(), areas)
+        .because(EQUALS),
         Statement::new(
             "VC1-THRN",
             "So the bus is no serious limitation: its time with 256 and the best threshold.",
@@ -60,7 +62,8 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .found(found.model(), immediate(256).map(|it| it.bus)),
         Statement::new("VC1-IMM", "Then the machine is no longer scalable: T(64) / T(256) of ter250.", WITHIN_1)
             .paper([1.0])
-            .found(found.model(), immediate(64).zip(immediate(256)).map(|(few, many)| few.time / many.time)),
+            .found(found.model(), immediate(64).zip(immediate(256)).map(|(few, many)| few.time / many.time))
+            .because(COMMAND),
         Statement::new(
             "VC1-33",
             "The merger has to be as much faster as there are pixels: T_m of 1280x960 pixels over that of 640x480.",

@@ -3,6 +3,7 @@
 use super::super::found::Found;
 use super::super::regions::Means;
 use super::super::table::{NAMES, PRINTED, vlfb};
+use super::reasons::REGIONS;
 use super::{WITHIN_1, WITHIN_10};
 use tilewright_report::{Rule, Statement};
 
@@ -26,11 +27,13 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         Statement::new("VC1-T1", "With regions it takes considerably longer.", WITHIN_10)
             .unit("ms")
             .paper(by_name(time, &PRINTED))
-            .found(model(), by_name(time, &all)),
+            .found(model(), by_name(time, &all))
+            .because(REGIONS),
         Statement::new("VC1-T1", "A processing element waits for so long for the others.", WITHIN_10)
             .unit("ms")
             .paper(NAMES.into_iter().zip(PRINTED.iter().map(waiting)))
-            .found(model(), NAMES.into_iter().zip(all.iter().map(waiting))),
+            .found(model(), NAMES.into_iter().zip(all.iter().map(waiting)))
+            .because(REGIONS),
         Statement::new(
             "VC1-T1",
             "The time increases from VLFB by 2x2 regions and by 4x4 with 4 buffers to 4x4 with 2.",
