@@ -11,7 +11,7 @@
 //!
 //! The program of a processing element is the machine's own. What stands behind its ports is not simulated clock by clock: when an access is taken, a
 //! page given, a word carried and a buffer swapped follows from the last events by formulas. A processing element runs ahead of the others
-//! as long as nothing on the bus is of account to it, and stays behind while a packet comes of which the end has not come.
+//! as long as all is known that it looks at, and stays behind while what comes to it is of account to nobody.
 //!
 //! All clocks are those of the hardware ([`Vc1`]), one for one. [`Machine::render`](super::Machine::render) compares in every run:
 //!
@@ -35,7 +35,8 @@
 //! | `estimate` | the paper's two passes beyond 16 processing elements |
 //!
 //! A frame of ter1k with 16 processing elements takes 20 ms, one of ter250 some 90 ms, and with 256 some 120 ms. Polygons that all draw
-//! cost more, as each processing element receives each: with 256 and a threshold of 31 pixels a frame of ter1k takes 350 ms.
+//! cost more, as each processing element receives each: with 256 and a threshold of 31 pixels a frame of ter1k takes 220 ms, and one of
+//! ter250 that is sent each time 2.5 to 3.5 s.
 //! `cargo test --release -p tilewright-machines --test all a_frame_takes_milliseconds -- --ignored --nocapture` prints these.
 //!
 //! ```
