@@ -186,6 +186,21 @@ fn queues_of_one_polygon_do_not_lock() {
     assert!(both.iter().all(|it| it.broadcast > 100 && it.overflows > 0 && it.clocks.bus > 0), "{both:?}");
 }
 
+/// The model takes several clocks at once; with costs of nothing, and queues of one polygon and of many, it still goes as the circuit.
+#[test]
+fn polygons_that_all_draw_may_take_no_time_but_that_of_their_words() {
+    let views = turning("star", Size::new(53, 36).unwrap(), 3, 25.0);
+    for (set_up, receive, queue, word_clocks) in
+        [(0, 3, 16, 3), (0, 1, 61, 1), (1, 2, 11, 2), (500, 1, 64, 6), (2, 7, 10, 1)]
+    {
+        let costs = CostTable { set_up, receive, row: 0, send: 1, ..HASTY };
+        let config =
+            Config { processors: 9, cluster: 5, apr: Some(0), queue, word_clocks, costs, ..small(views[0].size) };
+        let report = render_all(config, &views);
+        assert!(report.compared > 1000, "{}", report.compared);
+    }
+}
+
 /// While frames are drawn in less than two refreshes of the paper's display, one comes every two (VC1-SW2): T_m is 1.52 of them.
 #[test]
 fn a_frame_comes_every_two_refreshes() {

@@ -22,8 +22,8 @@ pub const REFRESHES: &str = "A frame takes whole refreshes: 2 without overflow, 
 
 /// Balance by the threshold (VC1-F9).
 pub const DEALT: &str = "Clusters are dealt by the clocks of all their polygons. The larger ones then leave their owners, some more than others. By a count of what remains, the busiest has 10 % more than the mean \
-     with a threshold of 500 pixels, 6 % with 20,000, and 2 % with none. With none, tables \
-     cleared again after overflows make the busiest busier.";
+     with a threshold of 500 pixels, 6 % with 20,000, and 2 % with none. There, tables that are cleared \
+     again after overflows make the busiest busier.";
 
 /// Times and waiting in Table 1 (VC1-T1).
 pub const REGIONS: &str = "Each region has a busiest processing element of its own, so waiting adds up over regions. The clocks of clipping are fitted to sums over all processing elements; how they are spread over \
