@@ -14,7 +14,8 @@ use tilewright_sim::{Port, Simulation};
 use super::edges::Edges;
 use super::notes::{Handshakes, Notes};
 use super::ports::Ports;
-use super::processor::{Edge, Processor};
+use super::processor::{Edge, Now, Processor};
+use super::program::Access;
 use super::words::Word;
 use crate::error::Error;
 
@@ -28,6 +29,12 @@ pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
     /// By processing element: what stands at its ports.
     pub(super) ports: Vec<Ports>,
+    /// By processing element: it computes on in the clocks before that edge, and nothing at its ports is of account to it.
+    acts_at: Vec<u64>,
+    /// Those for which something at their ports may be of account in the coming clock; kept to save an allocation.
+    acting: Vec<usize>,
+    /// Pages of image memory in each buffer.
+    pages: u64,
     /// What the host offers to the bus, and what stands at its port.
     pub(super) command: Option<Word>,
     pub(super) command_port: Option<Word>,
@@ -64,6 +71,9 @@ impl Hardware {
         let refresh = refresh_clocks * machine.display.period.picoseconds();
         Ok(Hardware {
             ports: vec![Ports::default(); sim.i.processors.len()],
+            acts_at: vec![0; sim.i.processors.len()],
+            acting: Vec::new(),
+            pages: machine.lfb.pages.into(),
             command: None,
             command_port: None,
             writes: VecDeque::new(),
@@ -115,55 +125,71 @@ impl Hardware {
             return Ok(false);
         }
         self.present_command();
-        for (k, processor) in processors.iter().enumerate() {
-            if self.ports[k].ahead == 0 {
-                self.present(k, processor);
-            }
-        }
-        for (k, processor) in processors.iter_mut().enumerate() {
-            if self.ports[k].ahead > 0 {
-                continue;
-            }
+        let coming = self.edge() + 1;
+        let mut acting = std::mem::take(&mut self.acting);
+        acting.clear();
+        acting.extend((0..processors.len()).filter(|&k| self.acts_at[k] <= coming));
+        acting.iter().for_each(|&k| self.present(k, &processors[k]));
+        acting.retain(|&k| !self.goes_ahead(k, &mut processors[k], coming));
+        for &k in &acting {
             (self.ports[k].taken, self.ports[k].sent) = (self.takes(k), self.sends(k));
-            // With nothing under way in its local frame buffer it cannot overflow.
-            if processor.may_compute_ahead() && self.flag(self.sim.o.processors[k].idle) {
-                self.ports[k].ahead = processor.compute_ahead();
-            }
         }
         let command = self.command.is_some() && self.flag(self.sim.i.command.ready);
         let line = processors.iter().all(Processor::done) && self.flag(self.sim.o.line);
         self.advance(display)?;
-        let clock = self.edge();
         if command && let Some(word) = self.command.take() {
-            self.notes.bus(clock, processors.len() as u32, word);
+            self.notes.bus(coming, processors.len() as u32, word);
         }
-        for (k, processor) in processors.iter_mut().enumerate() {
-            if self.ports[k].ahead > 0 {
-                self.ports[k].ahead -= 1;
-                continue;
-            }
-            let port = self.sim.o.processors[k];
-            let may = SwapState::of_code(self.sim.get_u64(port.state));
-            let front = self.flag(port.received.valid).then(|| Word {
-                word: self.sim.get_u64(port.received.word) as u32,
-                last: self.sim.get_u64(port.received.last) == 1,
-            });
-            #[cfg(test)]
-            let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
-            let Ports { access, sends, taken, sent, .. } = self.ports[k];
-            let (before, ended, receives) = (processor.may(), processor.done(), processor.receives());
-            let received = processor.front().filter(|_| receives);
-            processor.edge(Edge { taken, sent, may, front });
-            let handshakes = Handshakes {
-                taken: access.filter(|_| taken),
-                sent: sends.filter(|_| sent),
-                received,
-                may: [before, may],
-                ends: processor.done() && !ended,
-            };
-            self.notes.processor(clock, k as u32, handshakes);
-        }
+        acting.iter().for_each(|&k| self.see(k, &mut processors[k], coming));
+        self.acting = acting;
         Ok(line)
+    }
+
+    /// Has a processing element compute on at once, if it sees nothing of its ports meanwhile; whether it does. It comes to an access to its
+    /// local frame buffer by itself, and to all else with a look at its ports.
+    fn goes_ahead(&mut self, number: usize, processor: &mut Processor, coming: u64) -> bool {
+        let is_free = processor.offered().is_none() && !matches!(processor.may(), SwapState::Due | SwapState::Overflow);
+        let clocks = match processor.now() {
+            Now::Computing(..) if self.may_overflow(number) => 0,
+            Now::Computing(left, _, Some(Access::Draw(_) | Access::Clear(_))) if is_free => {
+                processor.pass(left);
+                left
+            }
+            _ if processor.may_compute_ahead() => processor.compute_ahead(),
+            _ => 0,
+        };
+        self.acts_at[number] = coming + clocks;
+        clocks > 0
+    }
+
+    /// Whether what is under way in a local frame buffer may find no page. It has one look-up under way at most.
+    fn may_overflow(&mut self, number: usize) -> bool {
+        let port = self.sim.o.processors[number];
+        self.sim.get_u64(port.pages_used) == self.pages && !self.flag(port.idle)
+    }
+
+    /// A processing element sees its ports behind an edge.
+    fn see(&mut self, number: usize, processor: &mut Processor, clock: u64) {
+        let port = self.sim.o.processors[number];
+        let may = SwapState::of_code(self.sim.get_u64(port.state));
+        let front = self.flag(port.received.valid).then(|| Word {
+            word: self.sim.get_u64(port.received.word) as u32,
+            last: self.sim.get_u64(port.received.last) == 1,
+        });
+        #[cfg(test)]
+        let front = front.map(|it| Word { word: if it.last { it.word ^ self.flips } else { it.word }, ..it });
+        let Ports { access, sends, taken, sent, .. } = self.ports[number];
+        let (before, ended, receives) = (processor.may(), processor.done(), processor.receives());
+        let received = processor.front().filter(|_| receives);
+        processor.edge(Edge { taken, sent, may, front });
+        let handshakes = Handshakes {
+            taken: access.filter(|_| taken),
+            sent: sends.filter(|_| sent),
+            received,
+            may: [before, may],
+            ends: processor.done() && !ended,
+        };
+        self.notes.processor(clock, number as u32, handshakes);
     }
 
     /// The last edge of the processing elements' clock, counted from 1 at power-on.
@@ -184,13 +210,12 @@ impl Hardware {
 
     /// The same of clocks for which all processing elements compute ahead.
     pub fn compute(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
-        let ahead = self.ports.iter().map(|port| port.ahead).min().unwrap_or(0);
+        let acts_at = self.acts_at.iter().copied().min().unwrap_or(0);
+        let ahead = acts_at.saturating_sub(self.edge() + 1);
         if ahead == 0 || self.command.is_some() || self.command_port.is_some() {
             return Ok(0);
         }
-        let clocks = self.pass(clocks.min(ahead), until)?;
-        self.ports.iter_mut().for_each(|port| port.ahead -= clocks);
-        Ok(clocks)
+        self.pass(clocks.min(ahead), until)
     }
 
     /// Goes at once through clocks in which nobody looks at any port, none of them after the blanking that comes next; says how many.

@@ -17,8 +17,6 @@ pub(super) struct Ports {
     /// At the coming edge the local frame buffer takes the access, and the bus the word.
     pub taken: bool,
     pub sent: bool,
-    /// Clocks for which it computes on, and nothing at the ports is of account to it.
-    pub ahead: u64,
 }
 
 impl Hardware {
