@@ -1,6 +1,7 @@
 //! Circuits that run: what a testbench sees of them, on every engine.
 #![allow(missing_docs)]
 
+mod asserts;
 mod batch;
 #[path = "../../../hdl/tests/shapes/build.rs"]
 mod build;

@@ -6,7 +6,6 @@ use super::Compiled;
 use super::function::{Function, Held, Maker};
 use super::jit::Code;
 use super::look::Rest;
-use super::prepare::Prepared;
 use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, start};
 
@@ -299,12 +298,11 @@ impl Compiled {
 
     /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
-        let functions = self.edge_functions(rising, resets, held, &[]);
-        let parts: Vec<Prepared> = functions.iter().map(|function| self.prepare_edge(function, &[])).collect();
+        let parts = self.prepare_edges(rising, resets, held);
         self.compile(&parts)
     }
 
-    /// What such a function does, one after the other; the values in `given` are computed before.
+    /// What a function for an edge does, one after the other; the values in `given` are computed before.
     pub(super) fn edge_functions(
         &self,
         rising: &[usize],

@@ -1,5 +1,7 @@
 //! What one function of generated code computes: the values of a program that its sinks need.
 
+use std::collections::BTreeMap;
+
 use rustc_hash::FxHashMap;
 use tilewright_hdl::ir::{Binary, ReadUnderWrite, Reduction, Relation, Unary};
 use tilewright_hdl::{Bits, limbs_for};
@@ -300,15 +302,38 @@ impl<'a> Maker<'a> {
     /// The function goes on only if these values of its own, of 1 bit, are 1 in all lanes; whether there are any.
     pub fn go_on_if_all(&mut self, conditions: &[ValueId]) -> bool {
         let mut all = None;
-        for &of in conditions {
-            let axis = Axis::last(self.function.cell(of).lanes);
+        for of in self.by_lanes(conditions) {
+            let axis = Axis::last(self.lanes(of));
             let condition = self.add(Kind::Reduce { by: Reduction::And, of, axis }, 1, 1);
-            all = Some(match all {
-                None => condition,
-                Some(before) => self.add(Kind::Binary(Binary::And, before, condition), 1, 1),
-            });
+            all = Some(self.and(all, condition));
         }
         all.map(|all| self.go_on_if(all)).is_some()
+    }
+
+    /// Values that are all 1 where these are. Those of as many lanes are one, but for what is a word or a single value already; and but for
+    /// those of units, each of which looks at its own.
+    fn by_lanes(&mut self, conditions: &[ValueId]) -> Vec<ValueId> {
+        if self.program.registers.iter().any(|register| register.unit.is_some()) {
+            return conditions.to_vec();
+        }
+        let (mut all, mut others) = (BTreeMap::new(), Vec::new());
+        for &id in conditions {
+            if matches!(self.kind(id), Kind::Unpack { .. } | Kind::Broadcast { .. }) {
+                others.push(id);
+            } else {
+                let lanes = self.lanes(id);
+                let both = self.and(all.get(&lanes).copied(), id);
+                all.insert(lanes, both);
+            }
+        }
+        all.into_values().chain(others).collect()
+    }
+
+    /// Whether both hold, lane by lane, if there is something before.
+    fn and(&mut self, before: Option<ValueId>, id: ValueId) -> ValueId {
+        let Some(before) = before else { return id };
+        let lanes = self.lanes(id);
+        self.add(Kind::Binary(Binary::And, before, id), lanes, 1)
     }
 
     /// A synchronous read is a register that takes the word; where its word is written at the same edge and the

@@ -4,6 +4,7 @@
 //! there is a function that goes through such an edge any number of times; for what a testbench looks at there are
 //! functions that compute it. All are made when they are first needed.
 
+mod asserts;
 mod bank;
 mod branch;
 mod builder;
@@ -55,7 +56,6 @@ use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
 use evaluate::Functions;
 pub(super) use explain::explain;
-use function::Maker;
 use idle::Idle;
 pub(crate) use jit::unsupported;
 use jit::{Code, Jit};
@@ -234,24 +234,6 @@ impl Compiled {
         engine.tell_memories();
         crate::engine::start::start(declared, seeds, &mut engine);
         Ok(engine)
-    }
-
-    /// Whether all assertions hold at an edge of these clocks.
-    fn holds(&mut self, rising: &[usize]) -> bool {
-        let made = self.checks.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
-        let code = match made {
-            Some((_, _, code)) => *code,
-            None => {
-                let check = Maker::new(&self.program).check(rising, &self.resets);
-                let check = check.map(|function| self.prepare(&function, &[]));
-                let code = check.map(|check| self.compile(std::slice::from_ref(&check)));
-                self.checks.push((rising.to_vec(), self.resets.clone(), code));
-                code
-            }
-        };
-        let Some(code) = code else { return true };
-        self.check_asserts(true);
-        self.call(code, 1) == 0
     }
 
     /// Enters a constant in what is read; most never are.
