@@ -47,6 +47,30 @@ pub(crate) struct Done {
     pub changed: Triggers,
 }
 
+/// The state of a clock. All else follows from how often it has risen, so that an edge is a matter of one number.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ticks {
+    /// In picoseconds.
+    pub period: u64,
+    /// How often it has risen.
+    pub cycles: u64,
+    /// How often it can rise until its time has no room in 64 bits.
+    pub most: u64,
+}
+
+impl Ticks {
+    /// When it rose last; 0 if it has not.
+    pub fn last(&self) -> u64 {
+        self.cycles * self.period
+    }
+
+    /// When it rises next; none if that time has no room in 64 bits.
+    #[inline]
+    pub fn next(&self) -> Option<u64> {
+        (self.cycles < self.most).then(|| self.last() + self.period)
+    }
+}
+
 /// A word of a memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Word {
@@ -149,6 +173,9 @@ pub(crate) trait Engine: Send {
     ///
     /// Two engines side by side differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
+
+    /// Goes through some of the next instants of several clocks, up to a time; perhaps through none. An assertion holds before each.
+    fn instants(&mut self, _ticks: &mut [Ticks], _until: u64) {}
 
     /// As [`Engine::edges`], but that none follows on one after which the condition holds; whether it does at the end.
     ///

@@ -188,21 +188,14 @@ impl Running {
 
     /// The same of several clocks, while nobody watches.
     fn run_unseen_to(&mut self, time: u64) -> Result<(), Error> {
-        let clocks = self.resets.len();
-        self.next.clear();
-        self.next.extend((0..clocks).map(|clock| self.timeline.next_of(clock)));
         loop {
-            let until = self.next.iter().copied().min().filter(|next| *next != u64::MAX);
-            let until = until.ok_or_else(|| self.timeline.ended())?;
+            self.engine.instants(self.timeline.ticks(), time);
+            let until = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?;
             if until > time {
                 return Ok(());
             }
-            self.rising.clear();
-            self.rising.extend((0..clocks).filter(|&clock| self.next[clock] == until));
+            self.timeline.rising_at(until, &mut self.rising);
             self.rise(until)?;
-            for &clock in &self.rising {
-                self.next[clock] = self.timeline.next_of(clock);
-            }
         }
     }
 

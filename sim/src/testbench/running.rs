@@ -27,8 +27,6 @@ pub(crate) struct Running {
     pub changed: Triggers,
     /// The clocks of the coming instant; kept to save an allocation.
     pub rising: Vec<usize>,
-    /// When each clock rises next, in a run of several clocks; kept for the same reason.
-    pub next: Vec<u64>,
     /// By cover, how often its counter counted in each lane while the reset was high, and what it had when the reset began, if that is high.
     pub in_reset: Vec<Vec<u64>>,
     pub before_reset: Vec<Vec<u64>>,
@@ -88,7 +86,6 @@ impl Running {
             recorded: Vec::new(),
             changed: Triggers::NONE,
             rising: Vec::new(),
-            next: Vec::new(),
             in_reset: Vec::new(),
             before_reset: Vec::new(),
             peeked: FxHashMap::default(),

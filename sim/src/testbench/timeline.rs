@@ -3,6 +3,7 @@
 //! Every clock is low at time 0, rises for the first time after one period, falls half a period later, and so on. An
 //! instant is a time at which one or more clocks rise.
 
+use crate::engine::Ticks;
 use crate::engine::program::Program;
 use crate::testbench::error::Error;
 
@@ -10,27 +11,6 @@ use crate::testbench::error::Error;
 #[derive(Debug, Clone)]
 pub(crate) struct Timeline {
     clocks: Vec<Ticks>,
-}
-
-/// The state of a clock. All else follows from how often it has risen, so that an edge is a matter of one number.
-#[derive(Debug, Clone, Copy)]
-struct Ticks {
-    period: u64,
-    cycles: u64,
-    /// How often it can rise until its time has no room in 64 bits.
-    most: u64,
-}
-
-impl Ticks {
-    /// When it rose last; 0 if it has not.
-    fn last(&self) -> u64 {
-        self.cycles * self.period
-    }
-
-    /// When it rises next; none if that time has no room in 64 bits.
-    fn next(&self) -> Option<u64> {
-        (self.cycles < self.most).then(|| self.last() + self.period)
-    }
 }
 
 impl Timeline {
@@ -49,9 +29,9 @@ impl Timeline {
         self.clocks.iter().filter_map(Ticks::next).min()
     }
 
-    /// When a clock rises next; `u64::MAX` if that time has no room in 64 bits.
-    pub fn next_of(&self, clock: usize) -> u64 {
-        self.clocks[clock].next().unwrap_or(u64::MAX)
+    /// All clocks, for an engine that goes through many instants.
+    pub fn ticks(&mut self) -> &mut [Ticks] {
+        &mut self.clocks
     }
 
     /// Why there is no next instant.

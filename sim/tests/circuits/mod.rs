@@ -10,6 +10,7 @@ mod engines;
 mod every_engine;
 mod fields;
 mod idle;
+mod instants;
 mod lanes_by_name;
 mod looking;
 mod looking_on;

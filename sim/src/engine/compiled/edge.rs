@@ -55,6 +55,13 @@ pub(super) struct Ready {
     pub after_look: Option<Rest>,
 }
 
+impl Ready {
+    /// What to call.
+    pub fn code(&self) -> Code {
+        self.code
+    }
+}
+
 /// What is ready for an edge of the only clock, which may be called at once.
 #[derive(Clone, Copy)]
 pub(super) struct Quick {
@@ -191,6 +198,26 @@ impl Compiled {
             && let Some((ready, left)) = self.parked[clock].take()
         {
             self.edges[ready.edge].give_back(left);
+        }
+    }
+
+    /// Of several clocks, has what is ready stand where each one's does, but for what was made for inputs that are others now.
+    pub(super) fn renew_ready(&mut self) {
+        self.park();
+        if !std::mem::take(&mut self.held_changed) {
+            return;
+        }
+        self.inputs_version += 1;
+        for parked in &mut self.parked {
+            let Some((ready, left)) = parked else { continue };
+            let edge = &mut self.edges[ready.edge];
+            (edge.inputs_version, edge.quiet) = (self.inputs_version, 0);
+            if edge.special.take().is_some() {
+                *parked = None;
+            } else if self.special > 0 {
+                *left = self.program.passes.held_after;
+                edge.quiet = *left;
+            }
         }
     }
 

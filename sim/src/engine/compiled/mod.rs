@@ -50,7 +50,7 @@ use crate::engine::fields::{self, Fields, Parts};
 use crate::engine::pack::{self, Packed, Places};
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::until::Until;
-use crate::engine::{Difference, Done, Engine, Failed, one_by_one, renew_each};
+use crate::engine::{Difference, Done, Engine, Failed, Ticks, one_by_one, renew_each};
 use bank::Bank;
 use edge::{Edge, Quick, Ready};
 use emitter::MemoryAt;
@@ -116,10 +116,14 @@ pub(crate) struct Compiled {
     held_changed: bool,
     /// Per clock, if there are several: what is known of edges at which nothing happens.
     idle: Vec<Option<Idle>>,
+    /// Which of these look at what a clock changes.
+    seen_by: Vec<idle::Clocks>,
     /// An input was changed since the last edge.
     stirred: bool,
     /// Counts edges of clocks that rest.
     idle_edges: u64,
+    /// The clocks that rise with one that rests; kept to save an allocation.
+    rising: Vec<usize>,
     /// 1 while edges are not to check assertions.
     unchecked: Place,
     checked: bool,
@@ -223,9 +227,11 @@ impl Compiled {
             special: SPECIAL,
             inputs_version: 0,
             held_changed: false,
+            seen_by: Idle::seen_by(&idle),
             idle,
             stirred: false,
             idle_edges: 0,
+            rising: Vec::new(),
             mirror: vec![0; program.schedule.storage],
             program,
             parts,
@@ -352,6 +358,10 @@ impl Engine for Compiled {
             return Ok(done);
         }
         Ok(self.usual_edges(rising, count))
+    }
+
+    fn instants(&mut self, ticks: &mut [Ticks], until: u64) {
+        self.plain_instants(ticks, until);
     }
 
     fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {

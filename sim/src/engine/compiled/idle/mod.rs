@@ -6,6 +6,7 @@
 //! change is compared with what it was, and so are the flags of what counts.
 
 mod counting;
+mod instants;
 mod way;
 
 use std::collections::BTreeSet;
@@ -29,6 +30,9 @@ const COUNTING: usize = 8;
 const SEEN: u32 = 4;
 const WAYS: usize = 8;
 
+/// Clocks, the first 64, one in each bit.
+pub(super) type Clocks = u64;
+
 /// What is known of the edges of a clock.
 pub(super) struct Idle {
     /// Its registers and the words that were read.
@@ -37,6 +41,8 @@ pub(super) struct Idle {
     counters: BTreeSet<ValueId>,
     /// What others change.
     others: Vec<Span>,
+    /// Which clocks they are.
+    looks_at: Clocks,
     /// Both as they were.
     before: Vec<u64>,
     seen: Vec<u64>,
@@ -64,9 +70,12 @@ impl Idle {
             let mut own: Vec<_> = counting::states(program, clock).map(|id| (id, span_of(id))).collect();
             // What changes only where something happens tells so at once.
             own.sort_by_key(|(id, _)| counters.contains(id));
+            let is_looked_at = |of: &usize| counting::states(program, *of).any(|id| others.contains(&id));
+            let looks_at = (0..program.clocks.len().min(Clocks::BITS as usize)).filter(is_looked_at);
             Some(Idle {
                 own,
                 counters,
+                looks_at: looks_at.fold(0, |all, of| all | 1 << of),
                 others: others.into_iter().map(span_of).collect(),
                 before: Vec::new(),
                 seen: Vec::new(),
@@ -80,6 +89,13 @@ impl Idle {
             })
         };
         (0..program.clocks.len()).map(of).collect()
+    }
+
+    /// By clock: those whose edges look at what it changes.
+    pub fn seen_by(clocks: &[Option<Idle>]) -> Vec<Clocks> {
+        let looks = |idle: &Option<Idle>, at: usize| idle.as_ref().is_some_and(|idle| idle.looks_at >> at & 1 == 1);
+        let seen_by = |at| (0..clocks.len()).filter(|&it| looks(&clocks[it], at)).fold(0, |all, it| all | 1 << it);
+        (0..clocks.len().min(Clocks::BITS as usize)).map(seen_by).collect()
     }
 
     /// Whether a register counts by itself, or as others do.
@@ -139,8 +155,11 @@ impl Compiled {
             }
         }
         let clock = resting?;
-        let others: Vec<usize> = rising.iter().copied().filter(|other| *other != clock).collect();
+        let mut others = std::mem::take(&mut self.rising);
+        others.clear();
+        others.extend(rising.iter().filter(|other| **other != clock));
         let done = self.usual_edges(&others, 1);
+        self.rising = others;
         if done.edges == 0 {
             return Some(done);
         }

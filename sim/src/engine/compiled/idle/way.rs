@@ -10,6 +10,7 @@ use crate::engine::compiled::Compiled;
 use crate::engine::compiled::function::Maker;
 use crate::engine::compiled::jit::Code;
 use crate::engine::compiled::layout::Place;
+use crate::engine::compiled::prepare::Prepared;
 use crate::engine::program::{Kind, Register, ValueId};
 
 /// A way to rest. Where there is no code, there is nothing to do.
@@ -22,6 +23,8 @@ pub(super) struct Way {
     pub same: Option<Code>,
     /// An edge for what counts.
     pub go: Option<Code>,
+    /// So many edges for what counts, each if the flags are the same before it.
+    pub steps: Option<Code>,
     /// The clocks that change what registers look at to count.
     pub looks_at: Vec<usize>,
 }
@@ -50,20 +53,27 @@ impl Compiled {
         let mut steps = Maker::new(&program);
         steps.registers(counts);
 
-        let [leave, same] = [leaves, looks].map(|maker| self.code_of(maker, &places));
-        let go = self.code_of(steps, &[]);
-        Some(Way { registers: counting, leave, same, go, looks_at })
+        let [leave, same] = [leaves, looks].map(|maker| self.prepare_way(maker, &places));
+        let go = self.prepare_way(steps, &[]);
+        let [leave, same_alone, go_alone] = [&leave, &same, &go].map(|it| self.compile_way(it.as_slice()));
+        let steps: Vec<Prepared> = same.into_iter().chain(go).collect();
+        let steps = self.compile_way(&steps);
+        Some(Way { registers: counting, leave, same: same_alone, go: go_alone, steps, looks_at })
     }
 
-    /// The code of a function with state at these places; nothing, if it does nothing.
-    fn code_of(&mut self, maker: Maker, places: &[Place]) -> Option<Code> {
+    /// Prepares a function with state at these places; nothing, if it does nothing.
+    fn prepare_way(&mut self, maker: Maker, places: &[Place]) -> Option<Prepared> {
         let (function, _) = maker.finish();
         if function.sinks.is_empty() {
             return None;
         }
         let mut prepared = self.prepare(&function, places);
         prepared.is_always_asked = true;
-        Some(self.compile(&[prepared]))
+        Some(prepared)
+    }
+
+    fn compile_way(&mut self, parts: &[Prepared]) -> Option<Code> {
+        (!parts.is_empty()).then(|| self.compile(parts))
     }
 }
 
