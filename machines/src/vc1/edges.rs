@@ -32,3 +32,21 @@ impl Edges {
         true
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_come_one_by_one_and_many_at_once() {
+        for times in [[24, 25, 26, 74, 75, 76], [25, 50, 75, 100, 101, 1000], [0, 1, 999, 1000, 1001, 2025]] {
+            let mut edges = Edges::after(0, 25);
+            let mut last = 0;
+            for time in times {
+                assert_eq!(edges.came(time), time / 25 > last, "{times:?} at {time}");
+                last = time / 25;
+                assert_eq!((edges.last(), edges.next), (last, (last + 1) * 25), "{times:?} at {time}");
+            }
+        }
+    }
+}

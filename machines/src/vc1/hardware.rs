@@ -44,6 +44,8 @@ pub(crate) struct Hardware {
     pub notes: Notes,
     /// For how many clocks no processing element has done anything, so that nothing stands at any port.
     idle: u64,
+    /// Clocks of that kind that the processing elements are still to count.
+    slept: u64,
     /// After as many nothing is on the bus any more.
     bus_clocks: u64,
     /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
@@ -79,6 +81,7 @@ impl Hardware {
             writes: VecDeque::new(),
             notes: Notes::new(gfb.screen.width),
             idle: 0,
+            slept: 0,
             bus_clocks: u64::from(4 * machine.word_clocks + 16),
             #[cfg(test)]
             flips: 0,
@@ -117,12 +120,17 @@ impl Hardware {
     /// A clock of the processing elements, with the edges of the other clocks on the way. The colours of pixels that the display gets
     /// in it go to `display`, if that is there. Whether the sync line is high, as all have drawn.
     pub fn clock(&mut self, processors: &mut [Processor], display: Option<&mut Vec<u32>>) -> Result<bool, Error> {
-        let is_idle = self.command.is_none() && processors.iter().all(Processor::is_idle);
+        // Once that is so, only a command changes it.
+        let is_idle = self.command.is_none() && (self.idle > 1 || processors.iter().all(Processor::is_idle));
         self.idle = if is_idle { self.idle + 1 } else { 0 };
         if self.idle > 1 {
             self.advance(display)?;
-            processors.iter_mut().for_each(|it| it.pass(1));
+            self.slept += 1;
             return Ok(false);
+        }
+        let slept = std::mem::take(&mut self.slept);
+        if slept > 0 {
+            processors.iter_mut().for_each(|it| it.pass(slept));
         }
         self.present_command();
         let coming = self.edge() + 1;
@@ -199,12 +207,12 @@ impl Hardware {
 
     /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how
     /// many. There are none unless all have been idle for some clocks.
-    pub fn rest(&mut self, processors: &mut [Processor], clocks: u64, until: u64) -> Result<u64, Error> {
+    pub fn rest(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         if self.idle < self.bus_clocks {
             return Ok(0);
         }
         let clocks = self.pass(clocks, until)?;
-        processors.iter_mut().for_each(|it| it.pass(clocks));
+        self.slept += clocks;
         Ok(clocks)
     }
 

@@ -130,7 +130,7 @@ impl<'a, 'w> Host<'a, 'w> {
                 self.progress(processors)?;
                 self.compare()?;
             }
-            clock += self.rest(processors, PROGRESS_CLOCKS - 1 - clock % PROGRESS_CLOCKS)? + 1;
+            clock += self.rest(PROGRESS_CLOCKS - 1 - clock % PROGRESS_CLOCKS)? + 1;
             let had_begun = self.viewer.has_begun();
             let line = self.hardware.clock(processors, self.viewer.colours())?;
             if self.viewer.has_begun() && !had_begun {
@@ -166,7 +166,7 @@ impl<'a, 'w> Host<'a, 'w> {
     }
 
     /// Goes at once through clocks, at most so many, in which nothing can become of any frame; says how many.
-    fn rest(&mut self, processors: &mut [Processor], clocks: u64) -> Result<u64, Error> {
+    fn rest(&mut self, clocks: u64) -> Result<u64, Error> {
         if self.viewer.is_looking() || !self.words.is_empty() {
             return Ok(0);
         }
@@ -177,7 +177,7 @@ impl<'a, 'w> Host<'a, 'w> {
             Some(Times { swapped: Some(swapped), .. }) => swapped + self.hardware.merge_time(),
             Some(_) => return self.hardware.compute(clocks, u64::MAX),
         };
-        match self.hardware.rest(processors, clocks, until)? {
+        match self.hardware.rest(clocks, until)? {
             0 => self.hardware.compute(clocks, until),
             clocks => Ok(clocks),
         }
