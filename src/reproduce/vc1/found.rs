@@ -62,6 +62,13 @@ impl Found {
         }
     }
 
+    /// With the cases of another plan, too.
+    #[cfg(test)]
+    pub fn and(mut self, other: Found) -> Found {
+        self.timed.extend(other.timed);
+        self
+    }
+
     /// Those cases on the model, each that is the same once.
     fn timed(plan: &Plan, cases: &[Case], watch: &mut Watch) -> Result<Option<Vec<Timed>>, Failure> {
         let Some(jobs) = watch.each("counting pages", cases, |case| Job::of(case, plan)) else { return Ok(None) };

@@ -104,3 +104,21 @@ fn another_page_count_turns_what_decreases() {
     };
     turns([of(0.03), of(1.0)], cases, section_6::statements, "polygons that are sent become smaller");
 }
+
+/// With four processing elements alone: so few pages that they need a threshold, where sixteen need none.
+#[test]
+fn another_page_count_turns_what_never_increases() {
+    let found = |usual: Usual, which: usize| {
+        let plan = Plan { effort: Effort { seed: 1, most: Some(1) }, usual };
+        let machine = plan.section_6().nth(which).expect("two machines");
+        let cases: Vec<Case> = plan.thresholds().map(|apr| plan.in_section_6(machine, apr)).collect();
+        Found::of_cases(&plan, &cases)
+    };
+    let of = |few: f64, many: f64| {
+        let both = found(pages(few), 0).and(found(pages(many), 1));
+        verdict(section_6::statements(&both), "the threshold should be lowered")
+    };
+    assert_eq!(of(1.0, 1.0), "holds");
+    let after = of(0.02, 4.0);
+    assert!(after.starts_with("differs by "), "{after}");
+}
