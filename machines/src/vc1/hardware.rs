@@ -15,7 +15,6 @@ use super::edges::Edges;
 use super::notes::{Handshakes, Notes};
 use super::ports::Ports;
 use super::processor::{Edge, Now, Processor};
-use super::program::Access;
 use super::words::Word;
 use crate::error::Error;
 
@@ -153,19 +152,10 @@ impl Hardware {
         Ok(line)
     }
 
-    /// Has a processing element compute on at once, if it sees nothing of its ports meanwhile; whether it does. It comes to an access to its
-    /// local frame buffer by itself, and to all else with a look at its ports.
+    /// Has a processing element compute on at once, if it sees nothing of its ports meanwhile; whether it does.
     fn goes_ahead(&mut self, number: usize, processor: &mut Processor, coming: u64) -> bool {
-        let is_free = processor.offered().is_none() && !matches!(processor.may(), SwapState::Due | SwapState::Overflow);
-        let clocks = match processor.now() {
-            Now::Computing(..) if self.may_overflow(number) => 0,
-            Now::Computing(left, _, Some(Access::Draw(_) | Access::Clear(_))) if is_free => {
-                processor.pass(left);
-                left
-            }
-            _ if processor.may_compute_ahead() => processor.compute_ahead(),
-            _ => 0,
-        };
+        let computes = matches!(processor.now(), Now::Computing(..)) && !self.may_overflow(number);
+        let clocks = if computes { processor.compute_ahead() } else { 0 };
         self.acts_at[number] = coming + clocks;
         clocks > 0
     }

@@ -132,7 +132,7 @@ impl Processor {
     }
 
     /// Whether it waits for a swap of its local frame buffer.
-    fn is_halted(&self) -> bool {
+    pub fn is_halted(&self) -> bool {
         matches!(self.may, SwapState::Due | SwapState::Overflow)
     }
 
@@ -142,16 +142,17 @@ impl Processor {
         is_cleared && self.now == Now::Waiting && self.may == SwapState::Draw && self.front.is_none()
     }
 
-    /// Whether it computes for some clocks more, and offers nothing to the bus meanwhile.
-    pub fn may_compute_ahead(&self) -> bool {
-        matches!(self.now, Now::Computing(FEW.., ..)) && self.offered.is_none() && !self.is_halted()
-    }
-
-    /// Computes on at once for all but the last clock, as if that many edges had come; says how many.
+    /// Computes on at once, if it offers nothing to the bus and waits for no swap, as if that many edges had come; says how many. It comes to
+    /// an access to its local frame buffer by itself, and to all else with a look at its ports.
     pub fn compute_ahead(&mut self) -> u64 {
-        let Now::Computing(left, ..) = self.now else { return 0 };
-        self.pass(left - 1);
-        left - 1
+        let clocks = match self.now {
+            _ if self.offered.is_some() || self.is_halted() => 0,
+            Now::Computing(left, _, Some(Access::Draw(_) | Access::Clear(_))) => left,
+            Now::Computing(left @ FEW.., ..) => left - 1,
+            _ => 0,
+        };
+        self.pass(clocks);
+        clocks
     }
 
     /// So many edges of its clock, at which it goes on with what it does, and sees nothing new. That may lead it to a port of its local frame

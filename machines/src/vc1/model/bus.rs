@@ -212,8 +212,8 @@ impl Bus {
         }
     }
 
-    /// A processing element takes words of a packet, but not the last one: the first from that clock on, each other one so many clocks after
-    /// the one before, and none after the edge `until`. `took` gets each, and the edge.
+    /// A processing element takes words of a packet, but not the last one. It takes the first from that clock on, each other one `every` clocks
+    /// after the one before at the earliest, and none after the edge `until`. `took` gets each, and the edge.
     pub fn receive_ahead(&mut self, k: usize, mut clock: u64, every: u64, until: u64, mut took: impl FnMut(u32, u64)) {
         let first = (self.received[k] - self.first) as usize;
         for it in self.delivered.range_mut(first..) {

@@ -168,8 +168,11 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
             let shows = self.showing.map_or(u64::MAX, |it| it.shown);
             let edge = due.min(line).min(self.bus.next).min(shows);
             if edge > until || edge == u64::MAX {
-                let behind = (0..self.elements.len()).filter(|k| self.catch_up(*k)).count();
-                if behind == 0 {
+                let mut goes_on = false;
+                for k in 0..self.elements.len() {
+                    goes_on |= self.catch_up(k);
+                }
+                if !goes_on {
                     return;
                 }
                 continue;

@@ -35,8 +35,8 @@
 //! | `estimate` | the paper's two passes beyond 16 processing elements |
 //!
 //! A frame of ter1k with 16 processing elements takes 20 ms, one of ter250 some 90 ms, and with 256 some 120 ms. Polygons that all draw
-//! cost more, as each processing element receives each: with 256 and a threshold of 31 pixels a frame of ter1k takes 220 ms, and one of
-//! ter250 that is sent each time 2.5 to 3.5 s.
+//! cost more, as each processing element receives each. With 256 and a threshold of 31 pixels a frame of ter1k takes 220 ms. One of ter250
+//! that is sent each time takes 2.5 to 3.5 s.
 //! `cargo test --release -p tilewright-machines --test all a_frame_takes_milliseconds -- --ignored --nocapture` prints these.
 //!
 //! ```

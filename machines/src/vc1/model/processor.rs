@@ -79,7 +79,7 @@ impl Element {
 
     /// Whether it waits for a swap.
     pub fn is_halted(&self) -> bool {
-        matches!(self.program.may(), SwapState::Due | SwapState::Overflow)
+        self.program.is_halted()
     }
 
     /// Whether it has drawn its frame, and nothing holds that back.
@@ -254,7 +254,8 @@ impl Element {
         until: u64,
         seen: &mut impl FnMut(Event),
     ) {
-        let (Some(clock), Some(taken)) = (self.receives_from(), self.program.taken()) else { return };
+        let Some(clock) = self.receives_from() else { return };
+        let taken = self.program.packet().len() as u64;
         let first = bus.next_of(k) - taken;
         let next = polygons.partition_point(|it| it.first < first);
         let skips = |it: &&Shared| it.first == first && self.program.skips(it);

@@ -23,14 +23,6 @@ impl Processor {
         self.offered.is_some() || receives
     }
 
-    /// Words that it has of the packet that it receives, if it does.
-    pub fn taken(&self) -> Option<u64> {
-        match self.tasks.last() {
-            Some(Task::Receive { words }) => Some(words.len() as u64),
-            _ => None,
-        }
-    }
-
     /// Whether it does nothing about a polygon that it receives but to set it up: it has no row of it, and did not send it.
     pub fn skips(&self, polygon: &Shared) -> bool {
         let rows = self.settings.rows().count(polygon.top, polygon.bottom);

@@ -1,8 +1,8 @@
 //! What must hold at an edge.
 //!
 //! An edge looks whether assertions hold before it changes anything. They often look at all lanes: at inputs that stand side by side, at
-//! whether all queues are empty, at who comes first. What takes a loop of its own for that, or a load and a store for each lane, is
-//! left in memory for the edge, which needs it again; the rest it computes anew, lane by lane.
+//! whether all queues are empty, at who comes first. Some of that takes a loop of its own, or a load and a store for each lane. It is left
+//! in memory for the edge, which needs it again. The rest the edge computes anew, lane by lane.
 
 use rustc_hash::FxHashSet;
 

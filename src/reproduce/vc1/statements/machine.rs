@@ -3,7 +3,7 @@
 use super::super::found::Found;
 use super::super::idle::Idle;
 use super::super::plan::Capacity;
-use super::reasons::GUARDS;
+use super::reasons::SWAPS;
 use super::{FLOOR, WITHIN_1, WITHIN_2, WITHIN_HALF};
 use tilewright_report::{Origin, Rule, Statement};
 use tilewright_rtl::clocks::{MERGE, PE};
@@ -73,5 +73,5 @@ pub fn statements(found: &Found) -> Vec<Statement> {
 fn idle(found: &Found, when: &str, of: fn(&Idle) -> f64) -> Statement {
     let text = format!("A processor’s worst-case idle time upon an overflow is 33.3 ms: {when}.");
     let statement = Statement::new("VC1-SW4", text, Rule::AtMost).unit("ms").paper([FLOOR]);
-    statement.found(found.model(), [of(&found.idle)]).because(GUARDS)
+    statement.found(found.model(), [of(&found.idle)]).because(SWAPS)
 }

@@ -1,7 +1,7 @@
 //! Why statements differ on the paper’s screen, where a count shows it. The page gives a reason only for a statement that differs.
 
 /// The wait of an overflow (VC1-SW4).
-pub const GUARDS: &str = "A swap waits until T_m has passed since the last one, and for the swap of the global frame buffer, which comes in a blanking. Behind a swap in a blanking that takes two refreshes \
+pub const SWAPS: &str = "A swap waits until T_m has passed since the last one, and for the swap of the global frame buffer, which comes in a blanking. Behind a swap in a blanking that takes two refreshes \
      at most. But all may have swapped at any time of a refresh: then it takes up to T_m and a refresh, 42.0 ms. And a processing element that overflows late holds the global frame buffer’s swap back. \
      Another one then waits for up to 2 T_m and a refresh, 67.4 ms.";
 
@@ -22,13 +22,13 @@ pub const REFRESHES: &str = "A frame takes whole refreshes: 2 without overflow, 
 
 /// Balance by the threshold (VC1-F9).
 pub const DEALT: &str = "Clusters are dealt by the clocks of all their polygons. The larger ones then leave their owners, some more than others. By a count of what remains, the busiest has 10 % more than the mean \
-     with a threshold of 500 pixels, 6 % with 20,000, and 2 % with none. There, tables that are cleared \
-     again after overflows make the busiest busier.";
+     with a threshold of 500 pixels, 6 % with 20,000, and 2 % with none. There, tables that are cleared again \
+     after overflows make the busiest busier.";
 
 /// Times and waiting in Table 1 (VC1-T1).
-pub const REGIONS: &str = "Each region has a busiest processing element of its own, so waiting adds up over regions. The clocks of clipping are fitted to sums over all processing elements; how they are spread over \
-     packets, and so over processing elements, is a choice here. With virtual local frame \
-     buffers the wait depends on the view in which clusters are dealt: 2.28 ms from the first, 1.17 to 2.46 from others, and 0.62 if they are dealt anew for each.";
+pub const REGIONS: &str = "Each region has a busiest processing element of its own, so waiting adds up over regions. The clocks of clipping are fitted to sums over all processing elements. How they are spread over \
+     packets, and so over processing elements, is a choice here. With virtual local frame buffers the wait depends on the view in which clusters are dealt. It is 2.28 ms from the first, 1.17 to 2.46 from \
+     others, and 0.62 if they are dealt anew for each.";
 
 /// The polygons that are sent (VC1-THRN).
 pub const EQUALS: &str = "T is the same with several thresholds, and of these the least D counts. With 16 and with 64 that is at the same one of the twelve that are tried, so the same polygons are sent.";

@@ -1,8 +1,11 @@
 //! Processing elements that are ahead of the others, or behind.
 //!
 //! One goes ahead as long as all is known that it looks at, and nobody looks at what it does: it draws, or receives and sets up what has
-//! come to its queue. One that waits for a word stays behind until that is of account: the bus has to know whether there is room in its
-//! queue, takes the word that it offers, or has brought all of a packet.
+//! come to its queue. One that waits for a word stays behind until the word is of account to others. That is so if
+//!
+//! - the bus has to know whether there is room in its queue,
+//! - the bus takes the word that it offers,
+//! - or a packet has come as a whole, and it has more to do in its frame.
 
 use super::{Event, Run};
 use crate::vc1::processor::Shared;
