@@ -2,5 +2,6 @@
 
 mod cli;
 mod examples;
+mod glossary;
 mod papers;
 mod readme;
