@@ -13,8 +13,10 @@ const HEXADECIMAL: &str = "@22";
 /// What all of them begin with; those that GTKWave saves begin otherwise.
 pub const FIRST_LINE: &str = "[*] Tilewright\n";
 
-/// The pixels in which the wave is to fit.
-const PIXELS: u64 = 1000;
+/// GTKWave's zoom is the power of two of the time that this many pixels show.
+const STRETCH: f64 = 200.0;
+/// The width of the wave that a window of 1400 pixels has beside long names, in pixels.
+const WIDTH: f64 = 900.0;
 
 /// The save file of a waveform file with that header that covers these picoseconds: it shows all of its time, and the signals of the
 /// top module, or with `all` every signal.
@@ -29,9 +31,9 @@ pub fn of(waveform: &Path, header: &[u8], times: Range<u64>, all: bool) -> Strin
 
 fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
     let start = times.start;
-    // So many powers of two of picoseconds are a pixel; the marker at -1 is none.
-    let zoom = (times.end.saturating_sub(start) / PIXELS + 1).next_power_of_two().ilog2();
-    let mut text = format!("{FIRST_LINE}[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1400 700\n*-{zoom}.0 -1\n");
+    let zoom = zoom(times.end.saturating_sub(start));
+    // The marker at -1 is none.
+    let mut text = format!("{FIRST_LINE}[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1400 700\n*-{zoom:.2} -1\n");
     for item in &header.items {
         if let ScopeItem::Scope(top) = item {
             let _ = writeln!(text, "[treeopen] {}.", top.identifier);
@@ -39,6 +41,11 @@ fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
         }
     }
     text
+}
+
+/// The power of two of picoseconds in [`STRETCH`] pixels with which the whole duration, in picoseconds, fits into [`WIDTH`].
+fn zoom(duration: u64) -> f64 {
+    (duration.max(1) as f64 * STRETCH / WIDTH).log2().max(0.0)
 }
 
 fn show(text: &mut String, scope: &Scope, path: &str, all: bool) {
@@ -54,6 +61,21 @@ fn show(text: &mut String, scope: &Scope, path: &str, all: bool) {
     for item in scope.items.iter().filter(|_| all) {
         if let ScopeItem::Scope(inner) = item {
             show(text, inner, &format!("{path}.{}", inner.identifier), all);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// GTKWave 3.3 shows a time of 2^z in 200 pixels, so at zoom 12 a picosecond is 0.0488 pixels.
+    #[test]
+    fn the_whole_duration_fits_into_the_window() {
+        for duration in [1, 300, 3_520_000, 66_700_000_000] {
+            let shown = zoom(duration).exp2() / STRETCH * WIDTH;
+            assert!(shown >= duration as f64 * 0.999, "{duration} ps: {shown} are shown");
+            assert!(shown <= (duration as f64 * 1.001).max(WIDTH / STRETCH), "{duration} ps: {shown} are shown");
         }
     }
 }

@@ -137,7 +137,7 @@ fn the_windows_are_divided() {
 
 #[test]
 fn what_a_page_shows_of_a_block_is_in_that_block() {
-    let page = include_str!("../docs/lines.md");
+    let page = include_str!("../../docs/decisions/lines.md");
     let mut pieces = page.split("```rust\n");
     let mut before = pieces.next().unwrap();
     let (mut count, root) = (0, concat!(env!("CARGO_MANIFEST_DIR"), "/.."));

@@ -1,4 +1,4 @@
-//! Every command line that the help texts and the README show runs as it stands.
+//! Every command line that the help texts, the README and the page of commands show runs as it stands.
 
 use crate::cli::harness::Folder;
 use crate::cli::reproduce::made::made;
@@ -33,7 +33,7 @@ fn arguments<'a>(line: &'a str, program: &str) -> Option<&'a str> {
 }
 
 #[test]
-fn the_commands_of_the_help_texts_and_of_the_readme_run() {
+fn the_commands_of_the_help_texts_and_pages_run() {
     let folder = Folder::new();
     let mut lines = BTreeSet::new();
     for name in subcommands(&folder) {
@@ -42,27 +42,29 @@ fn the_commands_of_the_help_texts_and_of_the_readme_run() {
         lines.extend(help.lines().filter_map(|line| arguments(line, "  tilewright ").map(str::to_owned)));
         assert!(lines.len() > before, "`tilewright {name} --help` has no example");
     }
-    let before = lines.len();
-    let blocks = include_str!("../../README.md").split("```sh\n").skip(1);
-    for line in blocks.flat_map(|rest| rest.split("```").next()).flat_map(str::lines) {
-        let arguments = arguments(line, "cargo run --release -- ").or(arguments(line, "tilewright "));
-        lines.extend(arguments.map(str::to_owned));
+    for page in [include_str!("../../README.md"), include_str!("../../docs/cli.md")] {
+        let before = lines.len();
+        let blocks = page.split("```sh\n").skip(1);
+        for line in blocks.flat_map(|rest| rest.split("```").next()).flat_map(str::lines) {
+            let arguments = arguments(line, "cargo run --release -- ").or(arguments(line, "tilewright "));
+            lines.extend(arguments.map(str::to_owned));
+        }
+        assert!(lines.len() > before, "the page shows no command of its own:\n{page}");
     }
-    assert!(lines.len() > before, "the README shows no command of its own");
     for line in lines {
         assert_runs(&folder, &line);
     }
 }
 
 #[test]
-fn the_readme_has_the_exit_codes_of_the_help() {
+fn the_page_of_commands_has_the_exit_codes_of_the_help() {
     let help = Folder::new().stdout("--help");
     let codes = help.split("Exit codes:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).unwrap();
     assert_eq!(codes.lines().count(), 10, "{codes}");
     for line in codes.lines() {
         let (code, meaning) = line.trim().split_once(' ').unwrap();
         let row = format!("| {code} | {} |", meaning.trim());
-        assert!(include_str!("../../README.md").contains(&row), "the README lacks `{row}`");
+        assert!(include_str!("../../docs/cli.md").contains(&row), "docs/cli.md lacks `{row}`");
     }
 }
 

@@ -221,7 +221,7 @@ fn random_machines_run_as_on_the_reference_engine() {
     assert!(many > 6, "edges at which nothing happens are left out: {left_out:?}");
 }
 
-/// By hand, for a long time: ARCHITECTURE.md has the command.
+/// By hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many machines as IDLE_MACHINES says, from IDLE_SEED on"]
 fn random_machines_from_a_seed_run_as_on_the_reference_engine() {

@@ -253,7 +253,7 @@ fn random_machines_run_as_on_the_reference_engine() {
     assert!(many > 2, "units that have nothing to do are left out: {left_out:?}");
 }
 
-/// By hand, for a long time: ARCHITECTURE.md has the command.
+/// By hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many machines as UNITS_MACHINES says, from UNITS_SEED on"]
 fn random_machines_from_a_seed_run_as_on_the_reference_engine() {

@@ -40,7 +40,7 @@ fn chains_of_operations_need_no_more_than_a_processor_is_asked_for() {
     check_chains(2000..2020, || Jit::on(least()));
 }
 
-/// By hand, for a long time: ARCHITECTURE.md has the command.
+/// By hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many chains as LANES_CHAINS says, from LANES_SEED on"]
 fn chains_of_operations_from_a_seed_are_as_lane_by_lane() {

@@ -1,0 +1,164 @@
+//! What README and documents show is what the code has and the commands print, and their links lead somewhere.
+
+use crate::first_block::{lib, mistake};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use tilewright_scenes::{Frame, compare_colours};
+
+const ROOT: &str = env!("CARGO_MANIFEST_DIR");
+
+/// The README, and all pages in `docs` folders.
+fn pages() -> Vec<PathBuf> {
+    let mut pages = vec![];
+    let mut folders = vec![PathBuf::from(ROOT)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_str().unwrap();
+            if path.is_dir() && !name.starts_with('.') && name != "target" {
+                folders.push(path);
+            } else if name.ends_with(".md") {
+                pages.push(path);
+            }
+        }
+    }
+    pages.sort();
+    pages
+}
+
+fn named(page: &Path) -> &str {
+    page.strip_prefix(ROOT).unwrap().to_str().unwrap()
+}
+
+/// The fenced blocks of that language.
+fn blocks<'a>(text: &'a str, language: &str) -> impl Iterator<Item = &'a str> {
+    let opening = format!("\n```{language}\n");
+    text.split(&opening).skip(1).collect::<Vec<_>>().into_iter().map(|rest| rest.split("\n```").next().unwrap())
+}
+
+fn readme() -> String {
+    fs::read_to_string(Path::new(ROOT).join("README.md")).unwrap()
+}
+
+fn tilewright(arguments: &str, folder: &Path) -> String {
+    let program = env!("CARGO_BIN_EXE_tilewright");
+    let run = Command::new(program).args(arguments.split(' ')).current_dir(folder).output().unwrap();
+    assert!(run.status.success(), "{arguments}: {run:?}");
+    String::from_utf8(run.stdout).unwrap()
+}
+
+/// A line that stands for any number of lines.
+const LEFT_OUT: &str = "..";
+
+/// All lines of `part` in `whole`, one after another but for those left out; ends of lines are trimmed.
+#[track_caller]
+fn assert_shows(part: &str, whole: &str, place: &str) {
+    let mut rest = whole.lines().map(str::trim_end);
+    let mut next = Some(0);
+    for (number, line) in part.lines().map(str::trim_end).enumerate() {
+        if line == LEFT_OUT {
+            next = None;
+            continue;
+        }
+        let found = match next {
+            Some(_) => rest.next().is_some_and(|it| it == line),
+            None => rest.any(|it| it == line),
+        };
+        assert!(found, "{place}: line {} of the output shown is not printed there:\n{line}\nin\n{whole}", number + 1);
+        next = Some(0);
+    }
+    assert!(next.is_none() || rest.next().is_none(), "{place}: the output goes on after what is shown");
+}
+
+/// A block of text that begins with `$ tilewright` is what that command prints; `..` stands for lines that are left out.
+#[test]
+fn commands_print_what_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut shown = BTreeSet::new();
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for block in blocks(&text, "text") {
+            let Some((command, output)) = block.strip_prefix("$ tilewright ").and_then(|it| it.split_once('\n')) else {
+                continue;
+            };
+            // Long campaigns and measurements are by hand.
+            if command.starts_with("reproduce ") || command.starts_with("bench ") {
+                continue;
+            }
+            shown.insert((command.to_owned(), output.to_owned(), named(&page).to_owned()));
+        }
+    }
+    assert!(shown.len() >= 8, "only {} are found", shown.len());
+    let mut last = (String::new(), String::new());
+    for (command, output, page) in shown {
+        if last.0 != command {
+            last = (command.clone(), tilewright(&command, folder.path()));
+        }
+        assert_shows(&output, &last.1, &format!("{page}, {command}"));
+    }
+}
+
+/// Relative links lead to a file, and to a heading of a page.
+#[test]
+fn links_lead_somewhere() {
+    let (mut count, mut missing) = (0, vec![]);
+    for page in pages() {
+        let text = fs::read_to_string(&page).unwrap();
+        for rest in text.split("](").skip(1) {
+            let Some((target, _)) = rest.split_once(')') else { continue };
+            // Elsewhere, a path of Rust in documentation that is part of a crate's, or no link at all.
+            if target.contains("://") || target.contains("::") || target.contains(char::is_whitespace) {
+                continue;
+            }
+            count += 1;
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let path = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
+            let has_heading = || headings(&fs::read_to_string(&path).unwrap_or_default()).contains(heading);
+            if !path.exists() || (!heading.is_empty() && !has_heading()) {
+                missing.push(format!("{}: {target}", named(&page)));
+            }
+        }
+    }
+    assert!(count > 50, "only {count} are found");
+    assert!(missing.is_empty(), "links that lead nowhere:\n{}", missing.join("\n"));
+}
+
+/// The anchors that a forge makes of a page's headings.
+fn headings(text: &str) -> BTreeSet<String> {
+    let titles = text.lines().filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
+    let kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
+    titles.map(|title| title.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")).collect()
+}
+
+#[test]
+fn the_first_block_is_the_readmes() {
+    let shown = readme();
+    let block = blocks(&shown, "rust").next().unwrap();
+    assert_eq!(block.trim(), include_str!("first_block/lib.rs").trim());
+    let printed = &tilewright_gen::verilog(&tilewright_hdl::elaborate(&lib::Counter { limit: 3 }).unwrap())[0].text;
+    let verilog = blocks(&shown, "verilog").next().unwrap();
+    assert_shows(&format!("..\n{verilog}\n.."), &printed.replace("tests/first_block/", "src/"), "README.md");
+}
+
+#[test]
+fn the_mistake_is_the_readmes() {
+    let problems = tilewright_hdl::elaborate(&mistake::Counter { limit: 3 }).unwrap_err().to_string();
+    let shown = readme();
+    let message = blocks(&shown, "text").find(|text| text.contains("equal widths")).unwrap_or_default();
+    assert_eq!(message.trim(), problems.replace("tests/first_block/mistake.rs", "src/lib.rs").trim());
+}
+
+#[test]
+fn the_pictures_are_the_golden_images() {
+    let folder = tempfile::tempdir().unwrap();
+    let golden = folder.path().join("golden.png");
+    for scene in ["teapot", "molecule"] {
+        tilewright(&format!("golden {scene} -o {}", golden.display()), folder.path());
+        let shown = format!("{ROOT}/docs/{scene}.png");
+        let [drawn, kept] = [golden.as_path(), Path::new(&shown)].map(|path| Frame::read_png(path).unwrap());
+        // Releases of the encoder differ in the bytes.
+        assert!(compare_colours(&drawn, &kept).is_equal(), "{shown} is another picture");
+    }
+}
