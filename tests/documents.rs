@@ -100,7 +100,7 @@ fn commands_print_what_is_shown() {
     }
 }
 
-/// Relative links lead to a file, and to a heading of a page.
+/// Relative links lead to a file, and to an anchor of a page.
 #[test]
 fn links_lead_somewhere() {
     let (mut count, mut missing) = (0, vec![]);
@@ -113,10 +113,10 @@ fn links_lead_somewhere() {
                 continue;
             }
             count += 1;
-            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
             let path = if file.is_empty() { page.clone() } else { page.parent().unwrap().join(file) };
-            let has_heading = || headings(&fs::read_to_string(&path).unwrap_or_default()).contains(heading);
-            if !path.exists() || (!heading.is_empty() && !has_heading()) {
+            let has_anchor = || anchors(&fs::read_to_string(&path).unwrap_or_default()).contains(anchor);
+            if !path.exists() || (!anchor.is_empty() && !has_anchor()) {
                 missing.push(format!("{}: {target}", named(&page)));
             }
         }
@@ -125,11 +125,13 @@ fn links_lead_somewhere() {
     assert!(missing.is_empty(), "links that lead nowhere:\n{}", missing.join("\n"));
 }
 
-/// The anchors that a forge makes of a page's headings.
-fn headings(text: &str) -> BTreeSet<String> {
+/// The anchors that a forge makes of a page's headings, and those that the page has itself.
+fn anchors(text: &str) -> BTreeSet<String> {
+    let own = text.split("<a id=\"").skip(1).filter_map(|rest| rest.split('"').next()).map(str::to_owned);
     let titles = text.lines().filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
     let kept = |c: &char| c.is_alphanumeric() || [' ', '-', '_'].contains(c);
-    titles.map(|title| title.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")).collect()
+    let made = titles.map(|title| title.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-"));
+    own.chain(made).collect()
 }
 
 #[test]

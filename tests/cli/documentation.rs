@@ -3,7 +3,7 @@
 use crate::cli::harness::Folder;
 use crate::cli::reproduce::made::made;
 use std::collections::BTreeSet;
-use tilewright_gen::tools::skipped;
+use tilewright_gen::tools::{skipped, skipped_without};
 
 /// The subcommands, from the program's own list.
 fn subcommands(folder: &Folder) -> Vec<String> {
@@ -54,6 +54,21 @@ fn the_commands_of_the_help_texts_and_pages_run() {
     for line in lines {
         assert_runs(&folder, &line);
     }
+}
+
+/// The block of the README that has Icarus and Yosys read what is printed.
+#[test]
+fn the_readmes_commands_of_other_tools_run() {
+    if skipped_without(&["iverilog", "vvp", "yosys"]).is_some() {
+        return;
+    }
+    let blocks = include_str!("../../README.md").split("```sh\n").skip(1);
+    let mut blocks = blocks.filter_map(|rest| rest.split("```").next());
+    let block = blocks.find(|block| block.contains("iverilog")).expect("the README has such a block");
+    let folder = Folder::new();
+    let run = folder.shell(&format!("set -e\n{block}"));
+    assert!(run.code == Some(0) && run.stdout.contains("PASS"), "{run:?}");
+    assert!(folder.read("out/cells.txt").contains("TRELLIS_FF"));
 }
 
 #[test]

@@ -15,4 +15,3 @@ impl Counter {
         CounterOut { count: *count }
     }
 }
-
