@@ -1,0 +1,8 @@
+//! The code of the guide: each chapter's example, compiled and tested, for the chapter to quote.
+
+pub mod blink;
+pub mod counter;
+pub mod mistakes;
+pub mod solutions;
+pub mod start;
+pub mod uart;

@@ -1,0 +1,5 @@
+//! Blocks with mistakes, for the chapters to show the messages.
+
+#![allow(missing_docs, reason = "they are as short as their mistakes")]
+
+pub mod undriven;

@@ -1,0 +1,4 @@
+//! Solutions of the exercises.
+
+pub mod dimmer;
+mod ticks_model;

@@ -1,0 +1,5 @@
+//! The chapters say what is true: their code is the crate's, and what they print is what it prints.
+
+mod book;
+mod outputs;
+mod quotes;

@@ -1,0 +1,46 @@
+//! What the chapters show as printed is what their code prints.
+
+use crate::book::{Fence, fences, stands_in};
+use tilewright_guide::blink::Blink;
+use tilewright_guide::mistakes::undriven::Undriven;
+use tilewright_guide::uart::ticks::BitTicks;
+use tilewright_hdl::{Block, elaborate};
+
+/// What is printed, by the name that stands behind the language of a block.
+fn printed(name: &str) -> String {
+    match name {
+        "blink.v" => verilog(&Blink { clocks: 6_000_000 }),
+        "bit_ticks.v" => verilog(&BitTicks { clocks_per_bit: 4 }),
+        "range" => BitTicks { clocks_per_bit: 1 }.checked().unwrap_err().to_string(),
+        "undriven" => problems(&Undriven),
+        _ => panic!("nothing prints `{name}`"),
+    }
+}
+
+/// The Verilog of the block itself, without that of its instances.
+fn verilog<B: Block>(block: &B) -> String {
+    let design = elaborate(block).unwrap();
+    tilewright_gen::verilog(&design).pop().unwrap().text
+}
+
+#[test]
+fn what_is_shown_is_printed() {
+    let mut count = 0;
+    let mut wrong = String::new();
+    for Fence { place, language, source, text } in fences() {
+        if ["text", "verilog"].contains(&&*language) {
+            let printed = printed(&source);
+            if !stands_in(&text, &printed) {
+                wrong += &format!("{place}: {source} prints\n{printed}\n");
+            }
+            count += 1;
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+    assert!(count > 0, "none is found");
+}
+
+/// What is wrong with the block.
+fn problems<B: Block>(block: &B) -> String {
+    elaborate(block).expect_err("the description is wrong").to_string()
+}

@@ -1,0 +1,44 @@
+//! The code of the chapters is the crate's, to the letter.
+
+use crate::book::{Fence, fences, folder, stands_in};
+use std::fs;
+
+#[test]
+fn quoted_code_stands_in_its_file() {
+    let mut count = 0;
+    for Fence { place, language, source, text } in fences() {
+        if language == "rust" {
+            let file = fs::read_to_string(folder().join(&source));
+            let file = file.unwrap_or_else(|error| panic!("{place}: `{source}` cannot be read: {error}"));
+            assert!(stands_in(&text, &file), "{place}: {source} does not have\n{text}");
+            count += 1;
+        }
+    }
+    assert!(count > 3, "only {count} are found");
+}
+
+/// What `Cargo.toml` needs, beside a clone called `tilewright`.
+#[test]
+fn dependencies_are_crates_of_the_clone() {
+    let mut count = 0;
+    for Fence { place, text, .. } in fences().into_iter().filter(|fence| fence.language == "toml") {
+        for line in text.lines().filter(|line| *line != "[dependencies]") {
+            let (name, path) =
+                line.split_once(" = { path = \"../tilewright/").unwrap_or_else(|| panic!("{place}: {line}"));
+            let manifest = folder().join("../..").join(path.trim_end_matches("\" }")).join("Cargo.toml");
+            let manifest = fs::read_to_string(&manifest).unwrap_or_else(|error| panic!("{place}: {name}: {error}"));
+            assert!(manifest.contains(&format!("name = \"{name}\"")), "{place}: {line}");
+            count += 1;
+        }
+    }
+    assert!(count > 2, "only {count} are found");
+}
+
+#[test]
+fn every_block_is_of_a_kind_that_is_checked() {
+    // `text` and `verilog` are compared with what code prints, `console` with what commands do, `sh` is for the reader's own folder.
+    for Fence { place, language, .. } in fences() {
+        let kinds = ["rust", "toml", "text", "verilog", "console", "sh"];
+        assert!(kinds.contains(&&*language), "{place}: nothing checks a block of `{language}`");
+    }
+}
