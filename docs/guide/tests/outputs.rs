@@ -2,8 +2,8 @@
 
 use crate::book::{Fence, fences, stands_in};
 use tilewright_guide::blink::Blink;
-use tilewright_guide::mistakes::undriven::Undriven;
-use tilewright_guide::uart::ticks::BitTicks;
+use tilewright_guide::mistakes::{undriven::Undriven, widths::Widths};
+use tilewright_guide::uart::{ticks::BitTicks, transmitter::Transmitter};
 use tilewright_hdl::{Block, elaborate};
 
 /// What is printed, by the name that stands behind the language of a block.
@@ -13,6 +13,8 @@ fn printed(name: &str) -> String {
         "bit_ticks.v" => verilog(&BitTicks { clocks_per_bit: 4 }),
         "range" => BitTicks { clocks_per_bit: 1 }.checked().unwrap_err().to_string(),
         "undriven" => problems(&Undriven),
+        "widths" => problems(&Widths),
+        "transmitter.v" => verilog(&Transmitter { clocks_per_bit: 2 }),
         _ => panic!("nothing prints `{name}`"),
     }
 }

@@ -3,3 +3,4 @@
 #![allow(missing_docs, reason = "they are as short as their mistakes")]
 
 pub mod undriven;
+pub mod widths;

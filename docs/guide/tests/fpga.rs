@@ -1,0 +1,62 @@
+//! What Yosys makes of the memories of appendix F, on three families of FPGAs.
+
+use crate::book::folder;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+use tilewright_gen::tools::{skipped, skipped_without};
+use tilewright_guide::words::{AllWords, KINDS, Words};
+use tilewright_hdl::{Block, elaborate};
+
+const FAMILIES: [&str; 3] = ["synth_ice40 -noflatten", "synth_ecp5 -noflatten", "synth_xilinx -noiopad"];
+
+#[test]
+fn memories_become_what_the_appendix_says() {
+    if skipped_without(&["yosys"]).is_some() {
+        return;
+    }
+    // Other versions need more cells or fewer.
+    let version = Command::new("yosys").arg("-V").output().unwrap();
+    if !version.stdout.starts_with(b"Yosys 0.23 ") {
+        let _ = skipped("yosys is there, but not 0.23");
+        return;
+    }
+    let families = FAMILIES.map(cells_by_module);
+    let mut rows = String::new();
+    for (depth, at_once, old) in KINDS {
+        let module = Words { depth, at_once, old }.name();
+        let read = match (at_once, old) {
+            (true, _) => "`read_async`",
+            (false, false) => "`read`, `Any`",
+            (false, true) => "`read`, `Old`",
+        };
+        let cells = families.each_ref().map(|cells| cells[&module].join(", "));
+        writeln!(rows, "| {depth} | {read} | {} |", cells.join(" | ")).unwrap();
+    }
+    let appendix = fs::read_to_string(folder().join("f-memories.md")).unwrap();
+    assert!(appendix.contains(&rows), "the appendix does not have\n{rows}");
+}
+
+/// The cells that a synthesizer makes of each module.
+fn cells_by_module(synthesizer: &str) -> BTreeMap<String, Vec<String>> {
+    let folder = tempfile::tempdir().unwrap();
+    for file in tilewright_gen::verilog(&elaborate(&AllWords).unwrap()) {
+        fs::write(folder.path().join(file.name), file.text).unwrap();
+    }
+    let script = format!("read_verilog *.v; {synthesizer} -top {}; tee -o cells.txt stat", AllWords.name());
+    let run = Command::new("yosys").current_dir(&folder).args(["-q", "-p", &script]).output().unwrap();
+    assert!(run.status.success(), "{run:?}");
+    let mut modules: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut module = String::new();
+    for line in fs::read_to_string(folder.path().join("cells.txt")).unwrap().lines() {
+        match line.split_whitespace().collect::<Vec<_>>()[..] {
+            ["===", name, ..] => module = name.to_owned(), // `design`, of all modules, too
+            [cell, count] if line.starts_with("     ") => {
+                modules.entry(module.clone()).or_default().push(format!("{count} `{cell}`"));
+            }
+            _ => {}
+        }
+    }
+    modules
+}
