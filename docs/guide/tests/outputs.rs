@@ -2,6 +2,7 @@
 
 use crate::book::{Fence, fences, stands_in};
 use tilewright_guide::blink::Blink;
+use tilewright_guide::grammar::{Everything, Free};
 use tilewright_guide::mistakes::{undriven::Undriven, widths::Widths};
 use tilewright_guide::uart::{ticks::BitTicks, transmitter::Transmitter};
 use tilewright_hdl::{Block, elaborate};
@@ -15,6 +16,7 @@ fn printed(name: &str) -> String {
         "undriven" => problems(&Undriven),
         "widths" => problems(&Widths),
         "transmitter.v" => verilog(&Transmitter { clocks_per_bit: 2 }),
+        "grammar_ports" => input_names(&Everything { columns: 640, rows: 480 }),
         _ => panic!("nothing prints `{name}`"),
     }
 }
@@ -45,4 +47,23 @@ fn what_is_shown_is_printed() {
 /// What is wrong with the block.
 fn problems<B: Block>(block: &B) -> String {
     elaborate(block).expect_err("the description is wrong").to_string()
+}
+
+/// The names of the input ports, on lines that are not long.
+fn input_names<B: Block>(block: &B) -> String {
+    let design = elaborate(block).unwrap();
+    let mut lines = vec![String::new()];
+    for port in &design.top().inputs {
+        if lines.last().unwrap().len() + port.name.len() > 90 {
+            lines.push(String::new());
+        }
+        let line = lines.last_mut().unwrap();
+        *line += &format!("{}{}", if line.is_empty() { "" } else { " " }, port.name);
+    }
+    lines.join("\n")
+}
+
+#[test]
+fn a_block_without_inputs_is_one() {
+    elaborate(&Free).unwrap();
 }

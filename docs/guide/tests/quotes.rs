@@ -1,6 +1,7 @@
 //! The code of the chapters is the crate's, to the letter.
 
 use crate::book::{Fence, fences, folder, stands_in};
+use std::collections::BTreeSet;
 use std::fs;
 
 #[test]
@@ -38,7 +39,29 @@ fn dependencies_are_crates_of_the_clone() {
 fn every_block_is_of_a_kind_that_is_checked() {
     // `text` and `verilog` are compared with what code prints, `console` with what commands do, `sh` is for the reader's own folder.
     for Fence { place, language, .. } in fences() {
-        let kinds = ["rust", "toml", "text", "verilog", "console", "sh"];
+        let kinds = ["rust", "toml", "text", "verilog", "console", "sh", "ebnf"];
         assert!(kinds.contains(&&*language), "{place}: nothing checks a block of `{language}`");
+    }
+}
+
+/// The words of the grammar are those of the macro.
+#[test]
+fn the_grammar_has_the_words_of_the_macro() {
+    let source = fs::read_to_string(folder().join("../../hdl/src/declare.rs")).unwrap();
+    let grammar = fences().into_iter().find(|fence| fence.language == "ebnf").expect("there is a grammar").text;
+    let mut words: BTreeSet<&str> = grammar.split('"').skip(1).step_by(2).collect();
+    words.retain(|word| word.starts_with(char::is_alphabetic) && *word != "pub");
+    for word in &words {
+        let is_there = source.lines().any(|line| line.split(|c: char| !c.is_alphanumeric()).any(|it| it == *word));
+        assert!(is_there, "the macro knows no `{word}`");
+    }
+    // Each clause is taken from the front of what is left, in an arm of its own.
+    let arms =
+        source.lines().filter(|line| line.trim_start().starts_with("(@clauses ") && line.contains(" $latency:tt "));
+    let clauses = arms.filter_map(|line| {
+        line.split(['=', '$', '{']).flat_map(str::split_whitespace).find(|word| word.chars().all(char::is_lowercase))
+    });
+    for clause in clauses {
+        assert!(words.contains(clause), "the grammar knows no `{clause}`");
     }
 }
