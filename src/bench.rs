@@ -1,11 +1,14 @@
 //! `tilewright bench`: the speed of the simulator, alone or against Verilator.
 
 use crate::engine::tell_refused;
+use crate::names;
 use crate::number::number;
 use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
 use clap::{Args, ValueEnum};
 use std::time::Duration;
-use tilewright_benches::{Effort, Error, FORMAT, Measurement, Report, Rivals, Subject, USUAL, Versions, measure};
+use tilewright_benches::{
+    Effort, Error, FORMAT, Family, Measurement, Report, Rivals, Subject, USUAL, Versions, measure,
+};
 use tilewright_gen::tools::Compiler;
 use tilewright_sim::EngineKind;
 
@@ -38,11 +41,11 @@ A cycle is a time at which one or more clocks rise. A build of simd64 with Veril
 simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]
 pub struct Bench {
     /// Designs, such as pim16
-    #[arg(value_name = "DESIGN", value_parser = |name: &str| name.parse::<Subject>(), default_values_t = USUAL)]
+    #[arg(value_name = "DESIGN", value_parser = design, default_values_t = USUAL)]
     designs: Vec<Subject>,
     /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings; where both
     /// the system's Verilator and the Python package's are installed, models of both
-    #[arg(long, value_enum, value_name = "SIMULATOR")]
+    #[arg(long, value_name = "SIMULATOR", value_parser = names::of::<Against>("simulator"))]
     against: Option<Against>,
     /// Of those models only what is made of this: `ours`, or a file of sim/benches/verilog, such as pxpl_planes; as often as needed
     #[arg(long = "verilog", value_name = "NAME", requires = "against")]
@@ -67,7 +70,7 @@ enum Against {
 impl Bench {
     /// Measures and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        self.check_verilog()?;
+        let verilog = self.verilog()?;
         let compilers = match self.against {
             Some(Against::Verilator) => Compiler::find_all().map_err(Error::from)?,
             None => Vec::new(),
@@ -80,7 +83,7 @@ impl Bench {
             verilators: compilers.iter().map(Compiler::verilator_version).collect(),
             clang: newest.clang_version(),
         });
-        let designs = measured(&self.designs, Rivals { compilers: &compilers, verilog: &self.verilog }, effort)?;
+        let designs = measured(&self.designs, Rivals { compilers: &compilers, verilog: &verilog }, effort)?;
         let report = Report { format: FORMAT, verilator: versions, rounds: self.rounds, designs };
         match self.json {
             true => terminal::print_json(&report)?,
@@ -89,20 +92,35 @@ impl Bench {
         Ok(Exit::Done)
     }
 
-    /// That there is Verilog of those names of each design.
-    fn check_verilog(&self) -> Result<(), Failure> {
+    /// The Verilog that is asked for, which there is of each design.
+    fn verilog(&self) -> Result<Vec<String>, Failure> {
+        let mut names = Vec::new();
         for (design, name) in self.designs.iter().flat_map(|design| self.verilog.iter().map(move |name| (design, name)))
         {
-            let there_are = design.verilog();
-            if !there_are.contains(&name.as_str()) {
-                let there_are = there_are.join(", ");
-                let sentence =
-                    format!("there is no Verilog `{name}` of {design}: name one of {there_are} with --verilog");
+            let known = design.verilog();
+            let Some(found) = known.iter().find(|known| names::are_alike(name, known)) else {
+                let sentence = names::unknown(&format!("there is no Verilog `{name}` of {design}"), name, &known);
                 return Err(Failure::new(Exit::BadInput, sentence));
+            };
+            if !names.iter().any(|name| name == found) {
+                names.push((*found).to_owned());
             }
         }
-        Ok(())
+        Ok(names)
     }
+}
+
+/// A design by its name.
+fn design(text: &str) -> Result<Subject, String> {
+    text.parse().map_err(|sentence: String| {
+        let sized = text.split(['@', '*']).next().unwrap_or(text);
+        let name = sized.trim_end_matches(|c: char| c.is_ascii_digit());
+        let known = Family::ALL.map(Family::name);
+        match names::near(name, &known) {
+            Some(near) if near != name => format!("did you mean `{near}{}`? Otherwise {sentence}", &text[name.len()..]),
+            _ => sentence,
+        }
+    })
 }
 
 fn measured(designs: &[Subject], rivals: Rivals, effort: Effort) -> Result<Vec<Measurement>, Failure> {

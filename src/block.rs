@@ -1,9 +1,9 @@
 //! The block that a command is given, and its parameters.
 
 use crate::engine::tell_fallback;
+use crate::names::{self, Names, are_alike};
 use crate::shell::{Exit, Failure};
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use std::num::{IntErrorKind, ParseIntError};
 use tilewright_hdl::catalog::{Entry, Values};
 use tilewright_hdl::{Design, limbs_for};
@@ -12,10 +12,10 @@ use tilewright_sim::{EngineKind, Simulation};
 /// A block of the catalogue with parameters.
 #[derive(Args)]
 pub struct BlockArguments {
-    /// A block's name
-    #[arg(value_name = "BLOCK", value_parser = PossibleValuesParser::new(entries().map(|entry| entry.name)))]
-    block: String,
-    /// A parameter's value, as often as needed; `tilewright list` has their names and ranges
+    /// A block's name; `tilewright list blocks` has all of them
+    #[arg(value_name = "BLOCK", value_parser = blocks(), hide_possible_values = true)]
+    block: &'static Entry,
+    /// A parameter's value, as often as needed; `tilewright list BLOCK` has their names and ranges
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     settings: Vec<(String, u64)>,
 }
@@ -26,16 +26,37 @@ impl BlockArguments {
     /// # Errors
     /// There is no such parameter, a value is out of its range, or one is set twice.
     pub fn find(&self) -> Result<(&'static Entry, Values), Failure> {
-        for (i, (name, _)) in self.settings.iter().enumerate() {
-            if self.settings[..i].iter().any(|(before, _)| before == name) {
+        let mut settings: Vec<(&str, u64)> = Vec::new();
+        for (name, value) in &self.settings {
+            let name = parameter(self.block, name)?;
+            if settings.iter().any(|(before, _)| *before == name) {
                 return Err(Failure::new(Exit::BadInput, format!("{name} is set twice: give one --set {name}=VALUE")));
             }
+            settings.push((name, *value));
         }
-        let entry = entries()
-            .find(|entry| entry.name == self.block)
-            .expect("the command line admits only names of the catalogues");
-        let values = entry.values(self.settings.iter().map(|(name, value)| (name.as_str(), *value)))?;
-        Ok((entry, values))
+        Ok((self.block, self.block.values(settings)?))
+    }
+}
+
+/// The parser of a block's name.
+pub fn blocks() -> Names<&'static Entry> {
+    Names::new("block", entries().map(|entry| (entry.name, entry))).listed_by("tilewright list blocks")
+}
+
+/// The parameter of a block that a user means.
+///
+/// # Errors
+/// There is none of that name.
+fn parameter<'a>(block: &Entry, given: &'a str) -> Result<&'a str, Failure> {
+    let known: Vec<&'static str> = block.parameters.iter().map(|it| it.name).collect();
+    match known.iter().find(|name| are_alike(given, name)) {
+        Some(name) => Ok(name),
+        // The catalogue has a sentence for it.
+        None if known.is_empty() => Ok(given),
+        None => {
+            let lead = format!("{} has no parameter `{given}`", block.name);
+            Err(Failure::new(Exit::BadInput, names::unknown(&lead, given, &known)))
+        }
     }
 }
 

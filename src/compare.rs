@@ -3,6 +3,7 @@
 use crate::engine::EngineArguments;
 use crate::golden;
 use crate::machine::{ENTRANTS, Entrant, Figures, Machine, Run};
+use crate::names;
 use crate::scene::{SceneArguments, triangles};
 use crate::shell::output::Output;
 use crate::shell::place::{beside, check_distinct};
@@ -36,7 +37,7 @@ pub struct Compare {
     #[command(flatten)]
     scene: SceneArguments,
     /// Only these machines, as often as needed [default: all]
-    #[arg(long = "machine", value_enum, value_name = "MACHINE")]
+    #[arg(long = "machine", value_name = "MACHINE", value_parser = names::of::<Machine>("machine"))]
     machines: Vec<Machine>,
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]

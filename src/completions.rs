@@ -1,6 +1,7 @@
 //! `tilewright completions`: a script that completes commands, options and names in a shell.
 
 use crate::CommandLine;
+use crate::names;
 use crate::shell::{Exit, Failure, terminal};
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
@@ -13,6 +14,7 @@ Examples:
   tilewright completions zsh > _tilewright")]
 pub struct Completions {
     /// The shell
+    #[arg(value_parser = names::of::<Shell>("shell"))]
     shell: Shell,
 }
 

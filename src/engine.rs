@@ -1,5 +1,6 @@
 //! The engine that a command is given, and what is said where it cannot run.
 
+use crate::names;
 use crate::shell::terminal;
 use clap::{Args, ValueEnum};
 use tilewright_hdl::Bundle;
@@ -9,7 +10,7 @@ use tilewright_sim::{EngineKind, Simulation};
 #[derive(Args, Clone, Copy, Default)]
 pub struct EngineArguments {
     /// What runs the hardware; all engines give the same results
-    #[arg(long, value_enum, value_name = "ENGINE", default_value_t = Engine::Compiled)]
+    #[arg(long, value_enum, value_name = "ENGINE", value_parser = names::of::<Engine>("engine"), default_value_t = Engine::Compiled)]
     engine: Engine,
 }
 

@@ -1,9 +1,9 @@
 //! `tilewright explain`: what each pass of the simulator makes of a block.
 
 use crate::block::{BlockArguments, check_memories};
+use crate::names::Names;
 use crate::shell::{Exit, Failure, terminal};
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use serde::Serialize;
 use tilewright_sim::{Pass, Passes, explain};
 
@@ -21,8 +21,8 @@ pub struct Explain {
     #[command(flatten)]
     block: BlockArguments,
     /// Only what this pass leaves, as often as needed; all of them otherwise
-    #[arg(long = "pass", value_name = "NAME", value_parser = PossibleValuesParser::new(Pass::ALL.map(Pass::name)))]
-    passes: Vec<String>,
+    #[arg(long = "pass", value_name = "NAME", value_parser = passes())]
+    passes: Vec<Pass>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -41,13 +41,18 @@ struct Shown {
     text: String,
 }
 
+/// The parser of a pass's name.
+fn passes() -> Names<Pass> {
+    Names::new("pass", Pass::ALL.map(|pass| (pass.name(), pass)))
+}
+
 impl Explain {
     /// Prints what the passes leave.
     pub fn run(self) -> Result<Exit, Failure> {
         let (entry, values) = self.block.find()?;
         let design = entry.design(&values)?;
         check_memories(&design)?;
-        let wanted = |pass: Pass| self.passes.is_empty() || self.passes.iter().any(|name| name == pass.name());
+        let wanted = |pass: Pass| self.passes.is_empty() || self.passes.contains(&pass);
         let explained = explain(&design, &Passes::default()).into_iter().filter(|it| wanted(it.pass));
         let shown =
             |it: tilewright_sim::Explained| Shown { pass: it.pass.name(), about: it.pass.about(), text: it.text };

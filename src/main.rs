@@ -9,6 +9,7 @@ mod explain;
 mod golden;
 mod list;
 mod machine;
+mod names;
 mod number;
 mod player;
 mod render;

@@ -4,6 +4,7 @@ mod frames;
 
 use crate::engine::EngineArguments;
 use crate::machine::{Job, Machine, MachineArguments, Run};
+use crate::names;
 use crate::scene::SceneArguments;
 use crate::shell::output::{Output, Waveform};
 use crate::shell::place::{beside, check_distinct};
@@ -39,7 +40,7 @@ pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
     /// The machine
-    #[arg(long, value_enum, default_value_t = Machine::Vc1)]
+    #[arg(long, value_enum, value_parser = names::of::<Machine>("machine"), default_value_t = Machine::Vc1)]
     machine: Machine,
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]

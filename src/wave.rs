@@ -2,6 +2,7 @@
 
 use crate::block::{BlockArguments, simulation};
 use crate::engine::EngineArguments;
+use crate::names;
 use crate::player::{check_length, play};
 use crate::save_file;
 use crate::shell::output::{Output, Waveform, quoted};
@@ -42,7 +43,7 @@ pub struct Wave {
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
     /// What the numbers of --ascii are written in [default: hex, and decimal where they are signed]
-    #[arg(long, value_enum, value_name = "RADIX", requires = "ascii")]
+    #[arg(long, value_name = "RADIX", value_parser = names::of::<Radix>("radix"), requires = "ascii")]
     radix: Option<Radix>,
     #[command(flatten)]
     engine: EngineArguments,

@@ -4,6 +4,7 @@ use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
+use crate::names::Names;
 use crate::number::number;
 use crate::scene::polygons_and_spheres;
 use crate::shell::{Exit, Failure};
@@ -41,9 +42,8 @@ pub struct PixelPlanesOptions {
 }
 
 /// The forms of edges by their names.
-fn forms() -> impl TypedValueParser<Value = Edges> {
-    let find = |name: String| Edges::ALL.into_iter().find(|form| form.name() == name).ok_or("there is no such form");
-    PossibleValuesParser::new(Edges::ALL.map(Edges::name)).try_map(find)
+fn forms() -> Names<Edges> {
+    Names::new("form of edges", Edges::ALL.map(|form| (form.name(), form)))
 }
 
 impl PixelPlanesOptions {

@@ -6,6 +6,7 @@ use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
+use crate::names;
 use crate::number::number;
 use crate::scene::{deferred, polygons, samples as passes};
 use crate::shell::{Exit, Failure};
@@ -32,7 +33,7 @@ pub struct PixelFlowOptions {
     array: Option<[u32; 2]>,
     /// The software: regions one after another, with deferred shading; the same, where the front end sorts in a pass of its own and makes instructions while others are
     /// drawn; or all regions in the pixels' memory, in the colours of vertices [default: base]
-    #[arg(long, value_enum, value_name = "SYSTEM")]
+    #[arg(long, value_name = "SYSTEM", value_parser = names::of::<System>("system"))]
     system: Option<System>,
     /// Samples of a pixel; eight are those of two renderings at twice the width and height, which the base system draws region by region, and the
     /// non-texturing system sample by sample [default: 1]
@@ -42,10 +43,10 @@ pub struct PixelFlowOptions {
     #[arg(long)]
     shade_once: bool,
     /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
-    #[arg(long, value_enum, value_name = "FIELD")]
+    #[arg(long, value_name = "FIELD", value_parser = names::of::<FieldName>("field"))]
     field: Option<FieldName>,
     /// Draw a frame for each eye, side by side: both at once, each on half of the nodes, or one after another on all
-    #[arg(long, value_enum, value_name = "HOW")]
+    #[arg(long, value_name = "HOW", value_parser = names::of::<StereoName>("way to share the nodes"))]
     stereo: Option<StereoName>,
     /// The distance between the eyes, in the unit of the scene; their lines of sight are parallel
     /// [default: a thirtieth of the distance to what the camera looks at]

@@ -4,11 +4,12 @@ use super::figures::{Compared, Figures, state};
 use super::first_given;
 use super::job::{Job, Run};
 use crate::golden;
+use crate::names::{self, Names};
 use crate::number::number;
 use crate::scene::polygons;
 use crate::shell::Failure;
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::PossibleValue;
 use tilewright_machines::quadtree::{Config, Machine, Queues, Report, Stage, Test};
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::golden::{render_strict_watched, render_watched};
@@ -22,7 +23,7 @@ pub struct QuadtreeOptions {
     #[arg(long, value_name = "PxQ", value_parser = matrix)]
     matrix: Option<(u32, u32)>,
     /// What divides the windows: parts of `stack`, `pipe` and `tree`, each with its levels, as in stack:2+pipe:3+tree:1; one part may leave them out and has the rest [default: pipe]
-    #[arg(long, value_name = "FORM")]
+    #[arg(long, value_name = "FORM", value_parser = form)]
     form: Option<String>,
     /// How the edges of a window are tested [default: parallel]
     #[arg(long, value_name = "TEST", value_parser = tests())]
@@ -42,13 +43,22 @@ pub struct QuadtreeOptions {
 }
 
 /// The ways to test the edges of a window, by name.
-fn tests() -> impl TypedValueParser<Value = Test> {
+fn tests() -> Names<Test> {
     let serial = PossibleValue::new("serial").help("One after another, by one adder");
     let parallel = PossibleValue::new("parallel").help("All at once, by an adder each");
-    PossibleValuesParser::new([serial, parallel]).map(|name| match name.as_str() {
-        "serial" => Test::Serial,
-        _ => Test::Parallel,
-    })
+    Names::described("test", [(serial, Test::Serial), (parallel, Test::Parallel)])
+}
+
+/// What divides the windows, of parts that there are; the machine knows which of them go together.
+fn form(text: &str) -> Result<String, String> {
+    const PARTS: [&str; 3] = ["stack", "pipe", "tree"];
+    let parts = text.split('+').map(|part| part.split(':').next().unwrap_or(part));
+    for part in parts {
+        if !PARTS.contains(&part) {
+            return Err(names::unknown(&format!("there is no part `{part}`"), part, &PARTS));
+        }
+    }
+    Ok(text.to_owned())
 }
 
 /// A matrix such as `4x4`.

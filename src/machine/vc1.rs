@@ -8,10 +8,11 @@ pub use job::Vc1Job;
 pub use turn::Turn;
 
 use super::first_given;
+use crate::names::Names;
 use crate::number::number;
 use crate::shell::{Exit, Failure};
+use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::{Args, ValueEnum};
 use cost::Cost;
 use tilewright_machines::vc1::{Assign, Config, Cursor};
 use tilewright_rtl::gfb::{Blanking, Passes};
@@ -60,8 +61,8 @@ pub struct Vc1Options {
     #[arg(long, value_name = "HZ")]
     refresh: Option<f64>,
     /// The lines of the vertical blanking in which the displayed frame changes [default: at-start]
-    #[arg(long, value_name = "WHEN", value_parser = PossibleValuesParser::new(["at-start", "in-blanking"]))]
-    swap: Option<String>,
+    #[arg(long, value_name = "WHEN", value_parser = swaps())]
+    swap: Option<Blanking>,
     /// Clocks of the processing elements that a word of 32 bits is on the broadcast bus [default: 6]
     #[arg(long, value_name = "CLOCKS", value_parser = number(1..=255u32))]
     bus: Option<u32>,
@@ -70,28 +71,20 @@ pub struct Vc1Options {
     queue: Option<u32>,
     /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
     /// each, or by the count of polygons alone [default: once]
-    #[arg(long, value_enum, value_name = "HOW")]
-    assign: Option<AssignName>,
+    #[arg(long, value_name = "HOW", value_parser = assigns())]
+    assign: Option<Assign>,
     #[arg(long, value_name = "NAME=CLOCKS", value_parser = cost::cost, help = cost::help())]
     cost: Vec<Cost>,
 }
 
-/// How polygons are dealt.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum AssignName {
-    Once,
-    Each,
-    Count,
+/// The ways to deal polygons, by name.
+fn assigns() -> Names<Assign> {
+    Names::new("way to deal polygons", [("once", Assign::Once), ("each", Assign::Each), ("count", Assign::Count)])
 }
 
-impl From<AssignName> for Assign {
-    fn from(name: AssignName) -> Assign {
-        match name {
-            AssignName::Once => Assign::Once,
-            AssignName::Each => Assign::Each,
-            AssignName::Count => Assign::Count,
-        }
-    }
+/// The lines in which the frame changes, by name.
+fn swaps() -> Names<Blanking> {
+    Names::new("time to swap", [("at-start", Blanking::AtStart), ("in-blanking", Blanking::Within)])
 }
 
 /// The fewest pages of a local frame buffer.
@@ -189,8 +182,8 @@ impl Vc1Options {
             word_clocks: self.bus.unwrap_or(usual.word_clocks),
             overhead: self.overhead.unwrap_or(usual.overhead),
             refresh: self.refresh.unwrap_or(usual.refresh),
-            blanking: if self.swap.as_deref() == Some("in-blanking") { Blanking::Within } else { usual.blanking },
-            assign: self.assign.map_or(usual.assign, Assign::from),
+            blanking: self.swap.unwrap_or(usual.blanking),
+            assign: self.assign.unwrap_or(usual.assign),
             costs: cost::table(&self.cost)?,
             immediate: self.immediate,
             accumulate: self.accumulate.and_then(Passes::of_count),

@@ -9,6 +9,7 @@ mod quadtree;
 mod right;
 mod vc1;
 
+use crate::names;
 use crate::shell::output::Folder;
 use crate::shell::{Exit, Failure, interrupt, terminal};
 use crate::watch::watched;
@@ -35,6 +36,7 @@ frames are small, and the hardware runs for fewer points. The page, index.html, 
 command writes the same bytes each time.")]
 pub struct Reproduce {
     /// Whose paper
+    #[arg(value_parser = names::of::<Paper>("paper"))]
     machine: Paper,
     /// The folder for the report, which is made if it is not there; all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]

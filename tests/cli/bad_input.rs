@@ -33,17 +33,22 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --pages 1", &["give a whole number from 2 to 262144"]),
     ("render teapot --refresh 0", &["0 refreshes a second", "VGA has 60"]),
     ("render teapot --refresh many", &["invalid value 'many' for '--refresh <HZ>'"]),
-    ("render teapot --swap never", &["'never'", "at-start", "in-blanking"]),
+    ("render teapot --swap never", &["error: there is no time to swap `never`: give one of at-start, in-blanking\n"]),
     ("bench --rounds 0", &["'0' for '--rounds <N>': give a whole number from 1 to 1000"]),
     ("render teapot --patch 5", &["'5'", "4, 8, 16"]),
     ("render teapot --size 64x48 --pages 193", &["`pages`", "is 193:", "from 2 to 192"]),
-    ("render teapot --assign twice", &["'twice' for '--assign <HOW>'", "once, each, count"]),
+    (
+        "render teapot --assign twice",
+        &["error: there is no way to deal polygons `twice`: give one of once, each, count\n"],
+    ),
     (
         "render teapot --cost geometry=631",
         &[
-            "'geometry=631' for '--cost <NAME=CLOCKS>': there is no step `geometry`; the steps are vertex, polygon, area, clip, set-up, row, pixel, clear, send, receive\n",
+            "'geometry=631' for '--cost <NAME=CLOCKS>': there is no step `geometry`: give one of vertex, polygon, area, clip, set-up, row, pixel, clear, send, receive\n",
         ],
     ),
+    ("render teapot --cost setup=5", &["there is no step `setup`: did you mean `set-up`? There are vertex, "]),
+    ("render teapot --cost set_up=5 --cost set-up=5", &["error: --cost set-up is given twice: leave one out\n"]),
     ("render teapot --cost row", &["give a step and its clocks, such as row=60; the steps are vertex, polygon, area"]),
     ("render teapot --cost row=-1", &["row takes from 0 to 1000000 clocks\n"]),
     (
@@ -55,7 +60,14 @@ const CASES: &[(&str, &[&str])] = &[
         "render teapot --machine quadtree --cost row=1",
         &["error: --cost is an option of vc1, and the machine is quadtree: leave it out, or pass --machine vc1\n"],
     ),
-    ("render teapot --machine vc2", &["'vc2'", "'vc1'"]),
+    (
+        "render teapot --machine vc2",
+        &["error: there is no machine `vc2`: did you mean `vc1`? There are vc1, quadtree, pixel"],
+    ),
+    ("compare star --machine pixel_flows", &["error: there is no machine `pixel_flows`: did you mean `pixelflow`?"]),
+    ("reproduce quadtrees -o report", &["error: there is no paper `quadtrees`: did you mean `quadtree`?"]),
+    ("completions bsh", &["error: there is no shell `bsh`: did you mean `bash`?"]),
+    ("explain scan-counter --pass foldd", &["error: there is no pass `foldd`: did you mean `fold`?"]),
     (
         "render teapot --machine quadtree --processors 4",
         &[
@@ -82,12 +94,14 @@ const CASES: &[(&str, &[&str])] = &[
     ),
     (
         "render teapot --machine quadtree --form heap",
-        &[
-            "error: the form `heap`: there is no part `heap`; a form is made of `stack`, `pipe` and `tree`, each with its levels",
-        ],
+        &["'heap' for '--form <FORM>': there is no part `heap`: give one of stack, pipe, tree\n"],
     ),
     ("render teapot --machine quadtree --form tree", &["the form `tree:8`: a tree divides 4 levels at most"]),
-    ("render teapot --machine quadtree --test fast", &["'fast' for '--test <TEST>'", "serial, parallel"]),
+    ("render teapot --machine quadtree --form stak:2+pipe", &["there is no part `stak`: did you mean `stack`?"]),
+    (
+        "render teapot --machine quadtree --test fast",
+        &["error: there is no test `fast`: give one of serial, parallel\n"],
+    ),
     (
         "render teapot --machine quadtree --aperture 3",
         &["error: an aperture of 3 pixels: it has to be even, and from 0 to 8\n"],
@@ -98,9 +112,9 @@ const CASES: &[(&str, &[&str])] = &[
     ),
     (
         "render teapot --engine fast",
-        &["invalid value 'fast' for '--engine <ENGINE>'", "reference, interpreter, compiled, both"],
+        &["error: there is no engine `fast`: give one of reference, interpreter, compiled, both\n"],
     ),
-    ("wave merging-unit --ascii --engine compile", &["'compile'", "a similar value exists: 'compiled'"]),
+    ("wave merging-unit --ascii --engine compile", &["there is no engine `compile`: did you mean `compiled`?"]),
     ("render teapot --from 1us", &["name it with --vcd FILE"]),
     ("render teapot --vcd run.vcd --from 2us --to 1500ns", &["no time is left between --from and --to"]),
     ("render teapot --golden malformed.obj", &["malformed.obj", "PNG"]),
@@ -115,9 +129,17 @@ const CASES: &[(&str, &[&str])] = &[
         "golden no_texture.obj -o g.png --deferred",
         &["no_texture.mtl:2: there is no texture lost.png: correct the path"],
     ),
-    ("wave mergin-unit --ascii", &["'mergin-unit'", "a similar value exists: 'merging-unit'"]),
+    (
+        "wave mergin-unit --ascii",
+        &[
+            "error: there is no block `mergin-unit`: did you mean `merging-unit`? `tilewright list blocks` has all of them\n",
+        ],
+    ),
     ("wave merging-unit", &["-o FILE", "pass --ascii"]),
-    ("wave merging-unit --ascii --radix octal", &["'octal' for '--radix <RADIX>'", "decimal, hex, binary"]),
+    (
+        "wave merging-unit --ascii --radix octal",
+        &["error: there is no radix `octal`: give one of decimal, hex, binary\n"],
+    ),
     ("wave merging-unit -o mu.vcd --radix hex", &["--ascii"]),
     ("wave merging-unit --json", &["-o FILE", "pass --ascii"]),
     ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),
@@ -143,7 +165,12 @@ const CASES: &[(&str, &[&str])] = &[
     ("render long.toml", &["long.toml:2:8: invalid length 3"]),
     ("render misspelt.toml", &["did you mean `teapot`?"]),
     ("wave image-merger --ascii --set units=257", &["units = 257", "from 1 to 256"]),
-    ("wave image-merger --ascii --set unit=2", &["no parameter `unit`", "units"]),
+    (
+        "wave image-merger --ascii --set unit=2",
+        &["error: image-merger has no parameter `unit`: did you mean `units`? There are units\n"],
+    ),
+    ("wave merging-unit --ascii --set unit=2", &["merging-unit has no parameters, so `unit` cannot be set"]),
+    ("wave image_merger --ascii --set units=257", &["units = 257", "from 1 to 256"]),
     ("wave image-merger --ascii --set units", &["'units'", "NAME=VALUE"]),
     ("wave image-merger --ascii --scope **", &["name it with -o FILE"]),
     ("wave image-merger -o some.gtkw", &["name the waveform .vcd"]),
@@ -151,11 +178,19 @@ const CASES: &[(&str, &[&str])] = &[
     ("verilog gfb-unit -o out --set width=1", &["width = 1", "from 2 to 2048"]),
     ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench at most 200000"]),
     ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text at most 200000: --set smaller"]),
-    ("verilog nothing -o out", &["'nothing'", "gfb-unit"]),
-    ("bench pin16", &["'pin16'", "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN", "such as pim16"]),
+    ("verilog nothing -o out", &["error: there is no block `nothing`: ", "`tilewright list blocks` has all of them\n"]),
+    (
+        "bench pin16",
+        &[
+            "'pin16'",
+            "did you mean `pim16`? Otherwise name a design as ",
+            "pimN, qtN, flatN, coreN, simdN, pxplN, systolicN, vc1xN",
+            "such as pim16",
+        ],
+    ),
     ("bench simd257", &["'simd257'", "from 1 to 256"]),
     ("bench --seconds 0", &["'0'", "from 0.001 to 1000 seconds"]),
-    ("bench --against modelsim", &["'modelsim'", "verilator"]),
+    ("bench --against modelsim", &["error: there is no simulator `modelsim`: give one of verilator\n"]),
     ("rendr teapot", &["'rendr'", "'render'"]),
 ];
 

@@ -25,35 +25,6 @@ pub(super) fn unknown_name(name: &str) -> SceneError {
 /// The built-in scene that a misspelt name may mean.
 pub(super) fn nearest(name: &str) -> Option<&'static str> {
     let lower = name.to_lowercase();
-    let (edits, known) = builtin::NAMES.into_iter().map(|known| (distance(&lower, known), known)).min()?;
+    let (edits, known) = builtin::NAMES.into_iter().map(|known| (strsim::levenshtein(&lower, known), known)).min()?;
     (edits <= 1 + known.len() / 4).then_some(known)
-}
-
-/// Levenshtein's distance: how many characters to insert, remove or change.
-fn distance(left: &str, right: &str) -> usize {
-    let right: Vec<char> = right.chars().collect();
-    let mut row: Vec<usize> = (0..=right.len()).collect();
-    for (i, l) in left.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, r) in right.iter().enumerate() {
-            let changed = diagonal + usize::from(l != *r);
-            diagonal = row[j + 1];
-            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[right.len()]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distances_are_counted() {
-        let cases = [("teapot", "teapot", 0), ("tepot", "teapot", 1), ("", "abc", 3), ("ter1", "ter250", 3)];
-        for (left, right, edits) in cases {
-            assert_eq!(distance(left, right), edits, "{left} {right}");
-        }
-    }
 }

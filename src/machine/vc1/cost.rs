@@ -1,5 +1,6 @@
 //! `--cost NAME=CLOCKS`: what a step of the program of a processing element takes.
 
+use crate::names::{are_alike, unknown};
 use crate::shell::{Exit, Failure};
 use tilewright_machines::vc1::CostTable;
 
@@ -29,10 +30,9 @@ pub fn cost(text: &str) -> Result<Cost, String> {
     let (name, clocks) = text
         .split_once('=')
         .ok_or_else(|| format!("give a step and its clocks, such as row=60; the steps are {}", names(|_| true)))?;
-    let (name, least) = CostTable::STEPS
-        .into_iter()
-        .find(|(known, _)| *known == name)
-        .ok_or_else(|| format!("there is no step `{name}`; the steps are {}", names(|_| true)))?;
+    let found = CostTable::STEPS.into_iter().find(|(known, _)| are_alike(name, known));
+    let (name, least) = found
+        .ok_or_else(|| unknown(&format!("there is no step `{name}`"), name, &CostTable::STEPS.map(|(name, _)| name)))?;
     let range = least..=MOST;
     let clocks = clocks.parse().ok().filter(|clocks| range.contains(clocks));
     let clocks = clocks.ok_or_else(|| {
