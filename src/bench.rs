@@ -14,31 +14,7 @@ use tilewright_sim::EngineKind;
 
 /// Measures the speed of the simulator on designs made for that
 #[derive(Args)]
-#[command(after_help = "\
-Examples:
-  tilewright bench --seconds 0.1
-  tilewright bench 'qt1*16' --seconds 0.1
-  tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
-  tilewright bench qt1 --against verilator --seconds 0.1
-  tilewright bench pxpl16 --against verilator --verilog pxpl_planes --seconds 0.1
-
-The designs, with a size for N:
-  pimN       a chain of N merging units, each with a local frame buffer
-  qtN        N units that walk down quadtrees
-  flatN      the same, each unit a module of its own, so that nothing is replicated
-  coreN      N processors of RV32I, each with a program that sorts words
-  simdN      N x N processors under one instruction
-  pxplN      N x N processors of one bit under one instruction, fed by a serial tree; N is a power of two
-  systolicN  N x N cells that multiply matrices
-  vc1xN      a VC-1 with N processors that draw at random, frame after frame; vc1xN@WxH has another screen than 640x480
-  rendererN  a renderer of Pixel-planes 5 that draws regions of N x N pixels, one after another; N is a power of two
-  nodesN     N renderers of 32 x 32 pixels, one of them busy at a time
-
-qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 and
-renderers have none to choose from.
-
-A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
-simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.")]
+#[command(after_help = after_help())]
 pub struct Bench {
     /// Designs, such as pim16
     #[arg(value_name = "DESIGN", value_parser = design, default_values_t = USUAL)]
@@ -59,6 +35,32 @@ pub struct Bench {
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
+}
+
+/// The examples, the designs, and what the measuring means.
+fn after_help() -> String {
+    let designs: Vec<String> =
+        Family::ALL.map(|family| format!("  {:10} {}", format!("{}N", family.name()), family.about())).into();
+    format!(
+        "\
+Examples:
+  tilewright bench --seconds 0.1
+  tilewright bench 'qt1*16' --seconds 0.1
+  tilewright bench pim64 simd64 --rounds 3 --seconds 0.1 --json
+  tilewright bench qt1 --against verilator --seconds 0.1
+  tilewright bench pxpl16 --against verilator --verilog pxpl_planes --seconds 0.1
+
+The designs, with a size for N:
+{}
+vc1xN@WxH has another screen than 640x480.
+
+qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 and
+renderers have none to choose from.
+
+A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
+simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.",
+        designs.join("\n")
+    )
 }
 
 /// A simulator to compare with.

@@ -191,6 +191,10 @@ const CASES: &[(&str, &[&str])] = &[
     ("bench simd257", &["'simd257'", "from 1 to 256"]),
     ("bench --seconds 0", &["'0'", "from 0.001 to 1000 seconds"]),
     ("bench --against modelsim", &["error: there is no simulator `modelsim`: give one of verilator\n"]),
+    (
+        "list merging_unti",
+        &["error: there is no block, machine, scene or part of the list `merging_unti`: did you mean `merging-unit`?"],
+    ),
     ("rendr teapot", &["'rendr'", "'render'"]),
 ];
 

@@ -12,6 +12,7 @@ mod harness;
 mod interruption;
 mod limits;
 mod lines;
+mod list;
 mod output;
 mod pixel_planes;
 mod pixelflow;

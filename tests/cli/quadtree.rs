@@ -104,7 +104,7 @@ fn the_list_and_the_help_name_the_options_of_each_machine() {
     let machines = list["machines"].as_array().unwrap();
     let names: Vec<&Value> = machines.iter().map(|it| &it["name"]).collect();
     assert_eq!(names, ["vc1", "quadtree", "pixel-planes-5", "pixelflow"]);
-    let (text, help) = (folder.stdout("list"), folder.stdout("render --help"));
+    let (text, help) = (folder.stdout("list all"), folder.stdout("render --help"));
     for machine in machines {
         // Its own options, and those that it has in common with others.
         let name = format!("--machine {}", machine["name"].as_str().unwrap());

@@ -101,7 +101,7 @@ fn a_quiet_command_says_nothing_of_a_success() {
     }
     let report = folder.json(&format!("{RENDER} --quiet --json"));
     assert_eq!(report["golden"]["identical"], true);
-    assert!(folder.stdout("list --quiet").starts_with("Machines"));
+    assert!(folder.stdout("list --quiet").starts_with("Scenes"));
     assert!(folder.stdout("wave merging-unit --ascii --quiet").starts_with("clk "));
 }
 

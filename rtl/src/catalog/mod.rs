@@ -13,8 +13,29 @@ mod vc1;
 
 pub use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 
-/// Every block: each machine as a whole, then its parts in the order of the data's way through it.
-pub const ENTRIES: &[Entry] = &[
+/// The blocks of a machine.
+#[derive(Debug, Clone, Copy)]
+pub struct Group {
+    /// The machine's name on the command line.
+    pub machine: &'static str,
+    /// The machine's name in a sentence.
+    pub title: &'static str,
+    /// The machine as a whole, then its parts in the order of the data's way through it.
+    pub entries: &'static [Entry],
+}
+
+/// The blocks by machine.
+pub const GROUPS: [Group; 4] = [
+    Group { machine: "vc1", title: "the VC-1", entries: VC1 },
+    Group { machine: "quadtree", title: "the quadtree generator", entries: QUADTREE },
+    Group { machine: "pixel-planes-5", title: "Pixel-planes 5", entries: PIXEL_PLANES },
+    Group { machine: "pixelflow", title: "PixelFlow", entries: PIXELFLOW },
+];
+
+/// Every block, in the order of [`GROUPS`].
+pub const ENTRIES: &[Entry] = &all::<55>();
+
+const VC1: &[Entry] = &[
     vc1::VC1,
     bus::BROADCAST_BUS,
     lfb::LFB_UNIT,
@@ -34,6 +55,9 @@ pub const ENTRIES: &[Entry] = &[
     swap::SYNC_LINE,
     swap::LFB_SWAP,
     swap::GFB_SWAP,
+];
+
+const QUADTREE: &[Entry] = &[
     quadtree::QUADTREE_GENERATOR,
     quadtree::VIDEO_PROCESSOR,
     quadtree::SET_UP,
@@ -45,6 +69,9 @@ pub const ENTRIES: &[Entry] = &[
     quadtree::QUADTREE_PIXEL,
     quadtree::VIDEO_BUFFER,
     quadtree::VIDEO_CONTROLLER,
+];
+
+const PIXEL_PLANES: &[Entry] = &[
     pixel_planes::PIXEL_PLANES_5,
     pixel_planes::RING,
     pixel_planes::RENDERER,
@@ -56,6 +83,9 @@ pub const ENTRIES: &[Entry] = &[
     pixel_planes::BACKING_STORE,
     pixel_planes::REGION_ALLOCATOR,
     pixel_planes::FRAME_BUFFER,
+];
+
+const PIXELFLOW: &[Entry] = &[
     pixelflow::PIXELFLOW,
     pixelflow::NODE,
     pixelflow::COMMAND_DMA,
@@ -71,6 +101,23 @@ pub const ENTRIES: &[Entry] = &[
     pixelflow::NETWORK_PORT,
     pixelflow::COMPOSITOR,
 ];
+
+/// The entries of all groups, of which there have to be `COUNT`.
+const fn all<const COUNT: usize>() -> [Entry; COUNT] {
+    let mut all = [VC1[0]; COUNT];
+    let (mut group, mut count) = (0, 0);
+    while group < GROUPS.len() {
+        let entries = GROUPS[group].entries;
+        let mut entry = 0;
+        while entry < entries.len() {
+            all[count] = entries[entry];
+            (entry, count) = (entry + 1, count + 1);
+        }
+        group += 1;
+    }
+    assert!(count == COUNT, "another number of entries");
+    all
+}
 
 /// The entry of that name.
 pub fn find(name: &str) -> Option<&'static Entry> {
