@@ -53,7 +53,7 @@ Exit codes:
 
 Results go to standard output, everything else to standard error. With `-o -` or `--vcd -` standard output takes the picture or the waveform,
 and all text goes to standard error. `--quiet` leaves out progress, `wrote FILE` and reports, but not the tables of list
-and bench, --json, --ascii, warnings and errors.
+and bench, waves in text, --json, warnings and errors.
 A file appears whole or not at all, keeps its permissions and, where the system allows it, its owner; through a link, its target is written.
 A waveform alone grows in its place.
 `tilewright help COMMAND` has the options and examples of a command.";

@@ -24,30 +24,31 @@ use tilewright_sim::{Probe, Simulation, WaveRadix};
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
+  tilewright wave merging-unit
+  tilewright wave merging-unit --radix decimal
+  tilewright wave merging-unit --engine both
   tilewright wave merging-unit -o mu.vcd
-  tilewright wave merging-unit --ascii
-  tilewright wave merging-unit --ascii --radix decimal
-  tilewright wave merging-unit --ascii --engine both
+  tilewright wave merging-unit -o mu.vcd --ascii
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values in --ascii waves are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
+One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values of a wave in text are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
 the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
-    /// The waveform, a VCD file; `-` is standard output
+    /// The waveform, a VCD file; `-` is standard output. Without it the wave is shown as text
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
-    /// Print the ports' waves as text
+    /// Print the ports' waves as text, beside -o as well
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
-    /// What the numbers of --ascii are written in [default: hex, and decimal where they are signed]
-    #[arg(long, value_name = "RADIX", value_parser = names::of::<Radix>("radix"), requires = "ascii")]
+    /// What the numbers of a wave in text are written in [default: hex, and decimal where they are signed]
+    #[arg(long, value_name = "RADIX", value_parser = names::of::<Radix>("radix"))]
     radix: Option<Radix>,
     #[command(flatten)]
     engine: EngineArguments,
-    /// Print the report as JSON
+    /// Print a report on the waveform as JSON
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -93,22 +94,17 @@ struct Report<'a> {
 impl Wave {
     /// Runs the scenario, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
-        if self.output.is_none() && !self.ascii {
-            let sentence =
-                "there is nowhere to show the wave: name a waveform file with -o FILE, or pass --ascii for text";
-            return Err(Failure::new(Exit::BadInput, sentence));
-        }
-        self.filters.check(self.output.as_deref(), "-o")?;
+        self.check()?;
         let save = self.output.as_ref().and_then(|path| beside(path, "gtkw"));
         check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
         let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
-        let text = if self.ascii { Some(self.record_ports(&mut sim, &scenario)?) } else { None };
+        let text = if self.is_text() { Some(self.record_ports(&mut sim, &scenario)?) } else { None };
         let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
         let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
         let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
-        let end = if self.ascii { u64::MAX } else { self.filters.times().end };
+        let end = if self.is_text() { u64::MAX } else { self.filters.times().end };
         let played = play(&mut sim, &scenario, end);
         // An interrupted or failed run leaves its waves too.
         let mut ended = Failure::both(played, sim.finish().map_err(Failure::from));
@@ -133,6 +129,23 @@ impl Wave {
             viewers.iter().try_for_each(|line| terminal::report(&format!("{line}\n")))?;
         }
         Ok(Exit::Done)
+    }
+
+    /// Whether the wave is shown as text.
+    fn is_text(&self) -> bool {
+        self.ascii || self.output.is_none()
+    }
+
+    /// That there is what the options are about.
+    fn check(&self) -> Result<(), Failure> {
+        let sentence = if self.json && self.output.is_none() {
+            "--json reports on a waveform file: name it with -o FILE"
+        } else if self.radix.is_some() && !self.is_text() {
+            "--radix is about a wave in text: add --ascii, or leave out -o"
+        } else {
+            return self.filters.check(self.output.as_deref(), "-o");
+        };
+        Err(Failure::new(Exit::BadInput, sentence))
     }
 
     fn record_ports(&self, sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {

@@ -135,13 +135,15 @@ const CASES: &[(&str, &[&str])] = &[
             "error: there is no block `mergin-unit`: did you mean `merging-unit`? `tilewright list blocks` has all of them\n",
         ],
     ),
-    ("wave merging-unit", &["-o FILE", "pass --ascii"]),
     (
         "wave merging-unit --ascii --radix octal",
         &["error: there is no radix `octal`: give one of decimal, hex, binary\n"],
     ),
-    ("wave merging-unit -o mu.vcd --radix hex", &["--ascii"]),
-    ("wave merging-unit --json", &["-o FILE", "pass --ascii"]),
+    (
+        "wave merging-unit -o mu.vcd --radix hex",
+        &["error: --radix is about a wave in text: add --ascii, or leave out -o\n"],
+    ),
+    ("wave merging-unit --json", &["error: --json reports on a waveform file: name it with -o FILE\n"]),
     ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),
     (
         HUGE,

@@ -38,10 +38,20 @@ fn text_shows_the_ports() {
 }
 
 #[test]
+fn without_a_file_the_wave_is_text() {
+    let folder = Folder::new();
+    let text = folder.stdout("wave merging_unit");
+    assert!(text.starts_with("clk    |__"), "{text}");
+    assert_eq!(text, folder.stdout("wave merging-unit --ascii"));
+    assert_eq!(folder.stdout("wave merging-unit -o mu.vcd --ascii"), text + "gtkwave mu.vcd mu.gtkw\nsurfer mu.vcd\n");
+    assert_eq!(folder.names(), ["mu.gtkw", "mu.vcd"]);
+}
+
+#[test]
 fn text_has_the_radix_that_is_asked_for() {
     let folder = Folder::new();
     let row = |options: &str, name: &str| {
-        let text = folder.stdout(&format!("wave merging-unit --ascii {options}"));
+        let text = folder.stdout(&format!("wave merging-unit {options}"));
         text.lines().find(|line| line.starts_with(name)).unwrap().to_owned()
     };
     assert_eq!(row("", "right "), row("--radix hex", "right "));
