@@ -6,3 +6,4 @@ mod examples;
 mod first_block;
 mod glossary;
 mod papers;
+mod ports;

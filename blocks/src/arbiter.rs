@@ -58,7 +58,7 @@ block! {
     }
     latency = "0 clocks";
     in(self) ArbiterIn {
-        /// What wants to go out.
+        /// A stream of words from each sender.
         into: [stream(bits(self.width)); self.senders],
     }
     out(self) = StreamOut { out: stream(bits(self.width)) };

@@ -24,15 +24,15 @@ block! {
     }
     latency = "1 clock";
     in CounterIn {
-        /// It starts at 0 again; wins over `enable`.
+        /// The count starts at 0 again; wins over `enable`.
         restart: bit(),
-        /// It counts.
+        /// The counter counts.
         enable: bit(),
     }
     out(self) CounterOut {
-        /// How far it is.
+        /// The count.
         count: below(self.limit),
-        /// It counts from the last number to 0 at this edge.
+        /// The count goes from the last number to 0 at this edge.
         wraps: bit(),
     }
 }

@@ -59,7 +59,7 @@ block! {
         data: bits(8),
     }
     out(self) CrcOut {
-        /// The remainder of what was taken.
+        /// The remainder of the bytes that were taken.
         crc: bits(self.width),
     }
 }

@@ -35,7 +35,7 @@ block! {
         digit: bits(4),
     }
     out SevenSegmentOut {
-        /// Those that are lit, the lowest bit for the uppermost, then on to the right, with the middle one last.
+        /// The segments that are lit, the lowest bit for the uppermost, then on to the right, with the middle one last.
         segments: bits(7),
     }
 }
@@ -72,13 +72,13 @@ block! {
         digits: u32,
     }
     in(self) FromDecimalIn {
-        /// The number takes over.
+        /// Loads `number` with the value of `digits`.
         enable: bit(),
-        /// The digits, the ones in lane 0.
+        /// The decimal digits, the ones in lane 0.
         digits: bits(4).of(row(self.digits)),
     }
     out(self) FromDecimalOut {
-        /// What they stand for.
+        /// The number that the digits stand for.
         number: below(10u64.pow(self.digits)),
     }
 }

@@ -37,11 +37,11 @@ block! {
     }
     latency(self) = format!("{} clocks", self.width);
     in(self) DividerIn {
-        /// What is divided.
+        /// The numbers to divide.
         operands: stream(Operands { dividend: bits(self.width), divisor: bits(self.width) }),
     }
     out(self) DividerOut {
-        /// What comes of it.
+        /// The quotients and remainders.
         results: stream(Quotient { quotient: bits(self.width), remainder: bits(self.width) }),
     }
 }
@@ -55,9 +55,9 @@ bundle! {
     /// assert_eq!(third.dividend / third.divisor, 33);
     /// ```
     pub struct Operands<T> {
-        /// What is divided.
+        /// The number that is divided.
         pub dividend: T,
-        /// By what.
+        /// The number by which the dividend is divided.
         pub divisor: T,
     }
 
@@ -71,7 +71,7 @@ bundle! {
     pub struct Quotient<T> {
         /// How often the divisor goes into the dividend.
         pub quotient: T,
-        /// What is left.
+        /// What is left of the dividend.
         pub remainder: T,
     }
 }

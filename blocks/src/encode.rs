@@ -236,11 +236,11 @@ block! {
         requests: bits(self.lines),
     }
     out(self) PriorityEncoderOut {
-        /// The first of those that are high, alone.
+        /// The first line that is high, alone.
         first: bits(self.lines),
-        /// Its number, and 0 if there is none.
+        /// The number of the first line that is high, and 0 if none is.
         index: below(self.lines),
-        /// There is one.
+        /// At least one line is high.
         any: bit(),
     }
 }

@@ -37,7 +37,7 @@ block! {
     latency = "0 clocks";
     in(self) = StreamIn { into: stream(bits(self.width)) };
     out(self) ForkOut {
-        /// To each receiver the same.
+        /// All words, to each receiver.
         out: [stream(bits(self.width)); self.receivers],
     }
 }

@@ -36,7 +36,7 @@ block! {
     in(self) JoinIn {
         /// The upper parts of the words.
         left: stream(bits(self.left)),
-        /// The lower ones.
+        /// The lower parts of the words.
         right: stream(bits(self.right)),
     }
     out(self) = StreamOut { out: stream(bits(self.left + self.right)) };

@@ -60,11 +60,11 @@ block! {
     }
     latency = "1 clock";
     in LfsrIn {
-        /// It goes on to the next number.
+        /// Goes on to the next number.
         enable: bit(),
     }
     out(self) LfsrOut {
-        /// A number that is not 0.
+        /// The number, which is never 0.
         number: bits(self.width),
     }
 }

@@ -56,9 +56,9 @@ block! {
         words: bits(self.width).of(row(self.words)),
     }
     out(self) MinimumOut {
-        /// The least of them.
+        /// The least of the numbers.
         word: bits(self.width),
-        /// Its lane.
+        /// The lane of the least number.
         index: below(self.words),
     }
 }
@@ -121,17 +121,17 @@ block! {
         width: u32,
     }
     in(self) PipelinedMinimumIn {
-        /// There are numbers.
+        /// The words are numbers of which the least is wanted.
         valid: bit(),
         /// The numbers, a lane for each.
         words: bits(self.width).of(row(self.words)),
     }
     out(self) PipelinedMinimumOut {
-        /// Here is the least of numbers that were valid.
+        /// The word and its index are of numbers that were valid.
         found: bit(),
-        /// The least.
+        /// The least of the numbers.
         word: bits(self.width),
-        /// Its lane.
+        /// The lane of the least number.
         index: below(self.words),
     }
 }

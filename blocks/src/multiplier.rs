@@ -37,15 +37,15 @@ block! {
         stages: u32,
     }
     in(self) MultiplierIn {
-        /// All stages move.
+        /// All stages of the pipeline advance.
         enable: bit(),
-        /// A factor.
+        /// The first factor.
         left: bits(self.width),
-        /// The other one.
+        /// The second factor.
         right: bits(self.width),
     }
     out(self) MultiplierOut {
-        /// What they make.
+        /// The product.
         product: bits(2 * self.width),
     }
 }

@@ -50,21 +50,21 @@ block! {
     in(self) MultiplyAccumulateIn {
         /// There is a product to add.
         valid: bit(),
-        /// To which of the sums.
+        /// The number of the sum that the product is added to.
         to: below(self.sums),
         /// The sum begins with this product.
         restart: bit(),
-        /// A factor.
+        /// The first factor.
         left: bits(self.factor),
-        /// The other one.
+        /// The second factor.
         right: bits(self.factor),
     }
     out(self) MultiplyAccumulateOut {
         /// A product was added.
         done: bit(),
-        /// To which of the sums.
+        /// The number of the sum that the product was added to.
         at: below(self.sums),
-        /// What that is now.
+        /// The sum with the product added.
         sum: bits(self.width),
     }
 }

@@ -50,15 +50,15 @@ block! {
     }
     latency = "2 clocks";
     in QuadratureIn {
-        /// A line.
+        /// The first line of the knob.
         a: bit(),
-        /// The other one.
+        /// The second line of the knob.
         b: bit(),
     }
     out(self) QuadratureOut {
-        /// Where it is, signed; from 0 on.
+        /// The position of the knob, signed; it starts at 0.
         position: bits(self.width).signed(),
-        /// The step that it made.
+        /// The step that the knob made.
         turn: one_of::<Turn>(),
     }
 }

@@ -37,15 +37,15 @@ block! {
     }
     latency = "1 clock";
     in(self) RamIn {
-        /// Which word.
+        /// The address of the word.
         address: below(self.depth),
-        /// Which of its bytes are written, the lowest bit for the lowest byte.
+        /// Which bytes of the word are written, the lowest bit for the lowest byte.
         write: bits(self.bytes),
-        /// What is written.
+        /// The bytes to write.
         data: bits(8 * self.bytes),
     }
     out(self) RamOut {
-        /// What the word was.
+        /// The word as it was before the write.
         word: bits(8 * self.bytes),
     }
 }
@@ -120,13 +120,13 @@ block! {
     }
     latency = "1 clock of the reader";
     in(self) DualClockRamIn {
-        /// Which word is written.
+        /// The address of the word that is written.
         to: below(self.depth).on(self.write),
-        /// Which of its bytes are, the lowest bit for the lowest byte.
+        /// Which bytes of the word are written, the lowest bit for the lowest byte.
         write: bits(self.bytes).on(self.write),
-        /// What is written.
+        /// The bytes to write.
         data: bits(8 * self.bytes).on(self.write),
-        /// Which word is read, on the other clock.
+        /// The address of the word that is read, on the other clock.
         from: below(self.depth).on(self.read),
     }
     out(self) DualClockRamOut {

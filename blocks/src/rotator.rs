@@ -28,11 +28,11 @@ block! {
         width: u32,
     }
     in(self) RotatorIn {
-        /// The result takes over.
+        /// Loads the result.
         enable: bit(),
-        /// What is rotated.
+        /// The word to rotate.
         word: bits(self.width),
-        /// By how many places.
+        /// By how many places the word is rotated.
         places: below(self.width),
     }
     out(self) RotatorOut {

@@ -24,19 +24,19 @@ block! {
     }
     latency = "1 clock";
     in(self) ShiftRegisterIn {
-        /// It takes `word`; wins over `shift`.
+        /// The register takes `word`; wins over `shift`.
         load: bit(),
-        /// What it takes.
+        /// The word that the register takes.
         word: bits(self.width),
-        /// It shifts by a place.
+        /// The register shifts by a place.
         shift: bit(),
-        /// What comes in at the bottom.
+        /// The bit that comes in at the bottom.
         bit_in: bit(),
     }
     out(self) ShiftRegisterOut {
-        /// All of it.
+        /// All bits of the register.
         held: bits(self.width),
-        /// What leaves next: the most significant bit.
+        /// The bit that leaves next, the most significant one.
         bit_out: bit(),
     }
 }

@@ -51,13 +51,13 @@ block! {
         width: u32,
     }
     in(self) ShifterIn {
-        /// All stages move.
+        /// All stages of the pipeline advance.
         enable: bit(),
-        /// What is shifted.
+        /// The word to shift.
         word: bits(self.width),
-        /// By how many places.
+        /// By how many places the word is shifted.
         places: below(self.width),
-        /// Which way.
+        /// Which way the word is shifted.
         kind: one_of::<Shifting>(),
     }
     out(self) ShifterOut {

@@ -40,12 +40,12 @@ block! {
         into: stream(pub struct Addressed {
             /// The number of the receiver.
             to: below(self.receivers),
-            /// What it gets.
+            /// The word that the receiver gets.
             word: bits(self.width),
         }),
     }
     out(self) SplitOut {
-        /// To each receiver its own.
+        /// To each receiver its own words.
         out: [stream(bits(self.width)); self.receivers],
     }
 }

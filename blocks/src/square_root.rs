@@ -22,7 +22,7 @@ bundle! {
     pub struct Root<T> {
         /// The largest number whose square is no larger than what came in.
         pub root: T,
-        /// What is left.
+        /// What is left when the square of the root is taken away.
         pub remainder: T,
     }
 }

@@ -85,11 +85,11 @@ block! {
     }
     latency = "1 clock";
     in TicksIn {
-        /// The next clock has a tick, and those follow that it begins.
+        /// The next clock has a tick, and a period begins with it.
         restart: bit(),
     }
     out TicksOut {
-        /// One clock of so many.
+        /// High for one clock of each period.
         tick: bit(),
     }
 }

@@ -36,17 +36,17 @@ block! {
     }
     latency = "1 clock to `count`, none to `next`";
     in UpDownCounterIn {
-        /// Back to 0; wins.
+        /// The count starts at 0 again; wins over `up` and `down`.
         restart: bit(),
-        /// One more; with `down`, none.
+        /// Counts up by one, unless `down` is high, too.
         up: bit(),
-        /// One less; with `up`, none.
+        /// Counts down by one, unless `up` is high, too.
         down: bit(),
     }
     out(self) UpDownCounterOut {
-        /// The number.
+        /// The count.
         count: below(self.limit),
-        /// What it is after the edge.
+        /// The count after the edge.
         next: below(self.limit),
     }
 }

@@ -34,21 +34,21 @@ block! {
     }
     latency = "0 clocks to read, 1 clock to write";
     in(self) VectorRegistersIn {
-        /// A register to read.
+        /// The first register to read.
         left: below(self.count),
-        /// Another one.
+        /// The second register to read.
         right: below(self.count),
         /// The register to write.
         to: below(self.count),
-        /// Which of its lanes are written, the lowest bit for lane 0.
+        /// Which lanes of the register are written, the lowest bit for lane 0.
         mask: bits(self.lanes),
-        /// What they take, lane 0 in the lowest bits.
+        /// The values that the lanes take, lane 0 in the lowest bits.
         value: bits(self.lanes * self.width),
     }
     out(self) VectorRegistersOut {
-        /// What `left` holds.
+        /// The contents of the first register to read.
         left_value: bits(self.lanes * self.width),
-        /// What `right` holds.
+        /// The contents of the second register to read.
         right_value: bits(self.lanes * self.width),
     }
 }

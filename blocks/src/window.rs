@@ -57,13 +57,13 @@ block! {
         width: u32,
     }
     in(self) BoxFilterIn {
-        /// The sums take over.
+        /// Loads the sums.
         enable: bit(),
-        /// The cells.
+        /// The value of each cell.
         cells: bits(self.width).of(grid(self.rows, self.columns)),
     }
     out(self) BoxFilterOut {
-        /// For each cell that of its window.
+        /// For each cell the sum of its window.
         sums: bits(self.width + 4).of(grid(self.rows, self.columns)),
     }
 }

@@ -13,9 +13,9 @@ bundle! {
 
     /// A pixel of the screen.
     pub struct Position<T> {
-        /// Counted from the left.
+        /// The column of the pixel, counted from the left.
         pub x: T,
-        /// Counted from the top.
+        /// The line of the pixel, counted from the top.
         pub y: T,
     }
 }

@@ -36,9 +36,9 @@ use crate::prelude::*;
 bundle! {
     /// A word of a packet.
     pub struct BusWord<T> {
-        /// What it says.
+        /// A word of the packet.
         pub word: T,
-        /// The packet ends with it.
+        /// The packet ends with this word.
         pub last: T,
     }
 }
@@ -65,7 +65,7 @@ block! {
         senders: [stream(BusWord = BusWord::widths()); self.processors + 1],
     }
     out(self) BroadcastBusOut {
-        /// To each processor all packets.
+        /// All packets, to each processor.
         received: [stream(BusWord = BusWord::widths()); self.processors],
         /// No word is on the bus, and no packet is begun and unfinished.
         idle: bit(),

@@ -87,11 +87,11 @@ block! {
     in(self) AccumulationIn {
         /// For one clock, when not busy: begins a pass.
         start: bit().on(MERGE),
-        /// With `start`: it is the first pass, of which the colours are stored; else they are added.
+        /// With `start`: the pass is the first, whose colours are stored; those of later passes are added.
         first: bit().on(MERGE),
         /// The word at the address of the last clock: a depth, which is not looked at, above a colour.
         word: bits(WORD).on(MERGE),
-        /// Of how many passes the average is.
+        /// The number of passes of the average.
         passes: one_of::<Passes>().on(MERGE),
         /// A pixel to show, in raster order.
         read_address: below(self.screen.pixels()).on(self.crt),

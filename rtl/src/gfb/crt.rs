@@ -83,9 +83,9 @@ block! {
         address: below(self.screen.pixels()),
         /// What the display gets.
         pixel: pub struct CrtPixel {
-            /// There is a pixel.
+            /// The display gets a pixel in this clock.
             valid: bit(),
-            /// Its colour.
+            /// The colour of the pixel.
             rgb: bits(24),
         },
         /// The vertical blanking: no pixel is read.

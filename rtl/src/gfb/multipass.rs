@@ -34,7 +34,7 @@ bundle! {
     pub struct Multipass<T> {
         /// The next picture is the average of several passes.
         pub accumulates: T,
-        /// Of how many: a code of [`Passes`].
+        /// The number of passes of the next picture: a code of [`Passes`].
         pub passes: T,
     }
 }
@@ -85,9 +85,9 @@ block! {
     out MultipassControlOut {
         /// For one clock: a sum starts.
         start: bit(),
-        /// With `start`: it is the first of a picture.
+        /// With `start`: the sum is of the first pass of a picture.
         first: bit(),
-        /// Of how many passes the picture is that is made or shown: a code of [`Passes`].
+        /// The number of passes of the picture that is made or shown: a code of [`Passes`].
         passes: one_of::<Passes>(),
         /// The average is shown.
         averages: bit(),

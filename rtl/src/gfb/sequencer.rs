@@ -52,11 +52,11 @@ block! {
         scan: ScanControl { restart: bit(), enable: bit() },
         /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks with `enable` later.
         feed: below(self.screen.pixels()),
-        /// A blank pixel enters in its place.
+        /// A blank pixel enters the chain in place of the pixel that is read.
         blank: bit(),
         /// A pixel leaves the chain that entered it after the last restart.
         stores: bit(),
-        /// A pixel leaves the chain that entered it before.
+        /// A pixel leaves the chain that entered it before the last restart.
         stale: bit(),
         /// The pixel that is stored.
         store: below(self.screen.pixels()),

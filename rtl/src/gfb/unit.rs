@@ -63,17 +63,17 @@ bundle! {
         pub accesses: Stream<Access<T>, T>,
         /// The word of a blank pixel: the greatest depth above the background's colour.
         pub background: T,
-        /// Where there is an accumulation buffer: what a picture is.
+        /// What a picture is, where there is an accumulation buffer.
         pub multipass: Vec<Multipass<T>>,
     }
 
     /// An access of the host to the bank on display.
     pub struct Access<T> {
-        /// A pixel, in raster order.
+        /// The pixel that the host accesses, in raster order.
         pub address: T,
-        /// Whether it is written; else it is read.
+        /// The host writes the pixel; where it is low it reads the pixel.
         pub writes: T,
-        /// What is written there: depth above colour.
+        /// The word that the host writes: depth above colour.
         pub word: T,
     }
 }
@@ -83,7 +83,7 @@ bundle! {
     struct Adding<T> {
         /// A sum is under way.
         busy: T,
-        /// The pixel of the bank on display that it needs.
+        /// The pixel of the bank on display that the sum needs.
         address: T,
     }
 }
@@ -114,7 +114,7 @@ block! {
         swap: bit().on(MERGE),
         /// What the host says.
         host: Host = self.host(),
-        /// From the right end of the chain.
+        /// The pixel from the right end of the chain.
         merged: bits(WORD).on(MERGE),
     }
     out(self) GfbUnitOut {
@@ -129,7 +129,7 @@ block! {
         },
         /// To every unit of the chain.
         scan: ScanControl { restart: bit(), enable: bit() },
-        /// To the left end of the chain.
+        /// The pixel to the left end of the chain.
         left: bits(WORD),
         /// The banks may change: the display is in its vertical blanking.
         blanking: bit(),

@@ -41,13 +41,13 @@ block! {
     in(self) ImageMemoryIn {
         /// A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
         draw: pub struct Draw {
-            /// There is one.
+            /// There is a pixel to draw.
             valid: bit(),
-            /// Its page.
+            /// The page of the pixel's patch.
             page: below(self.pages),
             /// The pixel's place in the page.
             offset: below(self.page_pixels),
-            /// Depth above colour.
+            /// The word of the pixel: depth above colour.
             word: bits(WORD),
         }.on(PE),
         /// The buffer to draw into.
@@ -58,7 +58,7 @@ block! {
             enable: bit(),
             /// The pixel has a page; if not, [`empty`] is sent.
             resident: bit(),
-            /// Its page.
+            /// The page of the pixel's patch.
             page: below(self.pages),
             /// The pixel's place in the page.
             offset: below(self.page_pixels),
@@ -69,7 +69,7 @@ block! {
     out ImageMemoryOut {
         /// No pixel is under way.
         idle: bit(),
-        /// The word sent.
+        /// The word sent to the merger.
         sent: bits(WORD),
     }
 }

@@ -48,7 +48,7 @@ block! {
         ///
         /// The record is a patch of which the processor wants something: its page, or its entry cleared.
         look_up: stream(pub struct Wanted {
-            /// Its number.
+            /// The number of the patch.
             patch: below(self.patches),
         }).on(PE),
         /// A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
@@ -65,7 +65,7 @@ block! {
         scan: pub struct ScanLookUp {
             /// The scan advances; where it is low the entry stays.
             enable: bit(),
-            /// Its number.
+            /// The number of the patch.
             patch: below(self.patches),
             /// The buffer to look into.
             buffer: bit(),
@@ -80,13 +80,13 @@ block! {
         pages_used: up_to(self.pages),
         /// The look-up ends with this clock.
         found: bit(),
-        /// The page it found.
+        /// The page that the look-up found.
         page: below(self.pages),
         /// The entry that the scan asked for one clock before.
         scan_entry: pub struct Entry {
-            /// The page existence flag.
+            /// The page existence flag: the patch has a page.
             resident: bit(),
-            /// The page ID.
+            /// The page ID: the page of the patch.
             page: below(self.pages),
         },
     }

@@ -49,11 +49,11 @@ block! {
     in(self) LfbUnitIn {
         /// A pixel that the processor draws.
         request: stream(pub struct Request {
-            /// Counted from the left.
+            /// The column of the pixel, counted from the left.
             x: below(self.patches.screen().width),
-            /// Counted from the top.
+            /// The line of the pixel, counted from the top.
             y: below(self.patches.screen().height),
-            /// Depth above colour.
+            /// The word of the pixel: depth above colour.
             word: bits(WORD),
         }).on(PE),
         /// A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.

@@ -36,7 +36,7 @@ block! {
     out(self) RegionAllocatorOut {
         /// The renderer that gets the region in this clock, if one does.
         given: bit().of(row(self.renderers)),
-        /// That region.
+        /// The number of the region that is given.
         region: bits(REGION_BITS),
     }
 }

@@ -29,11 +29,11 @@ block! {
         save: Save = Save { claim: bit(), region: bits(REGION_BITS), plane: bit() },
         /// The number of the plane that comes.
         number: below(fields::WORD.bits),
-        /// Its bits, a row for each line.
+        /// The bits of the plane that comes, a row for each line.
         word: bit().of(grid(self.side, self.side)),
     }
     out(self) BackingStoreOut {
-        /// It can take a region.
+        /// The store can take a region.
         free: bit(),
         /// The region.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
@@ -47,9 +47,9 @@ bundle! {
         pub region: T,
         /// The line of the region.
         pub line: T,
-        /// The bit of the visibility word.
+        /// The number of the bit in the visibility word.
         pub plane: T,
-        /// A bit of each pixel, from the left.
+        /// The plane's bit of each pixel of the line, from the left.
         pub bits: T,
     }
 }

@@ -64,7 +64,7 @@ block! {
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
         /// To a quadratic tree, with them; 0 of a linear expression.
         curve: [Curve = Curve { d: bit(), e: bit(), f: bit() }; self.quadratic],
-        /// They are the first bits of an expression.
+        /// The coefficients' bits are the first of an expression.
         first: bit(),
         /// To the pixels.
         control: Control = Control::widths(),
@@ -72,7 +72,7 @@ block! {
         save: pub struct Save {
             /// A region is about to be saved: the store is no longer free.
             claim: bit(),
-            /// The number of that region.
+            /// The number of the region that is saved.
             region: bits(REGION_BITS),
             /// The bit that the pixels read is one of the region's; its number is the address that is written.
             plane: bit(),

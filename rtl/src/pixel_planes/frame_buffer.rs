@@ -31,16 +31,16 @@ block! {
         planes: stream(BitPlane = BitPlane::widths(self.side)),
         /// A line of a region to read.
         read: pub struct ReadLine {
-            /// There is one; where it is low the words stay.
+            /// A line is read; where it is low the words stay.
             enable: bit(),
             /// The number of the region.
             region: below(self.regions()),
-            /// Its line.
+            /// The line of the region.
             line: below(self.side),
         },
     }
     out(self) FrameBufferOut {
-        /// The words of that line's pixels.
+        /// The words of the pixels of the line that was read.
         words: bits(WORD).of(row(self.side)),
     }
 }

@@ -135,11 +135,11 @@ bundle! {
         pub adds: T,
         /// Carry and flag begin anew with the word.
         pub begins: T,
-        /// Who writes: a [`Mask`].
+        /// Which pixels write: a [`Mask`].
         pub mask: T,
         /// The flag tells where the bits are less than the word that is read.
         pub compares: T,
-        /// That holds only where the pixel is enabled.
+        /// The flag changes by the comparison only where the pixel is enabled.
         pub gates: T,
         /// What the word's last bit does to `enable`: an [`Enabling`].
         pub enabling: T,

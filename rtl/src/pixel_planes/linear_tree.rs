@@ -33,14 +33,14 @@ block! {
     in(self) LinearTreeIn {
         /// A bit of each coefficient, beginning with the least significant.
         coefficients: pub struct Coefficients {
-            /// Of what is added from a column to the next.
+            /// Coefficient A, which is added from a column to the next.
             a: bit(),
-            /// Of what is added from a line to the next.
+            /// Coefficient B, which is added from a line to the next.
             b: bit(),
-            /// Of the value at column 0 of line 0.
+            /// Coefficient C, the value at column 0 of line 0.
             c: bit(),
         },
-        /// These are the first bits of an expression. It has at least log2 `side` bits.
+        /// The coefficients' bits are the first of an expression, which has at least log2 `side` bits.
         first: bit(),
     }
     out(self) LinearTreeOut {

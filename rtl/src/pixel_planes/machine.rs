@@ -63,7 +63,7 @@ block! {
     out(self) PixelPlanes5Out {
         /// The renderer that gets a region in this clock, if one does.
         given: bit().of(row(self.renderers)),
-        /// That region.
+        /// The number of the region that is given.
         region: bits(REGION_BITS),
         /// The renderers whose controllers take an instruction in this clock.
         takes: bit().of(row(self.renderers)),
@@ -71,7 +71,7 @@ block! {
         idle: bit().of(row(self.renderers)),
         /// A plane goes to the frame buffer.
         plane_goes: bit(),
-        /// The words of the line's pixels.
+        /// The words of the pixels of the line that was read.
         words: bits(WORD).of(row(self.side)),
     }
 }

@@ -66,19 +66,19 @@ codes! {
 bundle! {
     /// What all processors do in a clock. All zeros: nothing.
     pub struct Control<T> {
-        /// Where the bit comes from: a [`Source`].
+        /// Where the operand comes from: a [`Source`].
         pub source: T,
-        /// The bit, if it is a constant.
+        /// The operand, if it is a constant.
         pub constant: T,
-        /// The bit read, and the carry, are added to it.
+        /// The bit that is read, and the carry, are added to the operand.
         pub adds: T,
-        /// It is the first bit of a word: carry and flag begin anew.
+        /// The bit is the first of a word: carry and flag begin anew.
         pub first: T,
-        /// Who writes the result: a [`Mask`].
+        /// Which processors write the result: a [`Mask`].
         pub mask: T,
         /// The flag is set where the words are less than the ones in memory, so far.
         pub compares: T,
-        /// That holds only where the processor is enabled.
+        /// The flag changes by the comparison only where the processor is enabled.
         pub gates: T,
         /// What becomes of the enable flags: an [`Enabling`].
         pub enabling: T,
@@ -122,7 +122,7 @@ block! {
         expression: bit(),
     }
     out PixelProcessorOut {
-        /// The bit that is read.
+        /// The bit of memory that is read.
         word: bit(),
     }
 }

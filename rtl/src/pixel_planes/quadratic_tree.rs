@@ -52,14 +52,14 @@ block! {
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
         /// A bit of each of the others, which are 0 of a linear expression.
         curve: pub struct Curve {
-            /// Of the square of x.
+            /// Coefficient D, of the square of x.
             d: bit(),
-            /// Of x times y.
+            /// Coefficient E, of x times y.
             e: bit(),
-            /// Of the square of y.
+            /// Coefficient F, of the square of y.
             f: bit(),
         },
-        /// These are the first bits of an expression. It has at least log2 `side` bits.
+        /// The coefficients' bits are the first of an expression, which has at least log2 `side` bits.
         first: bit(),
     }
     out(self) QuadraticTreeOut {

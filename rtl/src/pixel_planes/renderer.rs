@@ -48,9 +48,9 @@ block! {
     out(self) RendererOut {
         /// Finished regions, S bits a clock.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
-        /// Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
+        /// The queue takes an instruction in this clock: `instructions.ready`, for a sender that has to know before it sends one.
         room: bit(),
-        /// Its controller takes an instruction from the queue in this clock.
+        /// The controller takes an instruction from the queue in this clock.
         takes: bit(),
         /// Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given another region.
         idle: bit(),

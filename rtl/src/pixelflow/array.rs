@@ -58,7 +58,7 @@ block! {
         given: Given = Given { banks: bits(BANKS), texture: bit() },
         /// To the network, from each bank: a byte of each chip.
         network_seen: [bits(8).of(row(self.chips())); BANKS],
-        /// To the texture unit.
+        /// To the texture unit: a byte of each chip.
         texture_seen: bits(8).of(row(self.chips())),
         /// Every instruction has ended, but in the pixels, which are as late as the evaluator.
         idle: bit(),

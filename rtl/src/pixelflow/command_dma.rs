@@ -44,17 +44,17 @@ bundle! {
     pub struct Store<T> {
         /// An instruction is written.
         pub writes: T,
-        /// Where.
+        /// The address at which the instruction is written.
         pub address: T,
-        /// It.
+        /// The instruction that is written.
         pub instruction: Instruction<T>,
     }
 
     /// The instructions of a frame.
     pub struct Commands<T> {
-        /// The address of the first.
+        /// The address of the frame's first instruction.
         pub base: T,
-        /// How many there are; behind the end of the memory comes its beginning.
+        /// The number of the frame's instructions; behind the end of the memory comes its beginning.
         pub length: T,
     }
 }

@@ -61,19 +61,19 @@ block! {
     in(self) CompositorIn {
         /// What the node does: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// A byte goes.
+        /// A byte of the pixel goes.
         advances: bit(),
-        /// It is the first of the pixel's word.
+        /// The byte is the first of the pixel's word.
         first: bit(),
-        /// The pixel.
+        /// The number of the pixel.
         pixel: below(self.pixels),
-        /// Its byte from the node before.
+        /// The pixel's byte from the node before.
         upstream: bits(self.width),
-        /// Its byte in this node.
+        /// The pixel's byte in this node.
         own: bits(self.width),
     }
     out(self) CompositorOut {
-        /// The byte for the node behind.
+        /// The pixel's byte for the node behind.
         downstream: bits(self.width),
     }
 }

@@ -64,9 +64,9 @@ block! {
     out(self) ArrayControllerOut {
         /// To the evaluator.
         coefficients: Coefficients = Coefficients { a: bits(8), b: bits(8), c: bits(8) },
-        /// They are the first bytes of an expression.
+        /// The coefficients' bytes are the first of an expression.
         first: bit(),
-        /// They are bytes of an expression.
+        /// The coefficients are bytes of an expression.
         sends: bit(),
         /// To the pixels.
         control: Control = Control::widths(),

@@ -52,7 +52,7 @@ block! {
     latency(self) = format!("{} clocks for a region", self.clocks());
     source = "Reducing Latency on PixelFlow, section 4 (PFL-LOAD)";
     in(self) FrameBufferIn {
-        /// It takes the next region.
+        /// The frame buffer takes the next region.
         start: bit(),
         /// A byte of each chip, at the place that the port says.
         seen: bits(8).of(row(self.chips())),
@@ -65,7 +65,7 @@ block! {
             writes: bit(),
             bytes: bits(8).of(row(self.chips())),
         },
-        /// It has the region.
+        /// The frame buffer has the region.
         done: bit(),
         /// What is shown.
         pixels: stream(Shown = Shown { red: bits(8), green: bits(8), blue: bits(8), first: bit(), last: bit() }),
@@ -75,15 +75,15 @@ block! {
 bundle! {
     /// A pixel that is shown.
     pub struct Shown<T> {
-        /// Its red.
+        /// The red of the pixel.
         pub red: T,
-        /// Its green.
+        /// The green of the pixel.
         pub green: T,
-        /// Its blue.
+        /// The blue of the pixel.
         pub blue: T,
-        /// It is the first of a frame.
+        /// The pixel is the first of a frame.
         pub first: T,
-        /// It is the last of a line.
+        /// The pixel is the last of a line.
         pub last: T,
     }
 }

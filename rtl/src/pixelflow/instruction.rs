@@ -51,7 +51,7 @@ bundle! {
         pub function: T,
         /// The carry that comes into the first byte: a [`Begin`].
         pub begin: T,
-        /// Who writes: a [`Mask`].
+        /// Which processors write: a [`Mask`].
         pub mask: T,
         /// Results go to the accumulator.
         pub accumulates: T,
@@ -73,13 +73,14 @@ bundle! {
         pub read: T,
         /// The address of the first byte that is written.
         pub write: T,
-        /// What it does besides, with the ports: a [`Sync`].
+        /// What the instruction does besides, with the ports: a [`Sync`].
         pub sync: T,
-        /// Of the expression, in two's complement, relative to the region.
+        /// Coefficient A of the expression, in two's complement.
         pub a: T,
-        /// Likewise.
+        /// Coefficient B of the expression, in two's complement.
         pub b: T,
-        /// Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its sign.
+        /// Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no expression, from its least
+        /// significant byte on. Longer words are of its sign.
         pub c: T,
     }
 }

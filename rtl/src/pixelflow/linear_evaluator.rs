@@ -40,16 +40,16 @@ block! {
     in(self) LinearEvaluatorIn {
         /// A byte of each coefficient, beginning with the least significant.
         coefficients: pub struct Coefficients {
-            /// Of what is added from a column to the next.
+            /// A byte of coefficient A, which is added from a column to the next.
             a: bits(8),
-            /// Of what is added from a line to the next.
+            /// A byte of coefficient B, which is added from a line to the next.
             b: bits(8),
-            /// Of the value at column 0 of line 0.
+            /// A byte of coefficient C, the value at column 0 of line 0.
             c: bits(8),
         },
-        /// These are the first bytes of an expression.
+        /// The coefficients' bytes are the first of an expression.
         first: bit(),
-        /// They are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
+        /// The coefficients are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
         sends: bit(),
     }
     out(self) LinearEvaluatorOut {

@@ -39,13 +39,13 @@ block! {
 bundle! {
     /// What a node says to the network.
     pub struct NodeIn<T> {
-        /// What it does: a [`Mode`]. It stays while a word goes.
+        /// What the node does: a [`Mode`]. It stays while a word goes.
         pub mode: T,
-        /// If it loads: it sends a byte of each chip.
+        /// A node that loads sends a byte of each chip.
         pub sends: T,
-        /// That is the first of a word.
+        /// The byte is the first of a word.
         pub first: T,
-        /// The bytes of its pixels whose turn it is.
+        /// The node's own bytes of the pixels whose turn it is.
         pub own: T,
     }
 
@@ -53,11 +53,11 @@ bundle! {
     pub struct NodeOut<T> {
         /// The pixel of each chip whose turn it is.
         pub pixel: T,
-        /// A byte of it goes.
+        /// A byte of the pixel goes.
         pub advances: T,
         /// The bytes that come are for this node.
         pub unloaded: T,
-        /// These: one of each chip.
+        /// The bytes that come, one of each chip.
         pub bytes: T,
     }
 }

@@ -39,7 +39,7 @@ block! {
         mode: one_of::<Mode>(),
         /// A node that loads sends a byte of each chip.
         sends: bit(),
-        /// It is the first of a word.
+        /// The byte is the first of a word.
         first: bit(),
         /// What comes from the node before.
         upstream: Transfer = self.transfer(),
@@ -49,7 +49,7 @@ block! {
     out(self) NetworkPortOut {
         /// The pixel of each chip whose turn it is.
         pixel: below(self.pixels),
-        /// A byte of it goes.
+        /// A byte of the pixel goes.
         advances: bit(),
         /// The bytes from upstream are for this node.
         unloaded: bit(),
@@ -61,11 +61,11 @@ block! {
 bundle! {
     /// A byte of each chip on the network.
     pub struct Transfer<T> {
-        /// There is one.
+        /// There is a byte of each chip.
         pub valid: T,
-        /// It is the first of a word.
+        /// The byte is the first of a word.
         pub first: T,
-        /// The bytes.
+        /// The bytes, one of each chip.
         pub bytes: T,
     }
 }

@@ -43,15 +43,15 @@ block! {
         go: bit(),
         /// The pixel of each chip whose turn it is.
         pixel: below(self.pixels),
-        /// A byte of it goes.
+        /// A byte of the pixel goes.
         advances: bit(),
     }
     out NetworkSequencerOut {
-        /// To the port: a [`Mode`].
+        /// What the port does: a [`Mode`].
         mode: one_of::<Mode>(),
         /// A byte of the node goes.
         sends: bit(),
-        /// It is the first of its word.
+        /// The byte is the first of its word.
         first: bit(),
         /// The bank, if the job needs one: a bit for each.
         bank: bits(BANKS),
@@ -69,9 +69,9 @@ block! {
 bundle! {
     /// What a node does with the words of a region.
     pub struct Job<T> {
-        /// A [`Mode`].
+        /// What the node does with the word: a [`Mode`].
         pub mode: T,
-        /// The bank, unless it forwards.
+        /// The bank that the word is in, unless the node forwards.
         pub bank: T,
         /// Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a [`Mode::Forward`].
         pub bytes: T,

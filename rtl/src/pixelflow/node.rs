@@ -42,7 +42,7 @@ pub const LONGEST_SETUP: u32 = 1 << 16;
 bundle! {
     /// What comes to a node from a direction of the network.
     pub struct DirectionIn<T> {
-        /// What it does with each word.
+        /// What the node does with each word.
         pub jobs: Stream<Job<T>, T>,
         /// All nodes are ready.
         pub go: T,
@@ -52,7 +52,7 @@ bundle! {
 
     /// What a node sends in a direction of the network.
     pub struct DirectionOut<T> {
-        /// It is set for its word.
+        /// The node is set for its word.
         pub ready: T,
         /// There is no job.
         pub idle: T,
@@ -82,7 +82,7 @@ block! {
         side_by_side: bit().on(ARRAY),
         /// From the texture unit.
         texture: PortAccess = self.array.texture().access().on(ARRAY),
-        /// It has done.
+        /// The texture unit has done.
         texture_done: bit().on(ARRAY),
         /// From both directions of the network.
         network: [DirectionIn = self.direction().on(NETWORK); DIRECTIONS],
@@ -90,7 +90,7 @@ block! {
     out(self) NodeOut {
         /// To the texture unit: a byte of each chip.
         texture_seen: bits(8).of(row(self.array.chips())),
-        /// It begins.
+        /// The texture unit begins.
         texture_starts: bit(),
         /// Every instruction has ended, but in the pixels, which are as late as the evaluator.
         idle: bit(),

@@ -150,7 +150,7 @@ bundle! {
         pub function: T,
         /// The carry that comes in: a [`Begin`].
         pub begin: T,
-        /// Who writes: a [`Mask`].
+        /// Which processors write: a [`Mask`].
         pub mask: T,
         /// The result goes to the accumulator.
         pub accumulates: T,
@@ -230,7 +230,7 @@ block! {
     out PixelProcessorOut {
         /// The byte that the ALU makes.
         result: bits(8),
-        /// It goes to the communication register at the address that is written.
+        /// The result goes to the communication register at the address that is written.
         writes_register: bit(),
     }
 }

@@ -36,11 +36,11 @@ block! {
     in(self) CommunicationRegistersIn {
         /// The register that the array reads.
         read: below(self.bytes).on(ARRAY),
-        /// The register that it writes.
+        /// The register that the array writes.
         write: below(self.bytes).on(ARRAY),
-        /// Pixels that do.
+        /// The pixels whose register is written.
         writes: bit().of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
-        /// What they write; a row for each chip, its upper line and then its lower one.
+        /// What the pixels write; a row for each chip, its upper line and then its lower one.
         result: bits(8).of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
         /// From the port.
         port: PortAccess = self.access().on(self.port),
@@ -56,13 +56,13 @@ block! {
 bundle! {
     /// What a port says: which byte of which pixel of each chip it sees, and writes.
     pub struct PortAccess<T> {
-        /// The pixel, counted line by line.
+        /// The pixel of each chip, counted line by line.
         pub pixel: T,
-        /// The register.
+        /// The register of the pixel.
         pub address: T,
-        /// It is written.
+        /// The register is written.
         pub writes: T,
-        /// With a byte of each chip.
+        /// The bytes to write, one of each chip.
         pub bytes: T,
     }
 }

@@ -33,24 +33,24 @@ block! {
     in(self) TextureMemoryIn {
         /// What the geometry processors write.
         write: TexelWrite = self.write(),
-        /// Where they say that a texture is.
+        /// Where the geometry processors say that a texture is.
         describe: Describe = self.describe(),
         /// What is sought.
         request: pub struct TexturePlace {
-            /// There is one.
+            /// A place is sought.
             valid: bit(),
-            /// From the left, in 1/2^16 of the texture.
+            /// The place from the left, in 1/2^16 of the texture.
             u: bits(16),
-            /// From below, likewise.
+            /// The place from below, in 1/2^16 of the texture.
             v: bits(16),
-            /// The coarser level.
+            /// The coarser of the two levels.
             level: bits(8),
-            /// The texture.
+            /// The number of the texture.
             texture: bits(8),
         },
     }
     out TextureMemoryOut {
-        /// There are texels.
+        /// The texels of a place are there.
         valid: bit(),
         /// Texel 4 s + 2 y + x is on level `level + s`, and to the left or, with x, to the right, below or, with y, above.
         texels: bits(24).of(row(8)),
@@ -60,25 +60,25 @@ block! {
 bundle! {
     /// A texel that is written.
     pub struct TexelWrite<T> {
-        /// There is one.
+        /// A texel is written.
         pub valid: T,
-        /// Its bank: the parity of the level, then of the row, then of the column.
+        /// The texel's bank: the parity of the level, then of the row, then of the column.
         pub bank: T,
-        /// Its address there.
+        /// The texel's address in its bank.
         pub address: T,
-        /// Red in the lowest byte, then green, then blue.
+        /// The texel, red in the lowest byte, then green, then blue.
         pub texel: T,
     }
 
     /// Where a texture is.
     pub struct Describe<T> {
-        /// It is said.
+        /// A texture is described.
         pub valid: T,
-        /// Of which.
+        /// The number of the texture.
         pub texture: T,
-        /// Its first address in each bank.
+        /// The texture's first address in each bank.
         pub base: T,
-        /// Its finest level.
+        /// The texture's finest level.
         pub finest: T,
     }
 }
@@ -88,7 +88,7 @@ bundle! {
 pub struct TexelAddress {
     /// Its bank.
     pub bank: u64,
-    /// Its address there.
+    /// The texel's address in its bank.
     pub address: u64,
 }
 

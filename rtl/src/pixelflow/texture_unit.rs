@@ -45,9 +45,9 @@ block! {
     in(self) TextureUnitIn {
         /// What the geometry processors write.
         write: TexelWrite = self.memory.write(),
-        /// Where they say that a texture is.
+        /// Where the geometry processors say that a texture is.
         describe: Describe = self.memory.describe(),
-        /// It begins.
+        /// The texture unit begins.
         start: bit(),
         /// A byte of each chip, at the place that the port says.
         seen: bits(8).of(row(self.chips)),

@@ -13,9 +13,9 @@ bundle! {
 
     /// What is left.
     pub struct DividerOut<T> {
-        /// Their parts that the polygon may cover; divided to the end, the leaves.
+        /// The parts of the windows that the polygon may cover; divided to the end, the leaves.
         pub parts: Stream<Work<T>, T>,
-        /// No window is held.
+        /// No window is under way.
         pub idle: T,
         /// What was done on each level, from the first.
         pub tally: Vec<Tally<T>>,

@@ -221,55 +221,55 @@ impl fmt::Debug for Format {
 bundle! {
     /// Edge functions `a x + b y + c` of whole pixels, 0 or more inside: a row (facts E0, the reduced form).
     pub struct EdgeFunction<T> {
-        /// What a pixel to the right adds.
+        /// What a pixel to the right adds to the edge function.
         pub a: T,
-        /// What a line down adds.
+        /// What a line down adds to the edge function.
         pub b: T,
-        /// The value at the upper left pixel.
+        /// The value of the edge function at the upper left pixel.
         pub c: T,
     }
 
     /// Linear functions of whole pixels, modulo 2^40: a row of depth, red, green, blue.
     pub struct Plane<T> {
-        /// What a pixel to the right adds.
+        /// What a pixel to the right adds to the plane.
         pub x: T,
-        /// What a line down adds.
+        /// What a line down adds to the plane.
         pub y: T,
-        /// The value at the upper left pixel, with half a unit for rounding.
+        /// The value of the plane at the upper left pixel, with half a unit for rounding.
         pub origin: T,
     }
 
     /// Four bounds of a rectangle in pixels.
     pub struct Bounds<T> {
-        /// The leftmost column.
+        /// The left bound, a column of pixels.
         pub left: T,
-        /// The uppermost line.
+        /// The upper bound, a line of pixels.
         pub top: T,
-        /// The rightmost column.
+        /// The right bound, a column of pixels.
         pub right: T,
-        /// The lowest line.
+        /// The lower bound, a line of pixels.
         pub bottom: T,
     }
 
     /// A convex polygon, as the geometry processor sends it to all video processors.
     pub struct Packet<T> {
-        /// The number of its edges, less one.
+        /// The number of the polygon's edges, less one.
         pub last_edge: T,
-        /// Its edges; those beyond the last mean nothing.
+        /// The polygon's edges; those beyond the last mean nothing.
         pub edges: EdgeFunction<T>,
-        /// What varies over it.
+        /// What varies over the polygon.
         pub planes: Plane<T>,
-        /// The pixels whose centres lie within its vertices along each axis.
+        /// The pixels whose centres lie within the polygon's vertices along each axis.
         pub bounds: Bounds<T>,
     }
 
     /// What all windows of a polygon share, for the samples of one video processor.
     pub struct Polygon<T> {
-        /// The number of its edges, less one.
+        /// The number of the polygon's edges, less one.
         pub last_edge: T,
         /// What each edge function loses over a sample along x, on the way from where it is greatest.
         pub fall_x: T,
-        /// The same along y.
+        /// What each edge function loses over a sample along y, on the way from where it is greatest.
         pub fall_y: T,
         /// Whether each edge function is greatest at the right side of a window.
         pub right: T,
@@ -283,17 +283,17 @@ bundle! {
 
     /// A square window of samples, with what belongs to its place.
     pub struct Window<T> {
-        /// The binary logarithm of its side in samples: n less the level.
+        /// The binary logarithm of the window's side in samples: n less the level.
         pub size: T,
-        /// Its leftmost sample.
+        /// The window's leftmost sample.
         pub x: T,
-        /// Its uppermost sample.
+        /// The window's uppermost sample.
         pub y: T,
-        /// The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+        /// The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
         pub edges: T,
-        /// How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+        /// How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
         pub bounds: Bounds<T>,
-        /// The value of each plane at its upper left sample.
+        /// The value of each plane at the window's upper left sample.
         pub planes: T,
     }
 

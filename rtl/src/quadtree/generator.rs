@@ -51,7 +51,7 @@ block! {
         probe: pub struct Probe {
             /// The video processor, counted row by row.
             processor: below(self.format().matrix().processors()),
-            /// 0 for the set-up, and the level for the raster processor's.
+            /// The unit: 0 for the set-up, and a level for the raster processor's.
             unit: up_to(self.format().levels()),
         },
     }

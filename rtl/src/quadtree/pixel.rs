@@ -28,13 +28,13 @@ block! {
     out(self) PixelProcessorOut {
         /// A pixel of the polygon.
         fragment: pub struct Fragment {
-            /// There is one.
+            /// There is a fragment.
             valid: bit(),
-            /// Its column among those of the video processor.
+            /// The fragment's column among those of the video processor.
             x: below(self.format.columns()),
-            /// Its line among those of the video processor.
+            /// The fragment's line among those of the video processor.
             y: below(self.format.rows()),
-            /// Depth above colour.
+            /// The word of the fragment: depth above colour.
             word: bits(WORD),
         },
         /// Fragments since the reset, modulo 2^32.

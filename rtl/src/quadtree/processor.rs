@@ -61,9 +61,9 @@ block! {
         scan: Scan = VideoBuffer { format: self.format }.inputs().scan,
     }
     out(self) VideoProcessorOut {
-        /// The word sent.
+        /// The word sent to the video controller.
         word: bits(WORD),
-        /// Nothing is under way.
+        /// No polygon is under way.
         idle: bit(),
         /// What the set-up did, and the raster processor on each level.
         tally: [Tally = Tally::widths(); self.format.levels() + 1],

@@ -35,7 +35,7 @@ block! {
     out(self) SetUpOut {
         /// The window of all samples, for each polygon.
         roots: stream(Work = self.format.work()),
-        /// There is no polygon.
+        /// No polygon is under way.
         idle: bit(),
         /// What was done.
         tally: Tally = Tally::widths(),

@@ -5,11 +5,11 @@ use crate::prelude::*;
 bundle! {
     /// What a unit did, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not counted.
     pub struct Tally<T> {
-        /// Clocks in which it worked.
+        /// Clocks in which the unit worked.
         pub busy: T,
-        /// Clocks in which it had a result that was not taken.
+        /// Clocks in which the unit had a result that was not taken.
         pub stalled: T,
-        /// Results.
+        /// Results that the unit gave.
         pub results: T,
     }
 }

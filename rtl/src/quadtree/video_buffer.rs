@@ -42,18 +42,18 @@ block! {
         back: bit(),
         /// A pixel of the other bank to send.
         scan: pub struct Scan {
-            /// There is one; where it is low the word sent stays, until the banks are exchanged.
+            /// A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
             enable: bit(),
-            /// Its column among those of the video processor.
+            /// The pixel's column among those of the video processor.
             x: below(self.format.columns()),
-            /// Its line among those of the video processor.
+            /// The pixel's line among those of the video processor.
             y: below(self.format.rows()),
-            /// It is emptied.
+            /// The pixel is emptied when it is read.
             clear: bit(),
         },
     }
     out VideoBufferOut {
-        /// The word sent.
+        /// The word sent to the video controller.
         word: bits(WORD),
     }
 }

@@ -49,11 +49,11 @@ block! {
         draws: bit().of(self.lanes()).on(PE),
         /// An entry of the patch table is cleared.
         clears: bit().of(self.lanes()).on(PE),
-        /// Which.
+        /// The patch whose entry is cleared.
         patch: below(self.local.patches).of(self.lanes()).on(PE),
         /// The broadcast bus is idle.
         bus: bit().on(PE),
-        /// The host lets the line go.
+        /// The host lets the sync line go.
         host: bit().on(PE),
         /// Of each local frame buffer: some of its back buffer is still to be sent.
         sending: bit().of(self.lanes()).on(MERGE),
@@ -65,17 +65,17 @@ block! {
     out(self) SwapControlOut {
         /// The sync line: all have drawn the frame.
         line: bit(),
-        /// Of each, for one clock: exchange the buffers.
+        /// Of each local frame buffer, for one clock: exchange the buffers.
         swap: bit().of(self.lanes()),
-        /// Of each, for one clock: try the held request again.
+        /// Of each local frame buffer, for one clock: try the request again that waits.
         resume: bit().of(self.lanes()),
-        /// What the program of each sees.
+        /// What the program of each processing element may do.
         state: one_of::<SwapState>().of(self.lanes()),
         /// For one clock: exchange the banks of the global frame buffer.
         gfb_swap: bit(),
         /// A frame is stored, and waits for the blanking.
         merged: bit(),
-        /// Turns with each swap of the global frame buffer.
+        /// Toggles with each swap of the global frame buffer.
         shown: bit(),
     }
 }

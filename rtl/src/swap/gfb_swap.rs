@@ -32,7 +32,7 @@ block! {
     latency = "0 clocks, if all guards hold";
     source = "VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)";
     in(self) GfbSwapIn {
-        /// Of each processing element: turns with its swap at the end of a frame.
+        /// Of each processing element: toggles with its swap at the end of a frame.
         frames: [bit(); self.processors],
         /// Of each processing element: some of its back buffer is still to be sent.
         sending: [bit(); self.processors],
@@ -46,7 +46,7 @@ block! {
         swap: bit(),
         /// A frame is stored, and waits for the blanking.
         merged: bit(),
-        /// Turns with each swap.
+        /// Toggles with each swap of the global frame buffer.
         shown: bit(),
     }
 }

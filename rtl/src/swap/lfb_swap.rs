@@ -85,11 +85,11 @@ block! {
         draws: bit().on(PE),
         /// An entry of the patch table is cleared.
         clears: bit().on(PE),
-        /// Which.
+        /// The patch whose entry is cleared.
         patch: below(self.patches).on(PE),
         /// The sync line.
         line: bit().on(PE),
-        /// Turns with each swap of the global frame buffer.
+        /// Toggles with each swap of the global frame buffer.
         shown: bit().on(MERGE),
         /// Some of the back buffer is still to be sent.
         sending: bit().on(MERGE),
@@ -101,9 +101,9 @@ block! {
         swap: bit(),
         /// For one clock: try the held request again.
         resume: bit(),
-        /// What the program sees.
+        /// What the program may do.
         state: one_of::<SwapState>(),
-        /// Turns with each swap at the end of a frame, as the merger knows it.
+        /// Toggles with each swap at the end of a frame, as the merger knows it.
         frame: bit(),
     }
 }

@@ -26,11 +26,11 @@ block! {
         ready: [bit(); self.processors],
         /// The broadcast bus is idle.
         bus: bit(),
-        /// The host lets the line go.
+        /// The host lets the sync line go.
         host: bit(),
     }
     out SyncLineOut {
-        /// Nobody holds the line low.
+        /// The sync line: high if nobody pulls it low.
         line: bit(),
     }
 }

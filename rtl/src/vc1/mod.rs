@@ -60,19 +60,19 @@ bundle! {
         pub clear: Stream<Wanted<T>, T>,
         /// A word for the bus.
         pub sends: Stream<BusWord<T>, T>,
-        /// Its frame is drawn.
+        /// The processor's frame is drawn.
         pub done: T,
     }
 
     /// What a processor sees of its local frame buffer.
     pub struct ProcessorOut<T> {
-        /// What it may do: a code of [`SwapState`](crate::swap::SwapState).
+        /// What the processor may do: a code of [`SwapState`](crate::swap::SwapState).
         pub state: T,
         /// How many pages are taken.
         pub pages_used: T,
-        /// Nothing is under way.
+        /// Nothing of the processor is under way.
         pub idle: T,
-        /// The word at the front of its queue.
+        /// The word at the front of the processor's queue.
         pub received: Stream<BusWord<T>, T>,
     }
 }
@@ -121,7 +121,7 @@ block! {
         view: View = _,
         /// A frame is stored in the global frame buffer, and waits for the blanking.
         is_merged: bit(),
-        /// Turns with each swap of the global frame buffer.
+        /// Toggles with each swap of the global frame buffer.
         shown: bit(),
         /// To the display.
         pixel: CrtPixel = _,

@@ -14,11 +14,11 @@ module accumulation_width16_height8_crt (
     input  wire        merge_rst,
     input  wire        crt_clk,
     input  wire        start,        // For one clock, when not busy: begins a pass.
-    // With `start`: it is the first pass, of which the colours are stored; else they are added.
+    // With `start`: the pass is the first, whose colours are stored; those of later passes are added.
     input  wire        first,
     // The word at the address of the last clock: a depth, which is not looked at, above a colour.
     input  wire [47:0] word,
-    input  wire [1:0]  passes,       // Of how many passes the average is.
+    input  wire [1:0]  passes,       // The number of passes of the average.
     input  wire [6:0]  read_address, // A pixel to show, in raster order.
     output wire        busy,         // A pass is under way.
     output reg  [6:0]  address,      // A pixel of the picture that is added, in raster order.

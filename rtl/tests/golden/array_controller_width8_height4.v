@@ -16,7 +16,7 @@ module array_controller_width8_height4 (
     input  wire [1:0]  instructions_source,      // Where the operand comes from: a `Source`.
     input  wire [3:0]  instructions_function,    // What the ALU does: a `Function`.
     input  wire [1:0]  instructions_begin,       // The carry that comes into the first byte: a `Begin`.
-    input  wire [1:0]  instructions_mask,        // Who writes: a `Mask`.
+    input  wire [1:0]  instructions_mask,        // Which processors write: a `Mask`.
     input  wire        instructions_accumulates, // Results go to the accumulator.
     input  wire        instructions_stores,      // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -29,28 +29,28 @@ module array_controller_width8_height4 (
     input  wire        instructions_descends,
     input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
     input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
-    input  wire [2:0]  instructions_sync,        // What it does besides, with the ports: a `Sync`.
-    input  wire [39:0] instructions_a,           // Of the expression, in two's complement, relative to the region.
-    input  wire [39:0] instructions_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    input  wire [2:0]  instructions_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [39:0] instructions_a,           // Coefficient A of the expression, in two's complement.
+    input  wire [39:0] instructions_b,           // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     input  wire [1:0]  bank_done,                // The network has done with a bank: a bit for each.
     input  wire        texture_done,             // The texture unit has done.
     // To the evaluator.
-    output wire [7:0]  coefficients_a,           // Of what is added from a column to the next.
-    output wire [7:0]  coefficients_b,           // Of what is added from a line to the next.
-    output wire [7:0]  coefficients_c,           // Of the value at column 0 of line 0.
-    output reg         first,                    // They are the first bytes of an expression.
-    output reg         sends,                    // They are bytes of an expression.
+    output wire [7:0]  coefficients_a,           // A byte of coefficient A, which is added from a column to the next.
+    output wire [7:0]  coefficients_b,           // A byte of coefficient B, which is added from a line to the next.
+    output wire [7:0]  coefficients_c,           // A byte of coefficient C, the value at column 0 of line 0.
+    output reg         first,                    // The coefficients' bytes are the first of an expression.
+    output reg         sends,                    // The coefficients are bytes of an expression.
     // To the pixels.
     output wire [1:0]  control_source,           // Where the operand comes from: a `Source`.
     output wire [7:0]  control_constant,         // The operand, if it is a constant.
     output wire [3:0]  control_function,         // What the ALU does: a `Function`.
     output wire [1:0]  control_begin,            // The carry that comes in: a `Begin`.
-    output wire [1:0]  control_mask,             // Who writes: a `Mask`.
+    output wire [1:0]  control_mask,             // Which processors write: a `Mask`.
     output wire        control_accumulates,      // The result goes to the accumulator.
     output wire        control_stores,           // The result goes to memory.
     output wire [1:0]  control_condition,        // What `enabling` and `flagging` look at: a `Condition`.

@@ -13,19 +13,19 @@ module backing_store_side8 (
     input  wire        rst,
     // What the controller says.
     input  wire        save_claim,    // A region is about to be saved: the store is no longer free.
-    input  wire [15:0] save_region,   // The number of that region.
+    input  wire [15:0] save_region,   // The number of the region that is saved.
     // The bit that the pixels read is one of the region's; its number is the address that is written.
     input  wire        save_plane,
     input  wire [5:0]  number,        // The number of the plane that comes.
-    input  wire [63:0] word,          // Its bits, a row for each line.
+    input  wire [63:0] word,          // The bits of the plane that comes, a row for each line.
     input  wire        planes_ready,
-    output reg         free,          // It can take a region.
+    output reg         free,          // The store can take a region.
     // The region.
     output wire        planes_valid,
     output wire [15:0] planes_region, // The number of the region.
     output wire [2:0]  planes_line,   // The line of the region.
-    output wire [5:0]  planes_plane,  // The bit of the visibility word.
-    output wire [7:0]  planes_bits    // A bit of each pixel, from the left.
+    output wire [5:0]  planes_plane,  // The number of the bit in the visibility word.
+    output wire [7:0]  planes_bits    // The plane's bit of each pixel of the line, from the left.
 );
 
     reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:73

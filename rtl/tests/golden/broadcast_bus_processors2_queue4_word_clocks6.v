@@ -13,8 +13,8 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     input  wire        rst,
     // The packets of each processor, and behind them those of the host.
     input  wire        senders_0_valid,
-    input  wire [31:0] senders_0_word,   // What it says.
-    input  wire        senders_0_last,   // The packet ends with it.
+    input  wire [31:0] senders_0_word,   // A word of the packet.
+    input  wire        senders_0_last,   // The packet ends with this word.
     input  wire        senders_1_valid,
     input  wire [31:0] senders_1_word,
     input  wire        senders_1_last,
@@ -23,10 +23,10 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     input  wire        senders_2_last,
     input  wire        received_0_ready,
     input  wire        received_1_ready,
-    // To each processor all packets.
+    // All packets, to each processor.
     output wire        received_0_valid,
-    output wire [31:0] received_0_word,  // What it says.
-    output wire        received_0_last,  // The packet ends with it.
+    output wire [31:0] received_0_word,  // A word of the packet.
+    output wire        received_0_last,  // The packet ends with this word.
     output wire        received_1_valid,
     output wire [31:0] received_1_word,
     output wire        received_1_last,

@@ -13,12 +13,12 @@ module command_dma_words16 (
     input  wire        rst,
     // From the geometry processors.
     input  wire        store_writes,                  // An instruction is written.
-    input  wire [3:0]  store_address,                 // Where.
-    // It.
+    input  wire [3:0]  store_address,                 // The address at which the instruction is written.
+    // The instruction that is written.
     input  wire [1:0]  store_instruction_source,      // Where the operand comes from: a `Source`.
     input  wire [3:0]  store_instruction_function,    // What the ALU does: a `Function`.
     input  wire [1:0]  store_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
-    input  wire [1:0]  store_instruction_mask,        // Who writes: a `Mask`.
+    input  wire [1:0]  store_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        store_instruction_accumulates, // Results go to the accumulator.
     input  wire        store_instruction_stores,      // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -33,16 +33,16 @@ module command_dma_words16 (
     input  wire        store_instruction_descends,
     input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
-    input  wire [2:0]  store_instruction_sync,        // What it does besides, with the ports: a `Sync`.
-    input  wire [39:0] store_instruction_a,           // Of the expression, in two's complement, relative to the region.
-    input  wire [39:0] store_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    input  wire [2:0]  store_instruction_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [39:0] store_instruction_a,           // Coefficient A of the expression, in two's complement.
+    input  wire [39:0] store_instruction_b,           // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     input  wire [39:0] store_instruction_c,
     // Frames, one after another.
     input  wire        frames_valid,
-    input  wire [3:0]  frames_base,                   // The address of the first.
-    // How many there are; behind the end of the memory comes its beginning.
+    input  wire [3:0]  frames_base,                   // The address of the frame's first instruction.
+    // The number of the frame's instructions; behind the end of the memory comes its beginning.
     input  wire [4:0]  frames_length,
     input  wire        instructions_ready,
     // To the array.
@@ -50,7 +50,7 @@ module command_dma_words16 (
     output wire [1:0]  instructions_source,           // Where the operand comes from: a `Source`.
     output wire [3:0]  instructions_function,         // What the ALU does: a `Function`.
     output wire [1:0]  instructions_begin,            // The carry that comes into the first byte: a `Begin`.
-    output wire [1:0]  instructions_mask,             // Who writes: a `Mask`.
+    output wire [1:0]  instructions_mask,             // Which processors write: a `Mask`.
     output wire        instructions_accumulates,      // Results go to the accumulator.
     output wire        instructions_stores,           // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -65,11 +65,11 @@ module command_dma_words16 (
     output wire        instructions_descends,
     output wire [8:0]  instructions_read,             // The address of the first byte that is read.
     output wire [8:0]  instructions_write,            // The address of the first byte that is written.
-    output wire [2:0]  instructions_sync,             // What it does besides, with the ports: a `Sync`.
-    output wire [39:0] instructions_a,                // Of the expression, in two's complement, relative to the region.
-    output wire [39:0] instructions_b,                // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    output wire [2:0]  instructions_sync,             // What the instruction does besides, with the ports: a `Sync`.
+    output wire [39:0] instructions_a,                // Coefficient A of the expression, in two's complement.
+    output wire [39:0] instructions_b,                // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     output wire [39:0] instructions_c,
     output wire        idle,                          // There is nothing to fetch, and nothing on its way.
     output wire        frames_ready

@@ -13,14 +13,15 @@ module communication_registers_width8_height4_bytes32_port_network (
     input  wire         array_clk,
     input  wire         network_clk,
     input  wire [4:0]   read,         // The register that the array reads.
-    input  wire [4:0]   write,        // The register that it writes.
-    input  wire [31:0]  writes,       // Pixels that do.
-    input  wire [255:0] result,       // What they write; a row for each chip, its upper line and then its lower one.
+    input  wire [4:0]   write,        // The register that the array writes.
+    input  wire [31:0]  writes,       // The pixels whose register is written.
+    // What the pixels write; a row for each chip, its upper line and then its lower one.
+    input  wire [255:0] result,
     // From the port.
-    input  wire [3:0]   port_pixel,   // The pixel, counted line by line.
-    input  wire [4:0]   port_address, // The register.
-    input  wire         port_writes,  // It is written.
-    input  wire [15:0]  port_bytes,   // With a byte of each chip.
+    input  wire [3:0]   port_pixel,   // The pixel of each chip, counted line by line.
+    input  wire [4:0]   port_address, // The register of the pixel.
+    input  wire         port_writes,  // The register is written.
+    input  wire [15:0]  port_bytes,   // The bytes to write, one of each chip.
     output wire [255:0] word,         // The register that each pixel reads.
     output wire [15:0]  seen          // To the port: a byte of each chip.
 );

@@ -11,12 +11,12 @@
 module compositor_pixels4_width8 (
     input  wire       clk,
     input  wire [1:0] mode,       // What the node does: a `Mode`.
-    input  wire       advances,   // A byte goes.
-    input  wire       first,      // It is the first of the pixel's word.
-    input  wire [1:0] pixel,      // The pixel.
-    input  wire [7:0] upstream,   // Its byte from the node before.
-    input  wire [7:0] own,        // Its byte in this node.
-    output reg  [7:0] downstream  // The byte for the node behind.
+    input  wire       advances,   // A byte of the pixel goes.
+    input  wire       first,      // The byte is the first of the pixel's word.
+    input  wire [1:0] pixel,      // The number of the pixel.
+    input  wire [7:0] upstream,   // The pixel's byte from the node before.
+    input  wire [7:0] own,        // The pixel's byte in this node.
+    output reg  [7:0] downstream  // The pixel's byte for the node behind.
 );
 
     localparam [1:0] MODE_LOAD      = 2'd1;

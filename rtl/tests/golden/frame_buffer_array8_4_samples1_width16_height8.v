@@ -11,22 +11,22 @@
 module frame_buffer_array8_4_samples1_width16_height8 (
     input  wire        clk,
     input  wire        rst,
-    input  wire        start,        // It takes the next region.
+    input  wire        start,        // The frame buffer takes the next region.
     input  wire [15:0] seen,         // A byte of each chip, at the place that the port says.
     input  wire        pixels_ready,
     // To the registers.
-    output wire [3:0]  port_pixel,   // The pixel, counted line by line.
-    output wire [5:0]  port_address, // The register.
-    output wire        port_writes,  // It is written.
-    output wire [15:0] port_bytes,   // With a byte of each chip.
-    output wire        done,         // It has the region.
+    output wire [3:0]  port_pixel,   // The pixel of each chip, counted line by line.
+    output wire [5:0]  port_address, // The register of the pixel.
+    output wire        port_writes,  // The register is written.
+    output wire [15:0] port_bytes,   // The bytes to write, one of each chip.
+    output wire        done,         // The frame buffer has the region.
     // What is shown.
     output wire        pixels_valid,
-    output wire [7:0]  pixels_red,   // Its red.
-    output wire [7:0]  pixels_green, // Its green.
-    output wire [7:0]  pixels_blue,  // Its blue.
-    output wire        pixels_first, // It is the first of a frame.
-    output wire        pixels_last   // It is the last of a line.
+    output wire [7:0]  pixels_red,   // The red of the pixel.
+    output wire [7:0]  pixels_green, // The green of the pixel.
+    output wire [7:0]  pixels_blue,  // The blue of the pixel.
+    output wire        pixels_first, // The pixel is the first of a frame.
+    output wire        pixels_last   // The pixel is the last of a line.
 );
 
     reg shown;                                                   // rtl/src/pixelflow/frame_buffer.rs:213

@@ -15,13 +15,13 @@ module frame_buffer_width16_height8_side8 (
     input  wire         planes_valid,
     input  wire [15:0]  planes_region, // The number of the region.
     input  wire [2:0]   planes_line,   // The line of the region.
-    input  wire [5:0]   planes_plane,  // The bit of the visibility word.
-    input  wire [7:0]   planes_bits,   // A bit of each pixel, from the left.
+    input  wire [5:0]   planes_plane,  // The number of the bit in the visibility word.
+    input  wire [7:0]   planes_bits,   // The plane's bit of each pixel of the line, from the left.
     // A line of a region to read.
-    input  wire         read_enable,   // There is one; where it is low the words stay.
+    input  wire         read_enable,   // A line is read; where it is low the words stay.
     input  wire         read_region,   // The number of the region.
-    input  wire [2:0]   read_line,     // Its line.
-    output wire [383:0] words,         // The words of that line's pixels.
+    input  wire [2:0]   read_line,     // The line of the region.
+    output wire [383:0] words,         // The words of the pixels of the line that was read.
     output wire         planes_ready
 );
 

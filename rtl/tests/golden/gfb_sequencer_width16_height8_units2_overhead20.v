@@ -18,9 +18,9 @@ module gfb_sequencer_width16_height8_units2_overhead20 (
     output wire       scan_enable,
     // The pixel to read, which enters the chain `SCAN_LATENCY` clocks with `enable` later.
     output reg  [6:0] feed,
-    output reg        blank,        // A blank pixel enters in its place.
+    output reg        blank,        // A blank pixel enters the chain in place of the pixel that is read.
     output wire       stores,       // A pixel leaves the chain that entered it after the last restart.
-    output wire       stale,        // A pixel leaves the chain that entered it before.
+    output wire       stale,        // A pixel leaves the chain that entered it before the last restart.
     output reg  [6:0] store         // The pixel that is stored.
 );
 

@@ -11,7 +11,7 @@
 module gfb_swap_processors2_merge_clocks296_way140_late45 (
     input  wire clk,
     input  wire rst,
-    // Of each processing element: turns with its swap at the end of a frame.
+    // Of each processing element: toggles with its swap at the end of a frame.
     input  wire frames_0,
     input  wire frames_1,
     // Of each processing element: some of its back buffer is still to be sent.
@@ -21,7 +21,7 @@ module gfb_swap_processors2_merge_clocks296_way140_late45 (
     input  wire blanking,  // The banks may change.
     output wire swap,      // For one clock: exchange the banks.
     output wire merged,    // A frame is stored, and waits for the blanking.
-    output reg  shown      // Turns with each swap.
+    output reg  shown      // Toggles with each swap of the global frame buffer.
 );
 
     reg [8:0] since;                                             // rtl/src/swap/gfb_swap.rs:62

@@ -18,15 +18,15 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     // What the host says.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
-    input  wire [6:0]  host_accesses_address,        // A pixel, in raster order.
-    input  wire        host_accesses_writes,         // Whether it is written; else it is read.
-    input  wire [47:0] host_accesses_word,           // What is written there: depth above colour.
+    input  wire [6:0]  host_accesses_address,        // The pixel that the host accesses, in raster order.
+    input  wire        host_accesses_writes,         // The host writes the pixel; where it is low it reads the pixel.
+    input  wire [47:0] host_accesses_word,           // The word that the host writes: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
-    // Where there is an accumulation buffer: what a picture is.
+    // What a picture is, where there is an accumulation buffer.
     input  wire        host_multipass_0_accumulates, // The next picture is the average of several passes.
-    input  wire [1:0]  host_multipass_0_passes,      // Of how many: a code of `Passes`.
-    input  wire [47:0] merged,                       // From the right end of the chain.
+    input  wire [1:0]  host_multipass_0_passes,      // The number of passes of the next picture: a code of `Passes`.
+    input  wire [47:0] merged,                       // The pixel from the right end of the chain.
     // What the host sees.
     output wire        view_read_valid,              // The access of the last clock was a read.
     output wire [47:0] view_read_word,               // The pixel that the last read asked for.
@@ -36,11 +36,11 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     output wire        scan_restart,                 // For one clock: every scan counter takes its preset.
     // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
     output wire        scan_enable,
-    output reg  [47:0] left,                         // To the left end of the chain.
+    output reg  [47:0] left,                         // The pixel to the left end of the chain.
     output wire        blanking,                     // The banks may change: the display is in its vertical blanking.
     // To the display.
-    output wire        pixel_valid,                  // There is a pixel.
-    output wire [23:0] pixel_rgb,                    // Its colour.
+    output wire        pixel_valid,                  // The display gets a pixel in this clock.
+    output wire [23:0] pixel_rgb,                    // The colour of the pixel.
     output wire        host_accesses_ready
 );
 

@@ -20,37 +20,38 @@ module image_generation_controller_side4_quadratic (
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
-    input  wire [39:0] instructions_coefficients_a, // Of what is added from a column to the next.
-    input  wire [39:0] instructions_coefficients_b, // Of what is added from a line to the next.
-    input  wire [39:0] instructions_coefficients_c, // Of the value at column 0 of line 0.
+    input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
+    input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.
     // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     input  wire        store_free,                  // The backing store can take a region.
     // To the tree.
-    output wire        coefficients_a,              // Of what is added from a column to the next.
-    output wire        coefficients_b,              // Of what is added from a line to the next.
-    output wire        coefficients_c,              // Of the value at column 0 of line 0.
+    output wire        coefficients_a,              // Coefficient A, which is added from a column to the next.
+    output wire        coefficients_b,              // Coefficient B, which is added from a line to the next.
+    output wire        coefficients_c,              // Coefficient C, the value at column 0 of line 0.
     // To a quadratic tree, with them; 0 of a linear expression.
-    output wire        curve_0_d,                   // Of the square of x.
-    output wire        curve_0_e,                   // Of x times y.
-    output wire        curve_0_f,                   // Of the square of y.
-    output reg         first,                       // They are the first bits of an expression.
+    output wire        curve_0_d,                   // Coefficient D, of the square of x.
+    output wire        curve_0_e,                   // Coefficient E, of x times y.
+    output wire        curve_0_f,                   // Coefficient F, of the square of y.
+    output reg         first,                       // The coefficients' bits are the first of an expression.
     // To the pixels.
-    output wire [1:0]  control_source,              // Where the bit comes from: a `Source`.
-    output wire        control_constant,            // The bit, if it is a constant.
-    output wire        control_adds,                // The bit read, and the carry, are added to it.
-    output wire        control_first,               // It is the first bit of a word: carry and flag begin anew.
-    output wire [1:0]  control_mask,                // Who writes the result: a `Mask`.
+    output wire [1:0]  control_source,              // Where the operand comes from: a `Source`.
+    output wire        control_constant,            // The operand, if it is a constant.
+    output wire        control_adds,                // The bit that is read, and the carry, are added to the operand.
+    output wire        control_first,               // The bit is the first of a word: carry and flag begin anew.
+    output wire [1:0]  control_mask,                // Which processors write the result: a `Mask`.
     // The flag is set where the words are less than the ones in memory, so far.
     output wire        control_compares,
-    output wire        control_gates,               // That holds only where the processor is enabled.
+    // The flag changes by the comparison only where the processor is enabled.
+    output wire        control_gates,
     output wire [2:0]  control_enabling,            // What becomes of the enable flags: an `Enabling`.
     output wire        control_captures,            // The flag becomes what the enable flag becomes.
     output wire [7:0]  control_read,                // The address that is read.
     output wire [7:0]  control_write,               // The address that is written.
     // To the backing store.
     output wire        save_claim,                  // A region is about to be saved: the store is no longer free.
-    output wire [15:0] save_region,                 // The number of that region.
+    output wire [15:0] save_region,                 // The number of the region that is saved.
     // The bit that the pixels read is one of the region's; its number is the address that is written.
     output wire        save_plane,
     output wire        idle,                        // Nothing is under way but in the pixels.

@@ -15,19 +15,19 @@ module image_memory_pages4_page_pixels16 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     // A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
-    input  wire        draw_valid,    // There is one.
-    input  wire [1:0]  draw_page,     // Its page.
+    input  wire        draw_valid,    // There is a pixel to draw.
+    input  wire [1:0]  draw_page,     // The page of the pixel's patch.
     input  wire [3:0]  draw_offset,   // The pixel's place in the page.
-    input  wire [47:0] draw_word,     // Depth above colour.
+    input  wire [47:0] draw_word,     // The word of the pixel: depth above colour.
     input  wire        front,         // The buffer to draw into.
     // A pixel to send to the merger, from the scan counter by way of the patch table.
     input  wire        send_enable,   // The scan advances; where it is low the word sent stays.
     input  wire        send_resident, // The pixel has a page; if not, `empty` is sent.
-    input  wire [1:0]  send_page,     // Its page.
+    input  wire [1:0]  send_page,     // The page of the pixel's patch.
     input  wire [3:0]  send_offset,   // The pixel's place in the page.
     input  wire        send_buffer,   // The buffer to read and clear.
     output wire        idle,          // No pixel is under way.
-    output wire [47:0] sent           // The word sent.
+    output wire [47:0] sent           // The word sent to the merger.
 );
 
     localparam [1:0] STAGE2_IDLE    = 2'd0;

@@ -22,15 +22,15 @@ module lfb_swap_patches8_merge_clocks948_sent_clocks1108_overflow_clocks5203 (
     input  wire       overflow,  // A pixel is held, because all pages are taken.
     input  wire       draws,     // A pixel is accepted.
     input  wire       clears,    // An entry of the patch table is cleared.
-    input  wire [2:0] patch,     // Which.
+    input  wire [2:0] patch,     // The patch whose entry is cleared.
     input  wire       line,      // The sync line.
-    input  wire       shown,     // Turns with each swap of the global frame buffer.
+    input  wire       shown,     // Toggles with each swap of the global frame buffer.
     input  wire       sending,   // Some of the back buffer is still to be sent.
     output wire       ready,     // What the processing element says to the sync line.
     output wire       swap,      // For one clock: exchange the buffers.
     output wire       resume,    // For one clock: try the held request again.
-    output reg  [1:0] state,     // What the program sees.
-    output wire       frame      // Turns with each swap at the end of a frame, as the merger knows it.
+    output reg  [1:0] state,     // What the program may do.
+    output wire       frame      // Toggles with each swap at the end of a frame, as the merger knows it.
 );
 
     localparam [1:0] SWAP_STATE_CLEAR    = 2'd0;

@@ -15,12 +15,12 @@ module lfb_unit_width16_height8_edge4_pages4 (
     input  wire        merge_rst,
     // A pixel that the processor draws.
     input  wire        request_valid,
-    input  wire [3:0]  request_x,     // Counted from the left.
-    input  wire [2:0]  request_y,     // Counted from the top.
-    input  wire [47:0] request_word,  // Depth above colour.
+    input  wire [3:0]  request_x,     // The column of the pixel, counted from the left.
+    input  wire [2:0]  request_y,     // The line of the pixel, counted from the top.
+    input  wire [47:0] request_word,  // The word of the pixel: depth above colour.
     // A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
     input  wire        clear_valid,
-    input  wire [2:0]  clear_patch,   // Its number.
+    input  wire [2:0]  clear_patch,   // The number of the patch.
     input  wire        swap,          // For one clock, when idle or in overflow: exchange the buffers.
     input  wire        resume,        // For one clock: try the held request again.
     // From the global frame buffer unit.
@@ -28,8 +28,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
     // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
     input  wire        scan_enable,
     // Where a restart puts the scan counter; a constant, `ScanCounter::preset`.
-    input  wire [3:0]  preset_x,      // Counted from the left.
-    input  wire [2:0]  preset_y,      // Counted from the top.
+    input  wire [3:0]  preset_x,      // The column of the pixel, counted from the left.
+    input  wire [2:0]  preset_y,      // The line of the pixel, counted from the top.
     output wire        overflow,      // A request is held, because its patch has no page and all pages are taken.
     output wire [2:0]  pages_used,    // How many pages of the front buffer are taken.
     output wire        idle,          // No request is under way.
@@ -38,8 +38,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
     output wire [47:0] word,          // The pixel sent to the merging unit.
     output reg         sending,       // Some of the back buffer is still to be sent since the last swap.
     // The pixel that the scan counter shows, of which the word is sent 2 clocks later.
-    output wire [3:0]  scanned_x,     // Counted from the left.
-    output wire [2:0]  scanned_y,     // Counted from the top.
+    output wire [3:0]  scanned_x,     // The column of the pixel, counted from the left.
+    output wire [2:0]  scanned_y,     // The line of the pixel, counted from the top.
     output wire        request_ready,
     output wire        clear_ready
 );

@@ -12,11 +12,12 @@ module linear_evaluator_width8_height4 (
     input  wire         clk,
     input  wire         rst,
     // A byte of each coefficient, beginning with the least significant.
-    input  wire [7:0]   coefficients_a, // Of what is added from a column to the next.
-    input  wire [7:0]   coefficients_b, // Of what is added from a line to the next.
-    input  wire [7:0]   coefficients_c, // Of the value at column 0 of line 0.
-    input  wire         first,          // These are the first bytes of an expression.
-    // They are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
+    input  wire [7:0]   coefficients_a, // A byte of coefficient A, which is added from a column to the next.
+    input  wire [7:0]   coefficients_b, // A byte of coefficient B, which is added from a line to the next.
+    input  wire [7:0]   coefficients_c, // A byte of coefficient C, the value at column 0 of line 0.
+    input  wire         first,          // The coefficients' bytes are the first of an expression.
+    // The coefficients are bytes of an expression, which come without a pause: the nodes that have none stay as they
+    // are.
     input  wire         sends,
     // A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
     output wire [255:0] value

@@ -15,13 +15,14 @@ module multipass_control (
     input  wire       swap,             // For one clock: the banks are exchanged.
     // What the host says.
     input  wire       host_accumulates, // The next picture is the average of several passes.
-    input  wire [1:0] host_passes,      // Of how many: a code of `Passes`.
+    input  wire [1:0] host_passes,      // The number of passes of the next picture: a code of `Passes`.
     input  wire       busy,             // A sum is under way.
     // The display is in the part of its blanking in which it may show something else.
     input  wire       blanking,
     output wire       start,            // For one clock: a sum starts.
-    output wire       first,            // With `start`: it is the first of a picture.
-    output reg  [1:0] passes,           // Of how many passes the picture is that is made or shown: a code of `Passes`.
+    output wire       first,            // With `start`: the sum is of the first pass of a picture.
+    // The number of passes of the picture that is made or shown: a code of `Passes`.
+    output reg  [1:0] passes,
     output reg        averages,         // The average is shown.
     output wire       may_swap          // The banks may change.
 );

@@ -13,19 +13,19 @@ module network_port_chips2_pixels16_width8 (
     input  wire        rst,
     input  wire [1:0]  mode,             // What the node does: a `Mode`. It stays while a word goes.
     input  wire        sends,            // A node that loads sends a byte of each chip.
-    input  wire        first,            // It is the first of a word.
+    input  wire        first,            // The byte is the first of a word.
     // What comes from the node before.
-    input  wire        upstream_valid,   // There is one.
-    input  wire        upstream_first,   // It is the first of a word.
-    input  wire [15:0] upstream_bytes,   // The bytes.
+    input  wire        upstream_valid,   // There is a byte of each chip.
+    input  wire        upstream_first,   // The byte is the first of a word.
+    input  wire [15:0] upstream_bytes,   // The bytes, one of each chip.
     input  wire [15:0] own,              // The bytes of `pixel` in this node.
     output reg  [3:0]  pixel,            // The pixel of each chip whose turn it is.
-    output wire        advances,         // A byte of it goes.
+    output wire        advances,         // A byte of the pixel goes.
     output wire        unloaded,         // The bytes from upstream are for this node.
     // What goes to the node behind.
-    output reg         downstream_valid, // There is one.
-    output reg         downstream_first, // It is the first of a word.
-    output wire [15:0] downstream_bytes  // The bytes.
+    output reg         downstream_valid, // There is a byte of each chip.
+    output reg         downstream_first, // The byte is the first of a word.
+    output wire [15:0] downstream_bytes  // The bytes, one of each chip.
 );
 
     localparam [1:0] MODE_LOAD   = 2'd1;

@@ -13,17 +13,17 @@ module network_sequencer_pixels4_setup2 (
     input  wire       rst,
     // What to do with each word, in turn.
     input  wire       jobs_valid,
-    input  wire [1:0] jobs_mode,  // A `Mode`.
-    input  wire       jobs_bank,  // The bank, unless it forwards.
+    input  wire [1:0] jobs_mode,  // What the node does with the word: a `Mode`.
+    input  wire       jobs_bank,  // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0] jobs_bytes,
     input  wire [1:0] given,      // Banks that the array has given: a bit for each.
     input  wire       go,         // All nodes are ready.
     input  wire [1:0] pixel,      // The pixel of each chip whose turn it is.
-    input  wire       advances,   // A byte of it goes.
-    output wire [1:0] mode,       // To the port: a `Mode`.
+    input  wire       advances,   // A byte of the pixel goes.
+    output wire [1:0] mode,       // What the port does: a `Mode`.
     output wire       sends,      // A byte of the node goes.
-    output reg        first,      // It is the first of its word.
+    output reg        first,      // The byte is the first of its word.
     output reg  [1:0] bank,       // The bank, if the job needs one: a bit for each.
     output reg  [4:0] address,    // The byte of the bank.
     output wire       ready,      // The node is set for its word.

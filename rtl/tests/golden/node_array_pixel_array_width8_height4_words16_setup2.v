@@ -15,12 +15,12 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        network_rst,
     // Instructions that are written.
     input  wire        store_writes,                  // An instruction is written.
-    input  wire [3:0]  store_address,                 // Where.
-    // It.
+    input  wire [3:0]  store_address,                 // The address at which the instruction is written.
+    // The instruction that is written.
     input  wire [1:0]  store_instruction_source,      // Where the operand comes from: a `Source`.
     input  wire [3:0]  store_instruction_function,    // What the ALU does: a `Function`.
     input  wire [1:0]  store_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
-    input  wire [1:0]  store_instruction_mask,        // Who writes: a `Mask`.
+    input  wire [1:0]  store_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        store_instruction_accumulates, // Results go to the accumulator.
     input  wire        store_instruction_stores,      // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -35,37 +35,37 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        store_instruction_descends,
     input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
-    input  wire [2:0]  store_instruction_sync,        // What it does besides, with the ports: a `Sync`.
-    input  wire [39:0] store_instruction_a,           // Of the expression, in two's complement, relative to the region.
-    input  wire [39:0] store_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    input  wire [2:0]  store_instruction_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [39:0] store_instruction_a,           // Coefficient A of the expression, in two's complement.
+    input  wire [39:0] store_instruction_b,           // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     input  wire [39:0] store_instruction_c,
     // Frames of them that are to be done.
     input  wire        frames_valid,
-    input  wire [3:0]  frames_base,                   // The address of the first.
-    // How many there are; behind the end of the memory comes its beginning.
+    input  wire [3:0]  frames_base,                   // The address of the frame's first instruction.
+    // The number of the frame's instructions; behind the end of the memory comes its beginning.
     input  wire [4:0]  frames_length,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     // From the texture unit.
-    input  wire [3:0]  texture_pixel,                 // The pixel, counted line by line.
-    input  wire [5:0]  texture_address,               // The register.
-    input  wire        texture_writes,                // It is written.
-    input  wire [15:0] texture_bytes,                 // With a byte of each chip.
-    input  wire        texture_done,                  // It has done.
+    input  wire [3:0]  texture_pixel,                 // The pixel of each chip, counted line by line.
+    input  wire [5:0]  texture_address,               // The register of the pixel.
+    input  wire        texture_writes,                // The register is written.
+    input  wire [15:0] texture_bytes,                 // The bytes to write, one of each chip.
+    input  wire        texture_done,                  // The texture unit has done.
     // From both directions of the network.
-    // What it does with each word.
+    // What the node does with each word.
     input  wire        network_0_jobs_valid,
-    input  wire [1:0]  network_0_jobs_mode,           // A `Mode`.
-    input  wire        network_0_jobs_bank,           // The bank, unless it forwards.
+    input  wire [1:0]  network_0_jobs_mode,           // What the node does with the word: a `Mode`.
+    input  wire        network_0_jobs_bank,           // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  network_0_jobs_bytes,
     input  wire        network_0_go,                  // All nodes are ready.
     // From the node before.
-    input  wire        network_0_upstream_valid,      // There is one.
-    input  wire        network_0_upstream_first,      // It is the first of a word.
-    input  wire [15:0] network_0_upstream_bytes,      // The bytes.
+    input  wire        network_0_upstream_valid,      // There is a byte of each chip.
+    input  wire        network_0_upstream_first,      // The byte is the first of a word.
+    input  wire [15:0] network_0_upstream_bytes,      // The bytes, one of each chip.
     input  wire        network_1_jobs_valid,
     input  wire [1:0]  network_1_jobs_mode,
     input  wire        network_1_jobs_bank,
@@ -75,16 +75,16 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        network_1_upstream_first,
     input  wire [15:0] network_1_upstream_bytes,
     output wire [15:0] texture_seen,                  // To the texture unit: a byte of each chip.
-    output wire        texture_starts,                // It begins.
+    output wire        texture_starts,                // The texture unit begins.
     // Every instruction has ended, but in the pixels, which are as late as the evaluator.
     output wire        idle,
     // To both directions of the network.
-    output wire        network_0_ready,               // It is set for its word.
+    output wire        network_0_ready,               // The node is set for its word.
     output wire        network_0_idle,                // There is no job.
     // To the node behind.
-    output wire        network_0_downstream_valid,    // There is one.
-    output wire        network_0_downstream_first,    // It is the first of a word.
-    output wire [15:0] network_0_downstream_bytes,    // The bytes.
+    output wire        network_0_downstream_valid,    // There is a byte of each chip.
+    output wire        network_0_downstream_first,    // The byte is the first of a word.
+    output wire [15:0] network_0_downstream_bytes,    // The bytes, one of each chip.
     output wire        network_1_ready,
     output wire        network_1_idle,
     output wire        network_1_downstream_valid,

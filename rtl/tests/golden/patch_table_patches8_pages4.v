@@ -15,26 +15,26 @@ module patch_table_patches8_pages4 (
     input  wire       merge_clk,
     // A request for the page of a patch.
     input  wire       look_up_valid,
-    input  wire [2:0] look_up_patch,       // Its number.
+    input  wire [2:0] look_up_patch,       // The number of the patch.
     // A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
     input  wire       clear_valid,
-    input  wire [2:0] clear_patch,         // Its number.
+    input  wire [2:0] clear_patch,         // The number of the patch.
     input  wire       front,               // The front buffer, 0 or 1.
     input  wire       settled,             // The scan has left the front buffer.
     input  wire       restart,             // All pages are free again.
     input  wire       resume,              // The held look-up is tried again.
     // A patch of which the scan wants the page.
     input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
-    input  wire [2:0] scan_patch,          // Its number.
+    input  wire [2:0] scan_patch,          // The number of the patch.
     input  wire       scan_buffer,         // The buffer to look into.
     output wire       overflow,            // A look-up is held, because all pages are taken.
     output wire       idle,                // No look-up is under way.
     output wire [2:0] pages_used,          // How many pages are taken.
     output wire       found,               // The look-up ends with this clock.
-    output reg  [1:0] page,                // The page it found.
+    output reg  [1:0] page,                // The page that the look-up found.
     // The entry that the scan asked for one clock before.
-    output wire       scan_entry_resident, // The page existence flag.
-    output wire [1:0] scan_entry_page,     // The page ID.
+    output wire       scan_entry_resident, // The page existence flag: the patch has a page.
+    output wire [1:0] scan_entry_page,     // The page ID: the page of the patch.
     output wire       look_up_ready,
     output wire       clear_ready
 );

@@ -17,7 +17,7 @@ module pixel_array_width8_height4 (
     input  wire [1:0]  instructions_source,      // Where the operand comes from: a `Source`.
     input  wire [3:0]  instructions_function,    // What the ALU does: a `Function`.
     input  wire [1:0]  instructions_begin,       // The carry that comes into the first byte: a `Begin`.
-    input  wire [1:0]  instructions_mask,        // Who writes: a `Mask`.
+    input  wire [1:0]  instructions_mask,        // Which processors write: a `Mask`.
     input  wire        instructions_accumulates, // Results go to the accumulator.
     input  wire        instructions_stores,      // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -30,37 +30,37 @@ module pixel_array_width8_height4 (
     input  wire        instructions_descends,
     input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
     input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
-    input  wire [2:0]  instructions_sync,        // What it does besides, with the ports: a `Sync`.
-    input  wire [39:0] instructions_a,           // Of the expression, in two's complement, relative to the region.
-    input  wire [39:0] instructions_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    input  wire [2:0]  instructions_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [39:0] instructions_a,           // Coefficient A of the expression, in two's complement.
+    input  wire [39:0] instructions_b,           // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     input  wire [1:0]  bank_done,                // The network has done with a bank: a bit for each.
     input  wire        texture_done,             // The texture unit has done.
     // From the network, of each bank.
-    input  wire [3:0]  network_0_pixel,          // The pixel, counted line by line.
-    input  wire [4:0]  network_0_address,        // The register.
-    input  wire        network_0_writes,         // It is written.
-    input  wire [15:0] network_0_bytes,          // With a byte of each chip.
+    input  wire [3:0]  network_0_pixel,          // The pixel of each chip, counted line by line.
+    input  wire [4:0]  network_0_address,        // The register of the pixel.
+    input  wire        network_0_writes,         // The register is written.
+    input  wire [15:0] network_0_bytes,          // The bytes to write, one of each chip.
     input  wire [3:0]  network_1_pixel,
     input  wire [4:0]  network_1_address,
     input  wire        network_1_writes,
     input  wire [15:0] network_1_bytes,
     // From the texture unit.
-    input  wire [3:0]  texture_pixel,            // The pixel, counted line by line.
-    input  wire [5:0]  texture_address,          // The register.
-    input  wire        texture_writes,           // It is written.
-    input  wire [15:0] texture_bytes,            // With a byte of each chip.
+    input  wire [3:0]  texture_pixel,            // The pixel of each chip, counted line by line.
+    input  wire [5:0]  texture_address,          // The register of the pixel.
+    input  wire        texture_writes,           // The register is written.
+    input  wire [15:0] texture_bytes,            // The bytes to write, one of each chip.
     // To network and texture unit: at the edge behind it is what the instructions so far have written.
     output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
     output wire        given_texture,            // The texture unit begins.
     // To the network, from each bank: a byte of each chip.
     output wire [15:0] network_seen_0,
     output wire [15:0] network_seen_1,
-    output wire [15:0] texture_seen,             // To the texture unit.
+    output wire [15:0] texture_seen,             // To the texture unit: a byte of each chip.
     // Every instruction has ended, but in the pixels, which are as late as the evaluator.
     output wire        idle,
     output wire        instructions_ready

@@ -15,12 +15,12 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        network_rst,
     // Instructions that are written, of each node.
     input  wire        stores_0_writes,                  // An instruction is written.
-    input  wire [3:0]  stores_0_address,                 // Where.
-    // It.
+    input  wire [3:0]  stores_0_address,                 // The address at which the instruction is written.
+    // The instruction that is written.
     input  wire [1:0]  stores_0_instruction_source,      // Where the operand comes from: a `Source`.
     input  wire [3:0]  stores_0_instruction_function,    // What the ALU does: a `Function`.
     input  wire [1:0]  stores_0_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
-    input  wire [1:0]  stores_0_instruction_mask,        // Who writes: a `Mask`.
+    input  wire [1:0]  stores_0_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        stores_0_instruction_accumulates, // Results go to the accumulator.
     input  wire        stores_0_instruction_stores,      // Results go to memory.
     // What the last byte's `enabling` and `flagging` look at: a `Condition`.
@@ -35,12 +35,11 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        stores_0_instruction_descends,
     input  wire [8:0]  stores_0_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  stores_0_instruction_write,       // The address of the first byte that is written.
-    input  wire [2:0]  stores_0_instruction_sync,        // What it does besides, with the ports: a `Sync`.
-    // Of the expression, in two's complement, relative to the region.
-    input  wire [39:0] stores_0_instruction_a,
-    input  wire [39:0] stores_0_instruction_b,           // Likewise.
-    // Likewise; the constant where there is no expression, from its least significant byte on. Longer words are of its
-    // sign.
+    input  wire [2:0]  stores_0_instruction_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [39:0] stores_0_instruction_a,           // Coefficient A of the expression, in two's complement.
+    input  wire [39:0] stores_0_instruction_b,           // Coefficient B of the expression, in two's complement.
+    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
+    // expression, from its least significant byte on. Longer words are of its sign.
     input  wire [39:0] stores_0_instruction_c,
     input  wire        stores_1_writes,
     input  wire [3:0]  stores_1_address,
@@ -84,8 +83,8 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [39:0] stores_2_instruction_c,
     // Frames of them that are to be done.
     input  wire        frames_0_valid,
-    input  wire [3:0]  frames_0_base,                    // The address of the first.
-    // How many there are; behind the end of the memory comes its beginning.
+    input  wire [3:0]  frames_0_base,                    // The address of the frame's first instruction.
+    // The number of the frame's instructions; behind the end of the memory comes its beginning.
     input  wire [4:0]  frames_0_length,
     input  wire        frames_1_valid,
     input  wire [3:0]  frames_1_base,
@@ -96,10 +95,10 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     // From the texture unit of each node.
-    input  wire [3:0]  textures_0_pixel,                 // The pixel, counted line by line.
-    input  wire [5:0]  textures_0_address,               // The register.
-    input  wire        textures_0_writes,                // It is written.
-    input  wire [15:0] textures_0_bytes,                 // With a byte of each chip.
+    input  wire [3:0]  textures_0_pixel,                 // The pixel of each chip, counted line by line.
+    input  wire [5:0]  textures_0_address,               // The register of the pixel.
+    input  wire        textures_0_writes,                // The register is written.
+    input  wire [15:0] textures_0_bytes,                 // The bytes to write, one of each chip.
     input  wire [3:0]  textures_1_pixel,
     input  wire [5:0]  textures_1_address,
     input  wire        textures_1_writes,
@@ -111,8 +110,8 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [2:0]  textures_done,                    // The nodes whose texture unit has done.
     // What each node does with the words that go forth, from the first node to the last.
     input  wire        forth_0_valid,
-    input  wire [1:0]  forth_0_mode,                     // A `Mode`.
-    input  wire        forth_0_bank,                     // The bank, unless it forwards.
+    input  wire [1:0]  forth_0_mode,                     // What the node does with the word: a `Mode`.
+    input  wire        forth_0_bank,                     // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  forth_0_bytes,
     input  wire        forth_1_valid,
@@ -125,8 +124,8 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [5:0]  forth_2_bytes,
     // What it does with those that go back.
     input  wire        back_0_valid,
-    input  wire [1:0]  back_0_mode,                      // A `Mode`.
-    input  wire        back_0_bank,                      // The bank, unless it forwards.
+    input  wire [1:0]  back_0_mode,                      // What the node does with the word: a `Mode`.
+    input  wire        back_0_bank,                      // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  back_0_bytes,
     input  wire        back_1_valid,
@@ -151,9 +150,9 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     output wire        go_0,
     output wire        go_1,
     // What goes off at the end of each direction.
-    output wire        off_0_valid,                      // There is one.
-    output wire        off_0_first,                      // It is the first of a word.
-    output wire [15:0] off_0_bytes,                      // The bytes.
+    output wire        off_0_valid,                      // There is a byte of each chip.
+    output wire        off_0_first,                      // The byte is the first of a word.
+    output wire [15:0] off_0_bytes,                      // The bytes, one of each chip.
     output wire        off_1_valid,
     output wire        off_1_first,
     output wire [15:0] off_1_bytes,

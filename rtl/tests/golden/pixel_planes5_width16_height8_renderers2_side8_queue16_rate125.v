@@ -23,9 +23,9 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire [7:0]   bins_0_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
-    input  wire [39:0]  bins_0_coefficients_a, // Of what is added from a column to the next.
-    input  wire [39:0]  bins_0_coefficients_b, // Of what is added from a line to the next.
-    input  wire [39:0]  bins_0_coefficients_c, // Of the value at column 0 of line 0.
+    input  wire [39:0]  bins_0_coefficients_a, // Coefficient A, which is added from a column to the next.
+    input  wire [39:0]  bins_0_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0]  bins_0_coefficients_c, // Coefficient C, the value at column 0 of line 0.
     input  wire         bins_1_valid,
     input  wire [4:0]   bins_1_operation,
     input  wire [5:0]   bins_1_skip,
@@ -39,15 +39,15 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire         side_by_side,
     // A line of a region to read.
-    input  wire         read_enable,           // There is one; where it is low the words stay.
+    input  wire         read_enable,           // A line is read; where it is low the words stay.
     input  wire         read_region,           // The number of the region.
-    input  wire [2:0]   read_line,             // Its line.
+    input  wire [2:0]   read_line,             // The line of the region.
     output wire [1:0]   given,                 // The renderer that gets a region in this clock, if one does.
-    output wire [15:0]  region,                // That region.
+    output wire [15:0]  region,                // The number of the region that is given.
     output wire [1:0]   takes,                 // The renderers whose controllers take an instruction in this clock.
     output wire [1:0]   idle,                  // The renderers in which every instruction has ended, but in the pixels.
     output wire         plane_goes,            // A plane goes to the frame buffer.
-    output wire [383:0] words,                 // The words of the line's pixels.
+    output wire [383:0] words,                 // The words of the pixels of the line that was read.
     output wire         regions_ready,
     output wire         bins_0_ready,
     output wire         bins_1_ready

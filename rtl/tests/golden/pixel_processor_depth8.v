@@ -15,7 +15,7 @@ module pixel_processor_depth8 (
     input  wire [7:0] control_constant,    // The operand, if it is a constant.
     input  wire [3:0] control_function,    // What the ALU does: a `Function`.
     input  wire [1:0] control_begin,       // The carry that comes in: a `Begin`.
-    input  wire [1:0] control_mask,        // Who writes: a `Mask`.
+    input  wire [1:0] control_mask,        // Which processors write: a `Mask`.
     input  wire       control_accumulates, // The result goes to the accumulator.
     input  wire       control_stores,      // The result goes to memory.
     input  wire [1:0] control_condition,   // What `enabling` and `flagging` look at: a `Condition`.
@@ -28,7 +28,8 @@ module pixel_processor_depth8 (
     input  wire [7:0] expression,          // A byte of the expression at this pixel.
     input  wire [7:0] register_byte,       // The communication register at the address that is read, if one is there.
     output reg  [7:0] result,              // The byte that the ALU makes.
-    output wire       writes_register      // It goes to the communication register at the address that is written.
+    // The result goes to the communication register at the address that is written.
+    output wire       writes_register
 );
 
     localparam [1:0] SOURCE_CONSTANT    = 2'd0;

@@ -14,10 +14,11 @@ module pixel_processor_format8x8_2x2_edges3 (
     // Windows of one sample; each is taken at once.
     input  wire         leaves_valid,
     // The polygon.
-    input  wire [2:0]   leaves_polygon_last_edge,    // The number of its edges, less one.
+    input  wire [2:0]   leaves_polygon_last_edge,    // The number of the polygon's edges, less one.
     // What each edge function loses over a sample along x, on the way from where it is greatest.
     input  wire [50:0]  leaves_polygon_fall_x,
-    input  wire [50:0]  leaves_polygon_fall_y,       // The same along y.
+    // What each edge function loses over a sample along y, on the way from where it is greatest.
+    input  wire [50:0]  leaves_polygon_fall_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   leaves_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -25,22 +26,23 @@ module pixel_processor_format8x8_2x2_edges3 (
     input  wire [159:0] leaves_polygon_plane_x,      // What a sample to the right adds to each plane.
     input  wire [159:0] leaves_polygon_plane_y,      // What a sample down adds to each plane.
     // The window.
-    input  wire [1:0]   leaves_window_size,          // The binary logarithm of its side in samples: n less the level.
-    input  wire [1:0]   leaves_window_x,             // Its leftmost sample.
-    input  wire [1:0]   leaves_window_y,             // Its uppermost sample.
-    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    // The binary logarithm of the window's side in samples: n less the level.
+    input  wire [1:0]   leaves_window_size,
+    input  wire [1:0]   leaves_window_x,             // The window's leftmost sample.
+    input  wire [1:0]   leaves_window_y,             // The window's uppermost sample.
+    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
     input  wire [95:0]  leaves_window_edges,
-    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    input  wire [12:0]  leaves_window_bounds_left,   // The leftmost column.
-    input  wire [12:0]  leaves_window_bounds_top,    // The uppermost line.
-    input  wire [12:0]  leaves_window_bounds_right,  // The rightmost column.
-    input  wire [12:0]  leaves_window_bounds_bottom, // The lowest line.
-    input  wire [159:0] leaves_window_planes,        // The value of each plane at its upper left sample.
+    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  leaves_window_bounds_left,   // The left bound, a column of pixels.
+    input  wire [12:0]  leaves_window_bounds_top,    // The upper bound, a line of pixels.
+    input  wire [12:0]  leaves_window_bounds_right,  // The right bound, a column of pixels.
+    input  wire [12:0]  leaves_window_bounds_bottom, // The lower bound, a line of pixels.
+    input  wire [159:0] leaves_window_planes,        // The value of each plane at the window's upper left sample.
     // A pixel of the polygon.
-    output reg          fragment_valid,              // There is one.
-    output reg  [1:0]   fragment_x,                  // Its column among those of the video processor.
-    output reg  [1:0]   fragment_y,                  // Its line among those of the video processor.
-    output reg  [47:0]  fragment_word,               // Depth above colour.
+    output reg          fragment_valid,              // There is a fragment.
+    output reg  [1:0]   fragment_x,                  // The fragment's column among those of the video processor.
+    output reg  [1:0]   fragment_y,                  // The fragment's line among those of the video processor.
+    output reg  [47:0]  fragment_word,               // The word of the fragment: depth above colour.
     output reg  [31:0]  fragments,                   // Fragments since the reset, modulo 2^32.
     output wire         leaves_ready
 );

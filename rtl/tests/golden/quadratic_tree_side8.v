@@ -12,14 +12,15 @@ module quadratic_tree_side8 (
     input  wire        clk,
     input  wire        rst,
     // A bit of each linear coefficient, beginning with the least significant.
-    input  wire        coefficients_a, // Of what is added from a column to the next.
-    input  wire        coefficients_b, // Of what is added from a line to the next.
-    input  wire        coefficients_c, // Of the value at column 0 of line 0.
+    input  wire        coefficients_a, // Coefficient A, which is added from a column to the next.
+    input  wire        coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire        coefficients_c, // Coefficient C, the value at column 0 of line 0.
     // A bit of each of the others, which are 0 of a linear expression.
-    input  wire        curve_d,        // Of the square of x.
-    input  wire        curve_e,        // Of x times y.
-    input  wire        curve_f,        // Of the square of y.
-    input  wire        first,          // These are the first bits of an expression. It has at least log2 `side` bits.
+    input  wire        curve_d,        // Coefficient D, of the square of x.
+    input  wire        curve_e,        // Coefficient E, of x times y.
+    input  wire        curve_f,        // Coefficient F, of the square of y.
+    // The coefficients' bits are the first of an expression, which has at least log2 `side` bits.
+    input  wire        first,
     output wire [63:0] value           // A bit of the expression at each pixel, a row for each line.
 );
 

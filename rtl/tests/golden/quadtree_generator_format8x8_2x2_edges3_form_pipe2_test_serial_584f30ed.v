@@ -14,20 +14,21 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     input  wire         rst,
     // Polygons.
     input  wire         packets_valid,
-    input  wire [2:0]   packets_last_edge,     // The number of its edges, less one.
-    // Its edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds.
-    input  wire [50:0]  packets_edges_b,       // What a line down adds.
-    input  wire [95:0]  packets_edges_c,       // The value at the upper left pixel.
-    // What varies over it.
-    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds.
-    input  wire [159:0] packets_planes_y,      // What a line down adds.
-    input  wire [159:0] packets_planes_origin, // The value at the upper left pixel, with half a unit for rounding.
-    // The pixels whose centres lie within its vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,   // The leftmost column.
-    input  wire [10:0]  packets_bounds_top,    // The uppermost line.
-    input  wire [10:0]  packets_bounds_right,  // The rightmost column.
-    input  wire [10:0]  packets_bounds_bottom, // The lowest line.
+    input  wire [2:0]   packets_last_edge,     // The number of the polygon's edges, less one.
+    // The polygon's edges; those beyond the last mean nothing.
+    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
+    input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
+    input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
+    // What varies over the polygon.
+    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
+    input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
+    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    input  wire [159:0] packets_planes_origin,
+    // The pixels whose centres lie within the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels.
+    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels.
     // Depth alone decides, and of equal depths the first drawn stays; constant while a picture is drawn.
     input  wire         strict,
     // For one clock, when idle and while no picture is read: exchange the banks.
@@ -38,7 +39,7 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     input  wire [23:0]  show_background,       // The colour where nothing was drawn.
     // Of which unit the counters are wanted.
     input  wire [1:0]   probe_processor,       // The video processor, counted row by row.
-    input  wire [1:0]   probe_unit,            // 0 for the set-up, and the level for the raster processor's.
+    input  wire [1:0]   probe_unit,            // The unit: 0 for the set-up, and a level for the raster processor's.
     input  wire         pixels_ready,
     // Pixels side by side, line by line; those beyond the end of a line mean nothing.
     output wire         pixels_valid,
@@ -46,14 +47,14 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     output wire         idle,                  // No polygon is under way.
     output wire         showing,               // A picture is read.
     // The counters asked for.
-    output reg  [31:0]  tally_busy,            // Clocks in which it worked.
-    output reg  [31:0]  tally_stalled,         // Clocks in which it had a result that was not taken.
-    output reg  [31:0]  tally_results,         // Results.
+    output reg  [31:0]  tally_busy,            // Clocks in which the unit worked.
+    output reg  [31:0]  tally_stalled,         // Clocks in which the unit had a result that was not taken.
+    output reg  [31:0]  tally_results,         // Results that the unit gave.
     output wire [31:0]  fragments,             // The fragments of the video processor asked for.
     // What the broadcast did: packets that all have, and clocks in which one waited for room.
-    output reg  [31:0]  broadcast_busy,        // Clocks in which it worked.
-    output reg  [31:0]  broadcast_stalled,     // Clocks in which it had a result that was not taken.
-    output reg  [31:0]  broadcast_results,     // Results.
+    output reg  [31:0]  broadcast_busy,        // Clocks in which the unit worked.
+    output reg  [31:0]  broadcast_stalled,     // Clocks in which the unit had a result that was not taken.
+    output reg  [31:0]  broadcast_results,     // Results that the unit gave.
     output wire         packets_ready
 );
 

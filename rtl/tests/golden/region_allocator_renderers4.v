@@ -16,7 +16,7 @@ module region_allocator_renderers4 (
     input  wire [15:0] regions_payload,
     input  wire [3:0]  free,            // The renderers that are free.
     output wire [3:0]  given,           // The renderer that gets the region in this clock, if one does.
-    output wire [15:0] region,          // That region.
+    output wire [15:0] region,          // The number of the region that is given.
     output wire        regions_ready
 );
 

@@ -20,9 +20,9 @@ module renderer_side4_queue16_quadratic (
     input  wire [7:0]  instructions_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
-    input  wire [39:0] instructions_coefficients_a, // Of what is added from a column to the next.
-    input  wire [39:0] instructions_coefficients_b, // Of what is added from a line to the next.
-    input  wire [39:0] instructions_coefficients_c, // Of the value at column 0 of line 0.
+    input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
+    input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.
     // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
     input  wire        planes_ready,
@@ -30,11 +30,12 @@ module renderer_side4_queue16_quadratic (
     output wire        planes_valid,
     output wire [15:0] planes_region,               // The number of the region.
     output wire [1:0]  planes_line,                 // The line of the region.
-    output wire [5:0]  planes_plane,                // The bit of the visibility word.
-    output wire [3:0]  planes_bits,                 // A bit of each pixel, from the left.
-    // Its queue takes an instruction in this clock: `instructions.ready`, for who must know before it sends one.
+    output wire [5:0]  planes_plane,                // The number of the bit in the visibility word.
+    output wire [3:0]  planes_bits,                 // The plane's bit of each pixel of the line, from the left.
+    // The queue takes an instruction in this clock: `instructions.ready`, for a sender that has to know before it sends
+    // one.
     output wire        room,
-    output wire        takes,                       // Its controller takes an instruction from the queue in this clock.
+    output wire        takes,                       // The controller takes an instruction from the queue in this clock.
     // Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given
     // another region.
     output wire        idle,

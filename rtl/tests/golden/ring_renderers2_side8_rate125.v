@@ -22,9 +22,9 @@ module ring_renderers2_side8_rate125 (
     input  wire [7:0]  bins_0_write,                  // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
-    input  wire [39:0] bins_0_coefficients_a,         // Of what is added from a column to the next.
-    input  wire [39:0] bins_0_coefficients_b,         // Of what is added from a line to the next.
-    input  wire [39:0] bins_0_coefficients_c,         // Of the value at column 0 of line 0.
+    input  wire [39:0] bins_0_coefficients_a,         // Coefficient A, which is added from a column to the next.
+    input  wire [39:0] bins_0_coefficients_b,         // Coefficient B, which is added from a line to the next.
+    input  wire [39:0] bins_0_coefficients_c,         // Coefficient C, the value at column 0 of line 0.
     input  wire        bins_1_valid,
     input  wire [4:0]  bins_1_operation,
     input  wire [5:0]  bins_1_skip,
@@ -39,8 +39,8 @@ module ring_renderers2_side8_rate125 (
     input  wire        finished_0_valid,
     input  wire [15:0] finished_0_region,             // The number of the region.
     input  wire [2:0]  finished_0_line,               // The line of the region.
-    input  wire [5:0]  finished_0_plane,              // The bit of the visibility word.
-    input  wire [7:0]  finished_0_bits,               // A bit of each pixel, from the left.
+    input  wire [5:0]  finished_0_plane,              // The number of the bit in the visibility word.
+    input  wire [7:0]  finished_0_bits,               // The plane's bit of each pixel of the line, from the left.
     input  wire        finished_1_valid,
     input  wire [15:0] finished_1_region,
     input  wire [2:0]  finished_1_line,
@@ -59,9 +59,9 @@ module ring_renderers2_side8_rate125 (
     output wire [7:0]  instructions_0_write,          // Where the word that is written begins.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
-    output wire [39:0] instructions_0_coefficients_a, // Of what is added from a column to the next.
-    output wire [39:0] instructions_0_coefficients_b, // Of what is added from a line to the next.
-    output wire [39:0] instructions_0_coefficients_c, // Of the value at column 0 of line 0.
+    output wire [39:0] instructions_0_coefficients_a, // Coefficient A, which is added from a column to the next.
+    output wire [39:0] instructions_0_coefficients_b, // Coefficient B, which is added from a line to the next.
+    output wire [39:0] instructions_0_coefficients_c, // Coefficient C, the value at column 0 of line 0.
     output wire        instructions_1_valid,
     output wire [4:0]  instructions_1_operation,
     output wire [5:0]  instructions_1_skip,
@@ -75,8 +75,8 @@ module ring_renderers2_side8_rate125 (
     output wire        planes_valid,
     output wire [15:0] planes_region,                 // The number of the region.
     output wire [2:0]  planes_line,                   // The line of the region.
-    output wire [5:0]  planes_plane,                  // The bit of the visibility word.
-    output wire [7:0]  planes_bits,                   // A bit of each pixel, from the left.
+    output wire [5:0]  planes_plane,                  // The number of the bit in the visibility word.
+    output wire [7:0]  planes_bits,                   // The plane's bit of each pixel of the line, from the left.
     output wire        bins_0_ready,
     output wire        bins_1_ready,
     output wire        finished_0_ready,

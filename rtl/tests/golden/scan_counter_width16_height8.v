@@ -16,11 +16,11 @@ module scan_counter_width16_height8 (
     // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
     input  wire       scan_enable,
     // Where a restart puts the counter; a constant.
-    input  wire [3:0] preset_x,     // Counted from the left.
-    input  wire [2:0] preset_y,     // Counted from the top.
+    input  wire [3:0] preset_x,     // The column of the pixel, counted from the left.
+    input  wire [2:0] preset_y,     // The line of the pixel, counted from the top.
     // The pixel to send.
-    output wire [3:0] pixel_x,      // Counted from the left.
-    output wire [2:0] pixel_y,      // Counted from the top.
+    output wire [3:0] pixel_x,      // The column of the pixel, counted from the left.
+    output wire [2:0] pixel_y,      // The line of the pixel, counted from the top.
     output reg        armed         // The pixel belongs to the first whole frame after the restart, or to a later one.
 );
 

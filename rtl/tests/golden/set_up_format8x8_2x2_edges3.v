@@ -13,33 +13,35 @@ module set_up_format8x8_2x2_edges3 (
     input  wire         rst,
     // Polygons.
     input  wire         packets_valid,
-    input  wire [2:0]   packets_last_edge,          // The number of its edges, less one.
-    // Its edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,            // What a pixel to the right adds.
-    input  wire [50:0]  packets_edges_b,            // What a line down adds.
-    input  wire [95:0]  packets_edges_c,            // The value at the upper left pixel.
-    // What varies over it.
-    input  wire [159:0] packets_planes_x,           // What a pixel to the right adds.
-    input  wire [159:0] packets_planes_y,           // What a line down adds.
-    input  wire [159:0] packets_planes_origin,      // The value at the upper left pixel, with half a unit for rounding.
-    // The pixels whose centres lie within its vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,        // The leftmost column.
-    input  wire [10:0]  packets_bounds_top,         // The uppermost line.
-    input  wire [10:0]  packets_bounds_right,       // The rightmost column.
-    input  wire [10:0]  packets_bounds_bottom,      // The lowest line.
+    input  wire [2:0]   packets_last_edge,          // The number of the polygon's edges, less one.
+    // The polygon's edges; those beyond the last mean nothing.
+    input  wire [50:0]  packets_edges_a,            // What a pixel to the right adds to the edge function.
+    input  wire [50:0]  packets_edges_b,            // What a line down adds to the edge function.
+    input  wire [95:0]  packets_edges_c,            // The value of the edge function at the upper left pixel.
+    // What varies over the polygon.
+    input  wire [159:0] packets_planes_x,           // What a pixel to the right adds to the plane.
+    input  wire [159:0] packets_planes_y,           // What a line down adds to the plane.
+    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    input  wire [159:0] packets_planes_origin,
+    // The pixels whose centres lie within the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,        // The left bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_top,         // The upper bound, a line of pixels.
+    input  wire [10:0]  packets_bounds_right,       // The right bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_bottom,      // The lower bound, a line of pixels.
     // The outermost pixels of this video processor, with half the aperture beyond them; constants, `Format::place_of`.
-    input  wire [12:0]  place_left,                 // The leftmost column.
-    input  wire [12:0]  place_top,                  // The uppermost line.
-    input  wire [12:0]  place_right,                // The rightmost column.
-    input  wire [12:0]  place_bottom,               // The lowest line.
+    input  wire [12:0]  place_left,                 // The left bound, a column of pixels.
+    input  wire [12:0]  place_top,                  // The upper bound, a line of pixels.
+    input  wire [12:0]  place_right,                // The right bound, a column of pixels.
+    input  wire [12:0]  place_bottom,               // The lower bound, a line of pixels.
     input  wire         roots_ready,
     // The window of all samples, for each polygon.
     output wire         roots_valid,
     // The polygon.
-    output wire [2:0]   roots_polygon_last_edge,    // The number of its edges, less one.
+    output wire [2:0]   roots_polygon_last_edge,    // The number of the polygon's edges, less one.
     // What each edge function loses over a sample along x, on the way from where it is greatest.
     output wire [50:0]  roots_polygon_fall_x,
-    output wire [50:0]  roots_polygon_fall_y,       // The same along y.
+    // What each edge function loses over a sample along y, on the way from where it is greatest.
+    output wire [50:0]  roots_polygon_fall_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   roots_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -47,22 +49,23 @@ module set_up_format8x8_2x2_edges3 (
     output wire [159:0] roots_polygon_plane_x,      // What a sample to the right adds to each plane.
     output wire [159:0] roots_polygon_plane_y,      // What a sample down adds to each plane.
     // The window.
-    output wire [1:0]   roots_window_size,          // The binary logarithm of its side in samples: n less the level.
-    output wire [1:0]   roots_window_x,             // Its leftmost sample.
-    output wire [1:0]   roots_window_y,             // Its uppermost sample.
-    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    // The binary logarithm of the window's side in samples: n less the level.
+    output wire [1:0]   roots_window_size,
+    output wire [1:0]   roots_window_x,             // The window's leftmost sample.
+    output wire [1:0]   roots_window_y,             // The window's uppermost sample.
+    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
     output wire [95:0]  roots_window_edges,
-    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    output wire [12:0]  roots_window_bounds_left,   // The leftmost column.
-    output wire [12:0]  roots_window_bounds_top,    // The uppermost line.
-    output wire [12:0]  roots_window_bounds_right,  // The rightmost column.
-    output wire [12:0]  roots_window_bounds_bottom, // The lowest line.
-    output wire [159:0] roots_window_planes,        // The value of each plane at its upper left sample.
-    output wire         idle,                       // There is no polygon.
+    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    output wire [12:0]  roots_window_bounds_left,   // The left bound, a column of pixels.
+    output wire [12:0]  roots_window_bounds_top,    // The upper bound, a line of pixels.
+    output wire [12:0]  roots_window_bounds_right,  // The right bound, a column of pixels.
+    output wire [12:0]  roots_window_bounds_bottom, // The lower bound, a line of pixels.
+    output wire [159:0] roots_window_planes,        // The value of each plane at the window's upper left sample.
+    output wire         idle,                       // No polygon is under way.
     // What was done.
-    output wire [31:0]  tally_busy,                 // Clocks in which it worked.
-    output wire [31:0]  tally_stalled,              // Clocks in which it had a result that was not taken.
-    output wire [31:0]  tally_results,              // Results.
+    output wire [31:0]  tally_busy,                 // Clocks in which the unit worked.
+    output wire [31:0]  tally_stalled,              // Clocks in which the unit had a result that was not taken.
+    output wire [31:0]  tally_results,              // Results that the unit gave.
     output wire         packets_ready
 );
 

@@ -19,19 +19,19 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
     input  wire [1:0] overflow,  // A pixel is held, because all pages are taken.
     input  wire [1:0] draws,     // A pixel is accepted.
     input  wire [1:0] clears,    // An entry of the patch table is cleared.
-    input  wire [3:0] patch,     // Which.
+    input  wire [3:0] patch,     // The patch whose entry is cleared.
     input  wire       bus,       // The broadcast bus is idle.
-    input  wire       host,      // The host lets the line go.
+    input  wire       host,      // The host lets the sync line go.
     input  wire [1:0] sending,   // Of each local frame buffer: some of its back buffer is still to be sent.
     input  wire       enable,    // The chain advances.
     input  wire       blanking,  // The banks may change.
     output wire       line,      // The sync line: all have drawn the frame.
-    output wire [1:0] swap,      // Of each, for one clock: exchange the buffers.
-    output wire [1:0] resume,    // Of each, for one clock: try the held request again.
-    output wire [3:0] state,     // What the program of each sees.
+    output wire [1:0] swap,      // Of each local frame buffer, for one clock: exchange the buffers.
+    output wire [1:0] resume,    // Of each local frame buffer, for one clock: try the request again that waits.
+    output wire [3:0] state,     // What the program of each processing element may do.
     output wire       gfb_swap,  // For one clock: exchange the banks of the global frame buffer.
     output wire       merged,    // A frame is stored, and waits for the blanking.
-    output wire       shown      // Turns with each swap of the global frame buffer.
+    output wire       shown      // Toggles with each swap of the global frame buffer.
 );
 
     genvar i;

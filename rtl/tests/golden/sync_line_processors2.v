@@ -15,8 +15,8 @@ module sync_line_processors2 (
     input  wire ready_0,
     input  wire ready_1,
     input  wire bus,     // The broadcast bus is idle.
-    input  wire host,    // The host lets the line go.
-    output wire line     // Nobody holds the line low.
+    input  wire host,    // The host lets the sync line go.
+    output wire line     // The sync line: high if nobody pulls it low.
 );
 
     assign line = ready_0 & ready_1 & bus & host;                // rtl/src/swap/sync_line.rs:40

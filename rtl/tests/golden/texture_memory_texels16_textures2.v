@@ -12,22 +12,23 @@ module texture_memory_texels16_textures2 (
     input  wire         clk,
     input  wire         rst,
     // What the geometry processors write.
-    input  wire         write_valid,      // There is one.
-    input  wire [2:0]   write_bank,       // Its bank: the parity of the level, then of the row, then of the column.
-    input  wire [3:0]   write_address,    // Its address there.
-    input  wire [23:0]  write_texel,      // Red in the lowest byte, then green, then blue.
-    // Where they say that a texture is.
-    input  wire         describe_valid,   // It is said.
-    input  wire         describe_texture, // Of which.
-    input  wire [3:0]   describe_base,    // Its first address in each bank.
-    input  wire [3:0]   describe_finest,  // Its finest level.
+    input  wire         write_valid,      // A texel is written.
+    // The texel's bank: the parity of the level, then of the row, then of the column.
+    input  wire [2:0]   write_bank,
+    input  wire [3:0]   write_address,    // The texel's address in its bank.
+    input  wire [23:0]  write_texel,      // The texel, red in the lowest byte, then green, then blue.
+    // Where the geometry processors say that a texture is.
+    input  wire         describe_valid,   // A texture is described.
+    input  wire         describe_texture, // The number of the texture.
+    input  wire [3:0]   describe_base,    // The texture's first address in each bank.
+    input  wire [3:0]   describe_finest,  // The texture's finest level.
     // What is sought.
-    input  wire         request_valid,    // There is one.
-    input  wire [15:0]  request_u,        // From the left, in 1/2^16 of the texture.
-    input  wire [15:0]  request_v,        // From below, likewise.
-    input  wire [7:0]   request_level,    // The coarser level.
-    input  wire [7:0]   request_texture,  // The texture.
-    output wire         valid,            // There are texels.
+    input  wire         request_valid,    // A place is sought.
+    input  wire [15:0]  request_u,        // The place from the left, in 1/2^16 of the texture.
+    input  wire [15:0]  request_v,        // The place from below, in 1/2^16 of the texture.
+    input  wire [7:0]   request_level,    // The coarser of the two levels.
+    input  wire [7:0]   request_texture,  // The number of the texture.
+    output wire         valid,            // The texels of a place are there.
     // Texel 4 s + 2 y + x is on level `level + s`, and to the left or, with x, to the right, below or, with y, above.
     output wire [191:0] texels
 );

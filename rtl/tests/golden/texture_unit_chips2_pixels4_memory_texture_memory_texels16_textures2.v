@@ -12,22 +12,23 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
     input  wire        clk,
     input  wire        rst,
     // What the geometry processors write.
-    input  wire        write_valid,      // There is one.
-    input  wire [2:0]  write_bank,       // Its bank: the parity of the level, then of the row, then of the column.
-    input  wire [3:0]  write_address,    // Its address there.
-    input  wire [23:0] write_texel,      // Red in the lowest byte, then green, then blue.
-    // Where they say that a texture is.
-    input  wire        describe_valid,   // It is said.
-    input  wire        describe_texture, // Of which.
-    input  wire [3:0]  describe_base,    // Its first address in each bank.
-    input  wire [3:0]  describe_finest,  // Its finest level.
-    input  wire        start,            // It begins.
+    input  wire        write_valid,      // A texel is written.
+    // The texel's bank: the parity of the level, then of the row, then of the column.
+    input  wire [2:0]  write_bank,
+    input  wire [3:0]  write_address,    // The texel's address in its bank.
+    input  wire [23:0] write_texel,      // The texel, red in the lowest byte, then green, then blue.
+    // Where the geometry processors say that a texture is.
+    input  wire        describe_valid,   // A texture is described.
+    input  wire        describe_texture, // The number of the texture.
+    input  wire [3:0]  describe_base,    // The texture's first address in each bank.
+    input  wire [3:0]  describe_finest,  // The texture's finest level.
+    input  wire        start,            // The texture unit begins.
     input  wire [15:0] seen,             // A byte of each chip, at the place that the port says.
     // To the texture registers.
-    output wire [1:0]  port_pixel,       // The pixel, counted line by line.
-    output wire [5:0]  port_address,     // The register.
-    output wire        port_writes,      // It is written.
-    output wire [15:0] port_bytes,       // With a byte of each chip.
+    output wire [1:0]  port_pixel,       // The pixel of each chip, counted line by line.
+    output wire [5:0]  port_address,     // The register of the pixel.
+    output wire        port_writes,      // The register is written.
+    output wire [15:0] port_bytes,       // The bytes to write, one of each chip.
     output wire        done              // All pixels have their texels.
 );
 

@@ -14,10 +14,11 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     // Windows with their polygons.
     input  wire         works_valid,
     // The polygon.
-    input  wire [2:0]   works_polygon_last_edge,    // The number of its edges, less one.
+    input  wire [2:0]   works_polygon_last_edge,    // The number of the polygon's edges, less one.
     // What each edge function loses over a sample along x, on the way from where it is greatest.
     input  wire [50:0]  works_polygon_fall_x,
-    input  wire [50:0]  works_polygon_fall_y,       // The same along y.
+    // What each edge function loses over a sample along y, on the way from where it is greatest.
+    input  wire [50:0]  works_polygon_fall_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -25,25 +26,27 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
     input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
     // The window.
-    input  wire [1:0]   works_window_size,          // The binary logarithm of its side in samples: n less the level.
-    input  wire [1:0]   works_window_x,             // Its leftmost sample.
-    input  wire [1:0]   works_window_y,             // Its uppermost sample.
-    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    // The binary logarithm of the window's side in samples: n less the level.
+    input  wire [1:0]   works_window_size,
+    input  wire [1:0]   works_window_x,             // The window's leftmost sample.
+    input  wire [1:0]   works_window_y,             // The window's uppermost sample.
+    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
     input  wire [95:0]  works_window_edges,
-    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    input  wire [12:0]  works_window_bounds_left,   // The leftmost column.
-    input  wire [12:0]  works_window_bounds_top,    // The uppermost line.
-    input  wire [12:0]  works_window_bounds_right,  // The rightmost column.
-    input  wire [12:0]  works_window_bounds_bottom, // The lowest line.
-    input  wire [159:0] works_window_planes,        // The value of each plane at its upper left sample.
+    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    input  wire [12:0]  works_window_bounds_left,   // The left bound, a column of pixels.
+    input  wire [12:0]  works_window_bounds_top,    // The upper bound, a line of pixels.
+    input  wire [12:0]  works_window_bounds_right,  // The right bound, a column of pixels.
+    input  wire [12:0]  works_window_bounds_bottom, // The lower bound, a line of pixels.
+    input  wire [159:0] works_window_planes,        // The value of each plane at the window's upper left sample.
     input  wire         parts_ready,
-    // Their parts that the polygon may cover; divided to the end, the leaves.
+    // The parts of the windows that the polygon may cover; divided to the end, the leaves.
     output wire         parts_valid,
     // The polygon.
-    output wire [2:0]   parts_polygon_last_edge,    // The number of its edges, less one.
+    output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
     // What each edge function loses over a sample along x, on the way from where it is greatest.
     output wire [50:0]  parts_polygon_fall_x,
-    output wire [50:0]  parts_polygon_fall_y,       // The same along y.
+    // What each edge function loses over a sample along y, on the way from where it is greatest.
+    output wire [50:0]  parts_polygon_fall_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -51,22 +54,23 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
     output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
     // The window.
-    output wire [1:0]   parts_window_size,          // The binary logarithm of its side in samples: n less the level.
-    output wire [1:0]   parts_window_x,             // Its leftmost sample.
-    output wire [1:0]   parts_window_y,             // Its uppermost sample.
-    // The greatest value in it of each edge function; those beyond the polygon's last mean nothing.
+    // The binary logarithm of the window's side in samples: n less the level.
+    output wire [1:0]   parts_window_size,
+    output wire [1:0]   parts_window_x,             // The window's leftmost sample.
+    output wire [1:0]   parts_window_y,             // The window's uppermost sample.
+    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
     output wire [95:0]  parts_window_edges,
-    // How far it reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    output wire [12:0]  parts_window_bounds_left,   // The leftmost column.
-    output wire [12:0]  parts_window_bounds_top,    // The uppermost line.
-    output wire [12:0]  parts_window_bounds_right,  // The rightmost column.
-    output wire [12:0]  parts_window_bounds_bottom, // The lowest line.
-    output wire [159:0] parts_window_planes,        // The value of each plane at its upper left sample.
-    output wire         idle,                       // No window is held.
+    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+    output wire [12:0]  parts_window_bounds_left,   // The left bound, a column of pixels.
+    output wire [12:0]  parts_window_bounds_top,    // The upper bound, a line of pixels.
+    output wire [12:0]  parts_window_bounds_right,  // The right bound, a column of pixels.
+    output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels.
+    output wire [159:0] parts_window_planes,        // The value of each plane at the window's upper left sample.
+    output wire         idle,                       // No window is under way.
     // What was done on each level, from the first.
-    output wire [31:0]  tally_0_busy,               // Clocks in which it worked.
-    output wire [31:0]  tally_0_stalled,            // Clocks in which it had a result that was not taken.
-    output wire [31:0]  tally_0_results,            // Results.
+    output wire [31:0]  tally_0_busy,               // Clocks in which the unit worked.
+    output wire [31:0]  tally_0_stalled,            // Clocks in which the unit had a result that was not taken.
+    output wire [31:0]  tally_0_results,            // Results that the unit gave.
     output wire         works_ready
 );
 

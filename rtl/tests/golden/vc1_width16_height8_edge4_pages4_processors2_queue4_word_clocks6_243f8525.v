@@ -19,17 +19,17 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     // Of each processor.
     // A pixel to draw.
     input  wire        processors_0_request_valid,
-    input  wire [3:0]  processors_0_request_x,      // Counted from the left.
-    input  wire [2:0]  processors_0_request_y,      // Counted from the top.
-    input  wire [47:0] processors_0_request_word,   // Depth above colour.
+    input  wire [3:0]  processors_0_request_x,      // The column of the pixel, counted from the left.
+    input  wire [2:0]  processors_0_request_y,      // The line of the pixel, counted from the top.
+    input  wire [47:0] processors_0_request_word,   // The word of the pixel: depth above colour.
     // A patch table entry to clear.
     input  wire        processors_0_clear_valid,
-    input  wire [2:0]  processors_0_clear_patch,    // Its number.
+    input  wire [2:0]  processors_0_clear_patch,    // The number of the patch.
     // A word for the bus.
     input  wire        processors_0_sends_valid,
-    input  wire [31:0] processors_0_sends_word,     // What it says.
-    input  wire        processors_0_sends_last,     // The packet ends with it.
-    input  wire        processors_0_done,           // Its frame is drawn.
+    input  wire [31:0] processors_0_sends_word,     // A word of the packet.
+    input  wire        processors_0_sends_last,     // The packet ends with this word.
+    input  wire        processors_0_done,           // The processor's frame is drawn.
     input  wire        processors_1_request_valid,
     input  wire [3:0]  processors_1_request_x,
     input  wire [2:0]  processors_1_request_y,
@@ -42,27 +42,27 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     input  wire        processors_1_done,
     // A word of the host for the bus.
     input  wire        command_valid,
-    input  wire [31:0] command_word,                // What it says.
-    input  wire        command_last,                // The packet ends with it.
+    input  wire [31:0] command_word,                // A word of the packet.
+    input  wire        command_last,                // The packet ends with this word.
     input  wire        ready,                       // The host lets the sync line go.
     // Of the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
-    input  wire [6:0]  host_accesses_address,       // A pixel, in raster order.
-    input  wire        host_accesses_writes,        // Whether it is written; else it is read.
-    input  wire [47:0] host_accesses_word,          // What is written there: depth above colour.
+    input  wire [6:0]  host_accesses_address,       // The pixel that the host accesses, in raster order.
+    input  wire        host_accesses_writes,        // The host writes the pixel; where it is low it reads the pixel.
+    input  wire [47:0] host_accesses_word,          // The word that the host writes: depth above colour.
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
     input  wire        processors_0_received_ready,
     input  wire        processors_1_received_ready,
     // To each processor.
-    output wire [1:0]  processors_0_state,          // What it may do: a code of `SwapState`.
+    output wire [1:0]  processors_0_state,          // What the processor may do: a code of `SwapState`.
     output wire [2:0]  processors_0_pages_used,     // How many pages are taken.
-    output wire        processors_0_idle,           // Nothing is under way.
-    // The word at the front of its queue.
+    output wire        processors_0_idle,           // Nothing of the processor is under way.
+    // The word at the front of the processor's queue.
     output wire        processors_0_received_valid,
-    output wire [31:0] processors_0_received_word,  // What it says.
-    output wire        processors_0_received_last,  // The packet ends with it.
+    output wire [31:0] processors_0_received_word,  // A word of the packet.
+    output wire        processors_0_received_last,  // The packet ends with this word.
     output wire [1:0]  processors_1_state,
     output wire [2:0]  processors_1_pages_used,
     output wire        processors_1_idle,
@@ -77,10 +77,10 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     output wire        view_first_round,
     // A frame is stored in the global frame buffer, and waits for the blanking.
     output wire        is_merged,
-    output wire        shown,                       // Turns with each swap of the global frame buffer.
+    output wire        shown,                       // Toggles with each swap of the global frame buffer.
     // To the display.
-    output wire        pixel_valid,                 // There is a pixel.
-    output wire [23:0] pixel_rgb,                   // Its colour.
+    output wire        pixel_valid,                 // The display gets a pixel in this clock.
+    output wire [23:0] pixel_rgb,                   // The colour of the pixel.
     output wire        processors_0_request_ready,
     output wire        processors_0_clear_ready,
     output wire        processors_0_sends_ready,

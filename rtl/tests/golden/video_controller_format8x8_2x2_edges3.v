@@ -18,11 +18,11 @@ module video_controller_format8x8_2x2_edges3 (
     input  wire [191:0] words,           // The words sent by the video buffers, row by row of the matrix.
     input  wire         pixels_ready,
     // To each video buffer.
-    // There is one; where it is low the word sent stays, until the banks are exchanged.
+    // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
     output wire [3:0]   scan_enable,
-    output wire [7:0]   scan_x,          // Its column among those of the video processor.
-    output wire [7:0]   scan_y,          // Its line among those of the video processor.
-    output wire [3:0]   scan_clear,      // It is emptied.
+    output wire [7:0]   scan_x,          // The pixel's column among those of the video processor.
+    output wire [7:0]   scan_y,          // The pixel's line among those of the video processor.
+    output wire [3:0]   scan_clear,      // The pixel is emptied when it is read.
     // Pixels side by side; the last group of a line may have some that are beyond its end.
     output wire         pixels_valid,
     output wire [95:0]  pixels_payload,

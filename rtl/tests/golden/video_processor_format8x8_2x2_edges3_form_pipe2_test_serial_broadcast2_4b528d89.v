@@ -13,39 +13,40 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     input  wire         rst,
     // Polygons.
     input  wire         packets_valid,
-    input  wire [2:0]   packets_last_edge,     // The number of its edges, less one.
-    // Its edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds.
-    input  wire [50:0]  packets_edges_b,       // What a line down adds.
-    input  wire [95:0]  packets_edges_c,       // The value at the upper left pixel.
-    // What varies over it.
-    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds.
-    input  wire [159:0] packets_planes_y,      // What a line down adds.
-    input  wire [159:0] packets_planes_origin, // The value at the upper left pixel, with half a unit for rounding.
-    // The pixels whose centres lie within its vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,   // The leftmost column.
-    input  wire [10:0]  packets_bounds_top,    // The uppermost line.
-    input  wire [10:0]  packets_bounds_right,  // The rightmost column.
-    input  wire [10:0]  packets_bounds_bottom, // The lowest line.
+    input  wire [2:0]   packets_last_edge,     // The number of the polygon's edges, less one.
+    // The polygon's edges; those beyond the last mean nothing.
+    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
+    input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
+    input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
+    // What varies over the polygon.
+    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
+    input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
+    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    input  wire [159:0] packets_planes_origin,
+    // The pixels whose centres lie within the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels.
+    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels.
+    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels.
     // The outermost pixels of this video processor, with half the aperture beyond them; constants, `Format::place_of`.
-    input  wire [12:0]  place_left,            // The leftmost column.
-    input  wire [12:0]  place_top,             // The uppermost line.
-    input  wire [12:0]  place_right,           // The rightmost column.
-    input  wire [12:0]  place_bottom,          // The lowest line.
+    input  wire [12:0]  place_left,            // The left bound, a column of pixels.
+    input  wire [12:0]  place_top,             // The upper bound, a line of pixels.
+    input  wire [12:0]  place_right,           // The right bound, a column of pixels.
+    input  wire [12:0]  place_bottom,          // The lower bound, a line of pixels.
     input  wire         strict,                // Depth alone decides, and of equal depths the first drawn stays.
     input  wire         back,                  // The bank that is drawn.
     // A pixel of the other bank to send.
-    // There is one; where it is low the word sent stays, until the banks are exchanged.
+    // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
     input  wire         scan_enable,
-    input  wire [1:0]   scan_x,                // Its column among those of the video processor.
-    input  wire [1:0]   scan_y,                // Its line among those of the video processor.
-    input  wire         scan_clear,            // It is emptied.
-    output wire [47:0]  word,                  // The word sent.
-    output wire         idle,                  // Nothing is under way.
+    input  wire [1:0]   scan_x,                // The pixel's column among those of the video processor.
+    input  wire [1:0]   scan_y,                // The pixel's line among those of the video processor.
+    input  wire         scan_clear,            // The pixel is emptied when it is read.
+    output wire [47:0]  word,                  // The word sent to the video controller.
+    output wire         idle,                  // No polygon is under way.
     // What the set-up did, and the raster processor on each level.
-    output wire [31:0]  tally_0_busy,          // Clocks in which it worked.
-    output wire [31:0]  tally_0_stalled,       // Clocks in which it had a result that was not taken.
-    output wire [31:0]  tally_0_results,       // Results.
+    output wire [31:0]  tally_0_busy,          // Clocks in which the unit worked.
+    output wire [31:0]  tally_0_stalled,       // Clocks in which the unit had a result that was not taken.
+    output wire [31:0]  tally_0_results,       // Results that the unit gave.
     output wire [31:0]  tally_1_busy,
     output wire [31:0]  tally_1_stalled,
     output wire [31:0]  tally_1_results,
