@@ -56,10 +56,16 @@ impl Machine {
     /// The paper.
     pub fn source(self) -> &'static str {
         match self {
-            Machine::Vc1 => "Nishimura and Kunii, VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers",
-            Machine::Quadtree => "a Russian paper on matrix-pipeline image generators of sparse rasters and quadtrees",
-            Machine::PixelPlanes => "the chapter on renderer performance of a paper on Pixel-planes 5",
-            Machine::PixelFlow => "Lastra, Reducing Latency on PixelFlow",
+            Machine::Vc1 => {
+                "Nishimura and Kunii, VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers, SIGGRAPH 96"
+            }
+            Machine::Quadtree => {
+                "a Russian paper on matrix-pipeline image generators, whose title and authors are not known"
+            }
+            Machine::PixelPlanes => "section I.3.2, Renderer Performance, of a text on Pixel-planes 5",
+            Machine::PixelFlow => {
+                "Lastra, Reducing Latency on PixelFlow, Eurographics Workshop on Graphics Hardware, 1995"
+            }
         }
     }
 
