@@ -112,9 +112,9 @@ pub struct MachineArguments {
     #[command(flatten)]
     pub pixel_planes: pixel_planes::PixelPlanesOptions,
     #[command(flatten)]
-    pub pixelflow: pixelflow::PixelFlowOptions,
-    #[command(flatten)]
     pub order: OrderOptions,
+    #[command(flatten)]
+    pub pixelflow: pixelflow::PixelFlowOptions,
 }
 
 /// Which of two pixels of equal depth is seen, where a machine draws in the order of submission.

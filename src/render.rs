@@ -10,7 +10,7 @@ use crate::shell::output::{Output, Waveform};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, terminal};
-use crate::trace::TraceOptions;
+use crate::trace::{TraceOptions, WAVEFORM};
 use crate::verdict::{DIFFERENCE, Golden, leave_difference};
 use clap::Args;
 use serde::Serialize;
@@ -39,27 +39,27 @@ If that picture cannot be written, a warning says so and the exit code stays 1."
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The machine
+    /// The machine; the options of each are below
     #[arg(long, value_enum, value_parser = names::of::<Machine>("machine"), default_value_t = Machine::Vc1)]
     machine: Machine,
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
     /// Compare the colours with this picture instead of the software rasterizer's frame
     #[arg(long, value_name = "FILE")]
     golden: Option<PathBuf>,
     #[command(flatten)]
     engine: EngineArguments,
-    /// Print the report as JSON
-    #[arg(long)]
-    json: bool,
     /// Write the waveform of the run, a VCD file (`-`: standard output); that of a whole frame takes about a gigabyte unless it is filtered
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", help_heading = WAVEFORM)]
     vcd: Option<PathBuf>,
     #[command(flatten)]
-    options: MachineArguments,
-    #[command(flatten)]
     filters: TraceOptions,
+    #[command(flatten)]
+    options: MachineArguments,
 }
 
 #[derive(Serialize)]

@@ -8,9 +8,12 @@ use std::path::Path;
 use tilewright_hdl::Bundle;
 use tilewright_sim::Simulation;
 
+/// The heading of what is about a waveform file.
+pub const WAVEFORM: &str = "Waveform";
+
 /// Filters of a waveform file.
 #[derive(Args, Clone, Default)]
-#[command(next_help_heading = "Waveform filters")]
+#[command(next_help_heading = WAVEFORM)]
 pub struct TraceOptions {
     /// Only signals whose path matches, such as `u_cell[*].value`, also written as in the Verilog: `*` stands for anything but a dot, `**` for anything
     #[arg(long, value_name = "GLOB")]

@@ -32,13 +32,13 @@ pub struct PixelPlanesOptions {
     /// What the ring brings to renderers and frame buffer in Mbit/s, a multiple of 40 [default: 5000]
     #[arg(long, value_name = "MBITS", value_parser = value_parser!(u32))]
     ring: Option<u32>,
-    /// Have tree and memory work on one instruction at a time
-    #[arg(long)]
-    one_at_a_time: bool,
     /// Send edges in one length that is enough for any, each in its own length, or each as the least half-plane that is the same in the region
     /// [default: least]
     #[arg(long, value_name = "FORM", value_parser = forms())]
     edges: Option<Edges>,
+    /// Have tree and memory work on one instruction at a time
+    #[arg(long)]
+    one_at_a_time: bool,
 }
 
 /// The forms of edges by their names.

@@ -28,6 +28,9 @@ pub struct QuadtreeOptions {
     /// How the edges of a window are tested [default: parallel]
     #[arg(long, value_name = "TEST", value_parser = tests())]
     test: Option<Test>,
+    /// Pixels by which windows are tested wider than their samples, even, 0 to 8 [default: 0]
+    #[arg(long, value_name = "PIXELS")]
+    aperture: Option<u32>,
     /// Packets that the queue before the broadcast holds [default: 2]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
     broadcast_queue: Option<u32>,
@@ -37,9 +40,6 @@ pub struct QuadtreeOptions {
     /// Windows that the queue before each unit of a pipe or tree holds [default: 2]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
     window_queue: Option<u32>,
-    /// Pixels by which windows are tested wider than their samples, even, 0 to 8 [default: 0]
-    #[arg(long, value_name = "PIXELS")]
-    aperture: Option<u32>,
 }
 
 /// The ways to test the edges of a window, by name.

@@ -25,25 +25,28 @@ pub struct Vc1Options {
     /// Processing elements [default: 16]
     #[arg(long, value_name = "N", value_parser = number(1..=Config::MAX_PROCESSORS))]
     processors: Option<u32>,
-    /// The edge of a patch in pixels [default: 4]
-    #[arg(long, value_name = "EDGE",
-          value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
-    patch: Option<u32>,
     /// Pages of image memory in each local frame buffer, or `auto` for as many as avoid overflows [default: those of 65536 pixels, or the whole screen]
     #[arg(long, value_name = "N", value_parser = pages)]
     pages: Option<Pages>,
-    /// Polygons of a cluster, which is dealt as a whole [default: 32]
-    #[arg(long, value_name = "N", value_parser = number(1..=u32::MAX))]
-    cluster: Option<u32>,
-    /// The area in pixels above which a polygon is sent to all processing elements, each of which draws its rows; or `off` [default: 500]
-    #[arg(long, value_name = "PIXELS", value_parser = threshold)]
-    apr: Option<Threshold>,
     /// Frames, one of each view of a camera that turns; FILE.png becomes FILE-001.png and so on [default: 1]
     #[arg(long, value_name = "N", value_parser = number(1..=1000u32))]
     frames: Option<u32>,
     /// By how much the camera turns from frame to frame [default: a full turn in all frames]
     #[arg(long, value_name = "DEGREES", requires = "frames", allow_negative_numbers = true)]
     turn: Option<f64>,
+    /// The area in pixels above which a polygon is sent to all processing elements, each of which draws its rows; or `off` [default: 500]
+    #[arg(long, value_name = "PIXELS", value_parser = threshold)]
+    apr: Option<Threshold>,
+    /// Polygons of a cluster, which is dealt as a whole [default: 32]
+    #[arg(long, value_name = "N", value_parser = number(1..=u32::MAX))]
+    cluster: Option<u32>,
+    /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
+    /// each, or by the count of polygons alone [default: once]
+    #[arg(long, value_name = "HOW", value_parser = assigns())]
+    assign: Option<Assign>,
+    /// The host sends the whole scene over the bus before each frame, instead of once
+    #[arg(long)]
+    immediate: bool,
     /// Frames of which each picture is the average, with the vertices moved by parts of a pixel
     #[arg(long, value_name = "N",
           value_parser = PossibleValuesParser::new(["2", "4", "8", "16"]).map(|passes| passes.parse::<u32>().unwrap_or_default()))]
@@ -51,28 +54,25 @@ pub struct Vc1Options {
     /// The upper left corner of a cursor of 8x8 pixels, which the host writes into each frame on display
     #[arg(long, value_name = "X,Y", value_parser = cursor, conflicts_with = "accumulate")]
     cursor: Option<Cursor>,
-    /// The host sends the whole scene over the bus before each frame, instead of once
-    #[arg(long)]
-    immediate: bool,
-    /// Clocks of the merger after each scan line [default: 20]
-    #[arg(long, value_name = "CLOCKS", value_parser = number(1..=Config::MAX_OVERHEAD))]
-    overhead: Option<u32>,
+    /// The edge of a patch in pixels [default: 4]
+    #[arg(long, value_name = "EDGE",
+          value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
+    patch: Option<u32>,
     /// Refreshes of the display in a second, such as 59.94 [default: 60]
     #[arg(long, value_name = "HZ")]
     refresh: Option<f64>,
     /// The lines of the vertical blanking in which the displayed frame changes [default: at-start]
     #[arg(long, value_name = "WHEN", value_parser = swaps())]
     swap: Option<Blanking>,
+    /// Clocks of the merger after each scan line [default: 20]
+    #[arg(long, value_name = "CLOCKS", value_parser = number(1..=Config::MAX_OVERHEAD))]
+    overhead: Option<u32>,
     /// Clocks of the processing elements that a word of 32 bits is on the broadcast bus [default: 6]
     #[arg(long, value_name = "CLOCKS", value_parser = number(1..=255u32))]
     bus: Option<u32>,
     /// Words that the receive queue of a processing element holds [default: 64]
     #[arg(long, value_name = "WORDS", value_parser = number(10..=4096u32))]
     queue: Option<u32>,
-    /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
-    /// each, or by the count of polygons alone [default: once]
-    #[arg(long, value_name = "HOW", value_parser = assigns())]
-    assign: Option<Assign>,
     #[arg(long, value_name = "NAME=CLOCKS", value_parser = cost::cost, help = cost::help())]
     cost: Vec<Cost>,
 }

@@ -98,6 +98,32 @@ fn a_waveform_of_the_run_can_be_filtered() {
 }
 
 #[test]
+fn the_help_has_the_options_of_each_machine_under_a_heading() {
+    let help = Folder::new().stdout("help render");
+    let mut headings: Vec<(&str, &str)> = Vec::new();
+    for line in help.lines() {
+        match line.strip_prefix("      --").map(|rest| rest.split(' ').next().unwrap_or(rest)) {
+            Some(option) if headings.last().is_some_and(|(_, first)| first.is_empty()) => {
+                headings.last_mut().unwrap().1 = option;
+            }
+            None if line.ends_with(':') && !line.starts_with(' ') => headings.push((line, "")),
+            _ => {}
+        }
+    }
+    let expected = [
+        ("Options:", "size"),
+        ("Waveform:", "vcd"),
+        ("Options of --machine vc1:", "processors"),
+        ("Options of --machine quadtree:", "matrix"),
+        ("Options of --machine pixel-planes-5:", "renderers"),
+        ("Options of --machine quadtree and --machine pixel-planes-5:", "strict"),
+        ("Options of --machine pixelflow:", "nodes"),
+    ];
+    let headings = headings.iter().filter(|(heading, _)| !["Arguments:", "Examples:"].contains(heading));
+    assert_eq!(headings.copied().collect::<Vec<_>>(), expected, "{help}");
+}
+
+#[test]
 fn the_list_and_the_help_name_the_options_of_each_machine() {
     let folder = Folder::with(&[("pyramid.obj", PYRAMID)]);
     let list = folder.json("list --json");
