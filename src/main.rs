@@ -9,6 +9,7 @@ mod explain;
 mod golden;
 mod list;
 mod machine;
+mod manual;
 mod names;
 mod number;
 mod player;
@@ -70,6 +71,7 @@ enum Command {
     Explain(explain::Explain),
     List(list::List),
     Completions(completions::Completions),
+    Manual(manual::Manual),
 }
 
 impl Command {
@@ -85,6 +87,7 @@ impl Command {
             Command::Explain(it) => it.run(),
             Command::List(it) => it.run(),
             Command::Completions(it) => it.run(),
+            Command::Manual(it) => it.run(),
         }
     }
 }

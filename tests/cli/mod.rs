@@ -13,6 +13,7 @@ mod interruption;
 mod limits;
 mod lines;
 mod list;
+mod manual;
 mod output;
 mod pixel_planes;
 mod pixelflow;
