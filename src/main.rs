@@ -11,6 +11,7 @@ mod list;
 mod machine;
 mod manual;
 mod names;
+mod new;
 mod number;
 mod player;
 mod render;
@@ -70,6 +71,7 @@ enum Command {
     Bench(bench::Bench),
     Explain(explain::Explain),
     List(list::List),
+    New(new::New),
     Completions(completions::Completions),
     Manual(manual::Manual),
 }
@@ -86,6 +88,7 @@ impl Command {
             Command::Bench(it) => it.run(),
             Command::Explain(it) => it.run(),
             Command::List(it) => it.run(),
+            Command::New(it) => it.run(),
             Command::Completions(it) => it.run(),
             Command::Manual(it) => it.run(),
         }

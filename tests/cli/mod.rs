@@ -14,6 +14,7 @@ mod limits;
 mod lines;
 mod list;
 mod manual;
+pub mod new;
 mod output;
 mod pixel_planes;
 mod pixelflow;
