@@ -6,10 +6,10 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 # Each program with the Debian package that has it: Verilog simulators and linters, what they call in turn (Verilator a C++ compiler and
-# make, Yosys vcd2fst to read a VCD), the C++ compiler for the fastest models, and a browser to look at reports with. Without one the tests
-# that need it say `skipped` and its name; with CI set they fail.
+# make, Yosys vcd2fst to read a VCD and z3 to prove), the C++ compiler for the fastest models, what places and packs for a small FPGA,
+# and a browser to look at reports with. Without one the tests that need it say `skipped` and its name; with CI set they fail.
 tools=(verilator:verilator iverilog:iverilog yosys:yosys clang:clang g++:g++ make:make vcd2fst:gtkwave python3:python3 pip3:python3-pip
-    chromium:chromium)
+    z3:z3 nextpnr-ice40:nextpnr-ice40 icepack:fpga-icestorm chromium:chromium)
 as_root_on_debian() { command -v apt-get >/dev/null && [ "$(id -u)" = 0 ]; }
 
 install_tools() {

@@ -4,3 +4,4 @@ mod book;
 mod fpga;
 mod outputs;
 mod quotes;
+mod tools;

@@ -2,8 +2,10 @@
 
 pub mod echo;
 pub mod far_end;
+pub mod proved;
 pub mod queue;
 pub mod receiver;
 pub mod sender;
 pub mod ticks;
 pub mod transmitter;
+pub mod two_clocks;

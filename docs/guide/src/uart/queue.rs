@@ -33,13 +33,15 @@ block! {
         /// Removes the oldest byte.
         pop: bit(),
     }
-    out ByteQueueOut {
+    out(self) ByteQueueOut {
         /// The oldest byte, unless the queue is empty.
         oldest: Received = Received::widths(),
         /// There is none.
         empty: bit(),
         /// There is no room.
         full: bit(),
+        /// How many bytes there are.
+        used: up_to(self.depth),
     }
 }
 
@@ -55,7 +57,7 @@ impl ByteQueue {
         bytes.write(pushes, behind.low(), i.byte_in);
         behind.when(pushes, behind + 1);
         first.when(i.pop & !empty, first + 1);
-        ByteQueueOut { oldest: bytes.read_async(first.low()), empty, full }
+        ByteQueueOut { oldest: bytes.read_async(first.low()), empty, full, used: behind - *first }
     }
 }
 
@@ -99,8 +101,8 @@ mod tests {
             let (push, pop) = (clock * 7 % 5 > 1, clock * 11 % 17 > clock / 32);
             let byte = Received { data: clock % 251, broken: clock % 3 / 2 };
             sim.drive(ByteQueueIn { push: push.into(), byte_in: byte, pop: pop.into() });
-            let ByteQueueOut { oldest, empty, full } = sim.read_u64();
-            assert_eq!((empty == 1, full == 1), (model.is_empty(), model.len() == 4));
+            let ByteQueueOut { oldest, empty, full, used } = sim.read_u64();
+            assert_eq!((empty == 1, full == 1, used), (model.is_empty(), model.len() == 4, model.len() as u64));
             model.front().into_iter().for_each(|first| assert_eq!(oldest, *first));
             let pushes = push && model.len() < 4;
             if pop {

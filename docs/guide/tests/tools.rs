@@ -1,0 +1,112 @@
+//! Commands of external programs that the chapters show do what they show, where the programs are installed.
+
+use crate::book::{Fence, fences, folder, stands_in};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+use tilewright_blocks::PowerOnReset;
+use tilewright_gen::tools::{skipped, skipped_without};
+use tilewright_guide::blink::Blink;
+use tilewright_guide::mistakes::unguarded::Unguarded;
+use tilewright_guide::uart::echo::Echo;
+use tilewright_guide::uart::proved::{QueueCounts, QueueKeeps};
+use tilewright_hdl::{Block, elaborate};
+
+/// The folder in which the commands of a block run: it has the Verilog of what the chapter speaks of there.
+fn folder_of(name: &str) -> TempDir {
+    let made = tempfile::tempdir().unwrap();
+    match name {
+        "queue" => print(&QueueCounts { depth: 4 }, made.path()),
+        "byte" => print(&QueueKeeps { depth: 4 }, made.path()),
+        "unguarded" => print(&Unguarded, made.path()),
+        "blink" => {
+            print(&PowerOnReset::new(16), made.path());
+            print(&Blink { clocks: 6_000_000 }, made.path());
+            for file in ["blink.v", "blink.pcf"] {
+                fs::copy(folder().join("board").join(file), made.path().join(file)).unwrap();
+            }
+        }
+        "board" => {
+            print(&PowerOnReset::new(16), made.path());
+            print(&Echo { clocks_per_bit: 104, depth: 16 }, made.path());
+            for file in ["icestick.v", "icestick.pcf"] {
+                fs::copy(folder().join("board").join(file), made.path().join(file)).unwrap();
+            }
+        }
+        _ => panic!("there is no folder `{name}`"),
+    }
+    made
+}
+
+fn print<B: Block>(block: &B, folder: &Path) {
+    for file in tilewright_gen::verilog(&elaborate(block).unwrap()) {
+        fs::write(folder.join(file.name), file.text).unwrap();
+    }
+}
+
+/// Each command of a block, which may have several lines, with what is shown behind it.
+fn commands(text: &str) -> Vec<(String, String)> {
+    let mut commands: Vec<(String, String)> = Vec::new();
+    for line in text.lines() {
+        match (line.strip_prefix("$ "), commands.last_mut()) {
+            (Some(command), _) => commands.push((command.to_owned(), String::new())),
+            (None, Some((command, _))) if command.ends_with('\\') || command.matches('\'').count() % 2 == 1 => {
+                *command += &format!("\n{line}");
+            }
+            (None, Some((_, shown))) => *shown += &format!("{line}\n"),
+            (None, None) => panic!("`{line}` stands before the first command"),
+        }
+    }
+    commands
+}
+
+/// Whether Yosys is the version that the chapters show; others print other numbers.
+pub fn is_known_yosys() -> bool {
+    let version = Command::new("yosys").arg("-V").output().unwrap();
+    let is_known = version.stdout.starts_with(b"Yosys 0.23 ");
+    if !is_known {
+        let _ = skipped("yosys is there, but not 0.23");
+    }
+    is_known
+}
+
+/// With no time passed in the lines that begin with it.
+fn without_times(printed: &str) -> String {
+    let line = |line: &str| match line.strip_prefix("##   ").and_then(|rest| rest.split_once("  ")) {
+        Some((_, said)) => format!("##   0:00:00  {said}\n"),
+        None => format!("{line}\n"),
+    };
+    printed.lines().map(line).collect()
+}
+
+#[test]
+fn commands_print_what_is_shown() {
+    let mut count = 0;
+    // Blocks of one name follow each other in one folder.
+    let mut folders = BTreeMap::new();
+    for Fence { place, source, text, .. } in fences().into_iter().filter(|fence| fence.language == "console") {
+        let commands = commands(&text);
+        let programs: Vec<&str> = commands.iter().filter_map(|(command, _)| command.split(' ').next()).collect();
+        // Those of the tool itself are run where the tool is built: in the root package's tests.
+        if programs.contains(&"tilewright") {
+            continue;
+        }
+        count += 1;
+        let mut needed = vec!["yosys"];
+        needed.extend(programs.iter().filter(|program| !["yosys", "printf", "cat"].contains(program)));
+        needed.extend(text.contains(" z3 ").then_some("z3"));
+        if skipped_without(&needed).is_some() || !is_known_yosys() {
+            continue;
+        }
+        let folder = folders.entry(source.clone()).or_insert_with(|| folder_of(&source));
+        for (command, shown) in commands {
+            let run = Command::new("sh").args(["-c", &command]).current_dir(&*folder).output().unwrap();
+            let printed = without_times(&String::from_utf8_lossy(&[run.stdout, run.stderr].concat()));
+            let is_as_shown = shown.trim().is_empty() || stands_in(&shown, &printed);
+            assert!(is_as_shown, "{place}: {command}\nprints\n{printed}");
+        }
+    }
+    assert!(count > 2, "only {count} blocks are found");
+}
