@@ -3,6 +3,9 @@
 use crate::page::{Page, Part, Section};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+/// Colours, what is around parts, and charts.
+const STYLE: &str = concat!(include_str!("colours.css"), include_str!("style.css"), include_str!("charts.css"));
+
 /// The whole page, in one file: it loads nothing and runs nothing, and a browser is told to let it do neither.
 pub fn document(page: &Page) -> Markup {
     html! {
@@ -15,7 +18,7 @@ pub fn document(page: &Page) -> Markup {
                 meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:";
                 title { (page.title) }
                 link rel="icon" href="data:,";
-                style { (PreEscaped(include_str!("style.css"))) }
+                style { (PreEscaped(STYLE)) }
             }
             body {
                 header {

@@ -8,6 +8,7 @@ mod html;
 mod number;
 mod origin;
 mod page;
+pub mod palette;
 mod picture;
 mod plot;
 mod problem;

@@ -26,6 +26,16 @@ pub struct Timeline {
     pub(crate) axis: String,
     origin: Origin,
     pub(crate) lanes: Vec<Lane>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) kinds: Vec<Kind>,
+}
+
+/// A kind of what columns are made of.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Kind {
+    pub what: String,
+    /// Nothing is done meanwhile, so that it is grey.
+    pub is_quiet: bool,
 }
 
 /// What goes on in one place.
@@ -41,6 +51,17 @@ pub struct Lane {
     pub name: String,
     pub(crate) spans: Vec<Span>,
     pub(crate) events: Vec<Event>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(crate) columns: Vec<Column>,
+}
+
+/// A time in which several things went on, each for a share of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Column {
+    pub from: f64,
+    pub to: f64,
+    /// What, and for which share of the time, from 0 to 1.
+    pub shares: Vec<(String, f64)>,
 }
 
 /// Something that goes on for a time. Spans of one name look alike.
@@ -66,7 +87,7 @@ impl Lane {
     /// assert_eq!(tilewright_report::Lane::new("sender").name, "sender");
     /// ```
     pub fn new(name: impl Into<String>) -> Lane {
-        Lane { name: name.into(), spans: Vec::new(), events: Vec::new() }
+        Lane { name: name.into(), spans: Vec::new(), events: Vec::new(), columns: Vec::new() }
     }
 
     /// Adds what goes on from one time to another.
@@ -79,6 +100,22 @@ impl Lane {
     /// ```
     pub fn span(mut self, what: impl Into<String>, from: f64, to: f64) -> Lane {
         self.spans.push(Span { what: what.into(), from, to });
+        self
+    }
+
+    /// Adds a time in which several things went on, each for a share of it from 0 to 1; they stand one on the other in the order of
+    /// [`Timeline::kinds`].
+    ///
+    /// ```
+    /// use tilewright_report::{Lane, Origin, Timeline};
+    ///
+    /// let lane = Lane::new("bus").shares(0.0, 2.0, [("a word", 0.75), ("waiting", 0.25)]);
+    /// let chart = Timeline::new("transfer", "A transfer", "time, ms", Origin::Formula).kinds(["a word"], ["waiting"]).lane(lane);
+    /// assert_eq!(chart.csv_text().lines().nth(1), Some("bus,,a word,0,2,0.75,formula,"));
+    /// ```
+    pub fn shares(mut self, from: f64, to: f64, shares: impl IntoIterator<Item = (impl Into<String>, f64)>) -> Lane {
+        let shares = shares.into_iter().map(|(what, share)| (what.into(), share)).collect();
+        self.columns.push(Column { from, to, shares });
         self
     }
 
@@ -99,14 +136,16 @@ impl Lane {
 impl Lane {
     fn rows(&self) -> impl Iterator<Item = Row<'_>> {
         let lane = self.name.as_str();
-        let spans = self.spans.iter().map(move |it| Row { lane, sign: "", what: &it.what, from: it.from, to: it.to });
-        spans.chain(self.events.iter().map(move |it| Row {
-            lane,
-            sign: &it.sign,
-            what: &it.what,
-            from: it.at,
-            to: it.at,
-        }))
+        let row = move |what, from, to, share| Row { lane, sign: "", what, from, to, share };
+        let spans = self.spans.iter().map(move |it| row(&it.what, it.from, it.to, 1.0));
+        let columns = self
+            .columns
+            .iter()
+            .flat_map(move |it| it.shares.iter().map(move |(what, share)| row(what.as_str(), it.from, it.to, *share)));
+        let events = self.events.iter();
+        let events =
+            events.map(move |it| Row { lane, sign: &it.sign, what: &it.what, from: it.at, to: it.at, share: 1.0 });
+        spans.chain(columns).chain(events)
     }
 }
 
@@ -122,7 +161,7 @@ impl Timeline {
     /// ```
     pub fn new(id: impl Into<String>, title: impl Into<String>, axis: impl Into<String>, origin: Origin) -> Timeline {
         let (id, title, axis) = (id.into(), title.into(), axis.into());
-        Timeline { id, title, note: String::new(), axis, origin, lanes: Vec::new() }
+        Timeline { id, title, note: String::new(), axis, origin, lanes: Vec::new(), kinds: Vec::new() }
     }
 
     /// What the caption says besides the title.
@@ -150,7 +189,38 @@ impl Timeline {
         self
     }
 
-    /// A row for each span, and for each event with its sign, which begins and ends at once.
+    /// Says of what columns are made, from the bottom of a bar to its top: of work, and of waiting, which is grey.
+    ///
+    /// ```
+    /// use tilewright_report::{Lane, Origin, Timeline};
+    ///
+    /// let chart = Timeline::new("transfer", "A transfer", "time, ms", Origin::Formula).kinds(["sending"], ["waiting"]);
+    /// let svg = chart.lane(Lane::new("bus").shares(0.0, 1.0, [("waiting", 0.5), ("sending", 0.5)])).svg_text();
+    /// assert!(svg.find(">sending</text>") < svg.find(">waiting</text>"));
+    /// ```
+    pub fn kinds<W: Into<String>, Q: Into<String>>(
+        mut self,
+        work: impl IntoIterator<Item = W>,
+        waiting: impl IntoIterator<Item = Q>,
+    ) -> Timeline {
+        let work = work.into_iter().map(|what| Kind { what: what.into(), is_quiet: false });
+        self.kinds = work.chain(waiting.into_iter().map(|what| Kind { what: what.into(), is_quiet: true })).collect();
+        self
+    }
+
+    /// The chart as a picture of its own, an SVG file with its legend, light or dark as the reader's screen is.
+    ///
+    /// ```
+    /// use tilewright_report::{Lane, Origin, Timeline};
+    ///
+    /// let chart = Timeline::new("transfer", "A transfer", "time, ms", Origin::Formula).lane(Lane::new("bus").span("a word", 1.0, 2.0));
+    /// assert!(chart.svg_text().starts_with("<svg xmlns="));
+    /// ```
+    pub fn svg_text(&self) -> String {
+        plot::svg_file_of_times(self).into_string() + "\n"
+    }
+
+    /// A row for each span and each share, and for each event with its sign, which begins and ends at once. Where there are shares they have a column.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -160,10 +230,13 @@ impl Timeline {
     /// ```
     pub fn csv_text(&self) -> String {
         let [from, to] = ["from", "to"].map(|end| format!("{end}: {}", self.axis));
-        let names = ["lane", "event", "what", &from, &to, "origin", "seeds"].map(str::to_owned).to_vec();
-        let rows = self.rows().into_iter().map(|Row { lane, sign, what, from, to }| {
-            let mut cells = [lane, sign, what].map(str::to_owned).to_vec();
-            cells.extend([csv::cell(from), csv::cell(to)]);
+        let has_shares = self.lanes.iter().any(|lane| !lane.columns.is_empty());
+        let share = |text: &str| has_shares.then(|| text.to_owned());
+        let mut names = ["lane", "event", "what", &from, &to].map(str::to_owned).to_vec();
+        names.extend(share("share").into_iter().chain(["origin", "seeds"].map(str::to_owned)));
+        let rows = self.rows().into_iter().map(|row| {
+            let mut cells = [row.lane, row.sign, row.what].map(str::to_owned).to_vec();
+            cells.extend([csv::cell(row.from), csv::cell(row.to)].into_iter().chain(share(&csv::cell(row.share))));
             cells.extend([self.origin.name().to_owned(), self.origin.seeds_in_words()]);
             cells
         });
@@ -174,12 +247,14 @@ impl Timeline {
         self.lanes.iter().flat_map(Lane::rows).collect()
     }
 
-    /// What its spans are of, each once, in order.
+    /// What its columns and spans are of, each once, in order.
     pub(crate) fn names(&self) -> Vec<&str> {
-        let mut names = Vec::new();
-        for span in self.lanes.iter().flat_map(|lane| &lane.spans) {
-            if !names.contains(&span.what.as_str()) {
-                names.push(span.what.as_str());
+        let mut names: Vec<&str> = self.kinds.iter().map(|kind| kind.what.as_str()).collect();
+        let spans = self.lanes.iter().flat_map(|lane| &lane.spans).map(|span| span.what.as_str());
+        let columns = self.lanes.iter().flat_map(|lane| &lane.columns);
+        for what in spans.chain(columns.flat_map(|it| it.shares.iter().map(|(what, _)| what.as_str()))) {
+            if !names.contains(&what) {
+                names.push(what);
             }
         }
         names
@@ -206,7 +281,7 @@ impl Timeline {
     }
 
     pub(crate) fn html(&self) -> Markup {
-        let row = |Row { lane, sign, what, from, to }: Row| {
+        let row = |Row { lane, sign, what, from, to, .. }: Row| {
             html! {
                 tr {
                     th scope="row" { (lane) }
@@ -220,7 +295,7 @@ impl Timeline {
         html! {
             (plot::svg_of_times(self, plot::WIDE)) (plot::svg_of_times(self, plot::NARROW))
             ul.legend aria-label="Legend" {
-                @for (number, name) in self.names().into_iter().enumerate() { li { (plot::sample_of_span(number)) (name) } }
+                @for (number, name) in self.names().into_iter().enumerate() { li { (plot::sample_of_span(self, number)) (name) } }
                 @for (sign, what) in self.signs() { li { strong { (sign) } " " (what) } }
             }
             ul.legend.origins aria-label="Origin" { li { (in_full(&self.origin)) } }
@@ -258,4 +333,5 @@ struct Row<'a> {
     what: &'a str,
     from: f64,
     to: f64,
+    share: f64,
 }

@@ -1,6 +1,6 @@
 //! The colours of the style sheet can be told from what is behind them, by the WCAG's measure: text 4.5 to 1, lines and marks 3 to 1.
 
-const SHEET: &str = include_str!("../src/style.css");
+const SHEET: &str = include_str!("../src/colours.css");
 
 /// A colour of the light or of the dark block, which is the second one.
 fn colour(name: &str, is_dark: bool) -> [f64; 3] {

@@ -72,7 +72,16 @@ fn a_small_page_is_as_it_was() {
         ["index.html", "report.json", "verdicts.csv", "chart.csv", "times.csv", "dots.png", "map.csv", "table.csv"]
     );
     // An element a line, and the style sheet where it is.
-    let html = file(&files, "index.html").replace(include_str!("../src/style.css"), "…").replace("><", ">\n<");
+    let html = file(&files, "index.html")
+        .replace(
+            concat!(
+                include_str!("../src/colours.css"),
+                include_str!("../src/style.css"),
+                include_str!("../src/charts.css")
+            ),
+            "…",
+        )
+        .replace("><", ">\n<");
     golden("index.html", &html);
     for name in ["report.json", "verdicts.csv", "chart.csv", "times.csv", "map.csv", "table.csv"] {
         golden(name, file(&files, name));

@@ -6,9 +6,11 @@ mod mark;
 mod scale;
 mod svg;
 mod timeline;
+mod times_file;
 
 pub use legend::legend;
 pub use timeline::{sample_of_span, svg_of_times};
+pub use times_file::svg_file_of_times;
 
 use crate::chart::{Chart, Series};
 use crate::origin::Origin;

@@ -6,7 +6,8 @@ use super::mark::LOOKS;
 use super::scale::Scale;
 use super::svg::{TENTHS, tenths};
 use crate::number::shown;
-use crate::timeline::{Event, Lane, Span, Timeline};
+use crate::palette;
+use crate::timeline::{Column, Event, Kind, Lane, Span, Timeline};
 use maud::{Markup, html};
 use plotters::coord::ranged1d::{BoldPoints, ValueFormatter};
 use plotters::prelude::Ranged;
@@ -15,6 +16,7 @@ use plotters::prelude::Ranged;
 const BAR: i32 = 18 * TENTHS;
 const SIGNS: i32 = 18 * TENTHS;
 const GAP: i32 = 10 * TENTHS;
+const SMALL_GAP: i32 = 4 * TENTHS;
 const AXIS: i32 = 44 * TENTHS;
 
 /// What a character of a label takes, in tenths.
@@ -25,55 +27,107 @@ struct Layout<'a> {
     scale: Scale,
     /// The ends of the axis.
     ends: (i32, i32),
-    /// What spans are of.
+    /// What columns and spans are of, and how each looks.
     names: Vec<&'a str>,
+    looks: Vec<Look>,
+    /// Whether lanes have columns.
+    has_kinds: bool,
+}
+
+/// Whether a lane has columns, or would have.
+fn is_of_columns(chart: &Timeline, lane: &Lane) -> bool {
+    !chart.kinds.is_empty() && lane.spans.is_empty()
 }
 
 /// A chart of times as an SVG element of that format's width.
 pub fn svg_of_times(chart: &Timeline, format: Format) -> Markup {
+    let (inside, height) = inside(chart, format);
+    html! {
+        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (height) } role="img" aria-label=(chart.alt()) { (inside) }
+    }
+}
+
+/// What is in that element, and its height.
+pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
     let longest = chart.lanes.iter().map(|lane| lane.name.chars().count() as i32).max().unwrap_or(0);
     let width = format.width as i32 * TENTHS;
     let times = chart.lanes.iter().flat_map(|lane| {
         let ends = lane.spans.iter().flat_map(|span| [span.from, span.to]);
-        ends.chain(lane.events.iter().map(|event| event.at))
+        let columns = lane.columns.iter().flat_map(|column| [column.from, column.to]);
+        ends.chain(columns).chain(lane.events.iter().map(|event| event.at))
     });
     let layout = Layout {
         scale: Scale::around(times, false),
         ends: (longest * CHARACTER + 10 * TENTHS, width - 12 * TENTHS),
         names: chart.names(),
+        looks: looks(chart),
+        has_kinds: !chart.kinds.is_empty(),
     };
     let mut top = 0;
     let tops: Vec<i32> = chart
         .lanes
         .iter()
         .map(|lane| {
-            let bar = top + if lane.events.is_empty() { GAP } else { SIGNS };
+            let gap = if is_of_columns(chart, lane) { SMALL_GAP } else { GAP };
+            let bar = top + if lane.events.is_empty() { gap } else { SIGNS };
             top = bar + BAR;
             bar
         })
         .collect();
     let bottom = top + GAP;
     let ticks = layout.scale.key_points(BoldPoints(format.labels.0));
-    html! {
-        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (tenths(bottom + AXIS)) } role="img" aria-label=(chart.alt()) {
-            @for tick in &ticks {
-                @let x = tenths(layout.x(*tick));
-                polyline.grid points={ (x) ",0 " (x) "," (tenths(bottom)) } {}
-                text.tick x=(x) y=(tenths(bottom + 6 * TENTHS)) dy="0.75em" text-anchor="middle" { (layout.scale.format_ext(tick)) }
-            }
-            polyline.axis points={ (tenths(layout.ends.0)) "," (tenths(bottom)) " " (tenths(layout.ends.1)) "," (tenths(bottom)) } {}
-            text.label x=(tenths((layout.ends.0 + layout.ends.1) / 2)) y=(tenths(bottom + AXIS)) dy="-0.25em" text-anchor="middle" { (chart.axis) }
-            @for (lane, top) in chart.lanes.iter().zip(tops) { (layout.lane(lane, top)) }
+    let inside = html! {
+        @for tick in &ticks {
+            @let x = tenths(layout.x(*tick));
+            polyline.grid points={ (x) ",0 " (x) "," (tenths(bottom)) } {}
+            text.tick x=(x) y=(tenths(bottom + 6 * TENTHS)) dy="0.75em" text-anchor="middle" { (layout.scale.format_ext(tick)) }
         }
+        polyline.axis points={ (tenths(layout.ends.0)) "," (tenths(bottom)) " " (tenths(layout.ends.1)) "," (tenths(bottom)) } {}
+        text.label x=(tenths((layout.ends.0 + layout.ends.1) / 2)) y=(tenths(bottom + AXIS)) dy="-0.25em" text-anchor="middle" { (chart.axis) }
+        @for (lane, top) in chart.lanes.iter().zip(tops) { (layout.lane(lane, top)) }
+    };
+    (inside, tenths(bottom + AXIS))
+}
+
+/// What a span or a part of a column looks like in the legend.
+pub fn sample_of_span(chart: &Timeline, number: usize) -> Markup {
+    html! {
+        svg.sample viewBox="-15 -7 30 14" aria-hidden="true" { (sample(chart, number)) }
     }
 }
 
-/// What a span looks like in the legend.
-pub fn sample_of_span(number: usize) -> Markup {
-    html! {
-        svg.sample viewBox="-15 -7 30 14" aria-hidden="true" { rect class=(look(number)) x="-14" y="-6" width="28" height="12" {} }
-    }
+/// The same, around its centre.
+pub fn sample(chart: &Timeline, number: usize) -> Markup {
+    let look = looks(chart).swap_remove(number);
+    html! { rect class=(look.class) style=[look.style] x="-14" y="-6" width="28" height="12" {} }
 }
+
+/// How a kind of span looks.
+struct Look {
+    class: String,
+    /// Its colour, if that is of the palette.
+    style: Option<String>,
+}
+
+/// Of each name. Kinds of work have the palette's colours, those of waiting are grey.
+fn looks(chart: &Timeline) -> Vec<Look> {
+    let (mut work, mut waiting) = (0, 0);
+    let look = |(number, _)| match chart.kinds.get(number) {
+        Some(Kind { is_quiet: true, .. }) => {
+            waiting += 1;
+            Look { class: format!("part quiet{}", (waiting - 1) % QUIET), style: None }
+        }
+        Some(_) => {
+            work += 1;
+            Look { class: "part".to_owned(), style: Some(format!("fill:{}", palette::css(work - 1))) }
+        }
+        None => Look { class: look(number), style: None },
+    };
+    chart.names().iter().enumerate().map(look).collect()
+}
+
+/// Greys of the style sheet.
+const QUIET: usize = 4;
 
 /// Twice as many looks as there are colours: filled and hollow by turns, and then the other way round.
 fn look(number: usize) -> String {
@@ -89,23 +143,70 @@ impl Layout<'_> {
     fn lane(&self, lane: &Lane, top: i32) -> Markup {
         html! {
             text.tick x=(tenths(self.ends.0 - 6 * TENTHS)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="end" { (lane.name) }
+            @if self.has_kinds && lane.spans.is_empty() { (self.columns(&lane.columns, top)) }
             @for span in &lane.spans { (self.bar(span, top)) }
             (self.signs(&lane.events, top))
         }
+    }
+
+    /// Columns side by side: for each name the outline of all shares up to its own, so that those before it hide what is not its.
+    fn columns(&self, columns: &[Column], top: i32) -> Markup {
+        let (left, right) = self.ends;
+        html! {
+            rect.part.lane x=(tenths(left)) y=(tenths(top)) width=(tenths(right - left)) height=(tenths(BAR)) {}
+            @for (number, look) in self.looks.iter().enumerate().rev() {
+                @let path = self.outline(columns, number, top);
+                @if !path.is_empty() { path class=(look.class) style=[&look.style] d=(path) { title { (self.names[number]) } } }
+            }
+        }
+    }
+
+    /// The path around the shares up to that name; nothing where there are none of it.
+    fn outline(&self, columns: &[Column], number: usize, top: i32) -> String {
+        let is_below = |what: &str| self.names.iter().position(|name| *name == what).is_some_and(|it| it <= number);
+        let height = |column: &Column| {
+            let sum: f64 = column.shares.iter().filter(|(what, _)| is_below(what)).map(|(_, share)| share).sum();
+            (sum.clamp(0.0, 1.0) * f64::from(BAR)).round() as i32
+        };
+        if !columns.iter().any(|column| column.shares.iter().any(|(what, _)| *what == self.names[number])) {
+            return String::new();
+        }
+        let foot = top + BAR;
+        let (mut path, mut at, mut high) = (String::new(), None, 0);
+        for column in columns {
+            let (from, to, wanted) = (self.x(column.from), self.x(column.to), height(column));
+            if at != Some(from) && high > 0 {
+                path += &format!("V{}", tenths(foot));
+                high = 0;
+            }
+            if wanted != high {
+                path += &match high {
+                    0 => format!("M{} {}V{}", tenths(from), tenths(foot), tenths(foot - wanted)),
+                    _ => format!("V{}", tenths(foot - wanted)),
+                };
+                high = wanted;
+            }
+            if high > 0 {
+                path += &format!("H{}", tenths(to));
+            }
+            at = Some(to);
+        }
+        if high > 0 { path + &format!("V{}", tenths(foot)) } else { path }
     }
 
     /// A bar, with its name inside if there is room.
     fn bar(&self, span: &Span, top: i32) -> Markup {
         let (from, to) = (self.x(span.from), self.x(span.to));
         let number = self.names.iter().position(|name| *name == span.what).unwrap_or(0);
+        let look = &self.looks[number];
         let has_room = (span.what.chars().count() as i32 + 1) * CHARACTER <= to - from;
         html! {
             g.span {
-                rect class=(look(number)) x=(tenths(from)) y=(tenths(top)) width=(tenths(to - from)) height=(tenths(BAR)) {
+                rect class=(look.class) style=[&look.style] x=(tenths(from)) y=(tenths(top)) width=(tenths(to - from)) height=(tenths(BAR)) {
                     title { (span.what) ": " (shown(span.from)) " to " (shown(span.to)) }
                 }
                 @if has_room {
-                    text class={ "inside " (look(number)) } x=(tenths((from + to) / 2)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="middle" { (span.what) }
+                    text class={ "inside " (look.class) } x=(tenths((from + to) / 2)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="middle" { (span.what) }
                 }
             }
         }
