@@ -1,6 +1,7 @@
 //! Whole rendering machines: programs, hardware, a scene, a frame.
 
 mod error;
+mod history;
 mod mean;
 pub mod pixel_planes;
 pub mod pixelflow;
@@ -11,5 +12,6 @@ mod threads;
 pub mod vc1;
 
 pub use error::Error;
+pub use history::{History, Lane, Recorder, Span, Write};
 pub use mean::Mean;
 pub use run::{Progress, Watch};

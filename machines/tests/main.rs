@@ -1,5 +1,6 @@
 //! The machines: their frames, their counters and their parts, against models without hardware.
 
+mod history;
 mod pixel_planes;
 mod pixelflow;
 mod quadtree;

@@ -15,6 +15,7 @@ pub use spheres::{Rule, fragments_of, render_polygons, render_polygons_watched};
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::*;
+use crate::project::Polygons;
 use crate::size::Size;
 use std::ops::ControlFlow;
 
@@ -201,6 +202,40 @@ pub fn fragments<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> u64 {
     let mut count = 0;
     packets.iter().for_each(|packet| each_fragment(size, packet, |_, _| count += 1));
     count
+}
+
+/// Calls `visit` with each pixel of a box that a polygon or a sphere covers, by its number in raster order, and its word there. Spheres have the numbers
+/// after those of the polygons.
+///
+/// ```
+/// use tilewright_scenes::{PixelBox, Scene, Size, golden, project_polygons};
+///
+/// let polygons = project_polygons(&Scene::builtin("star").expect("a built-in scene"), Size::new(16, 12)?)?;
+/// let (mut count, all) = (0, PixelBox { left: 0, top: 0, right: 15, bottom: 11 });
+/// (0..polygons.polygons.len()).for_each(|number| golden::visit_fragments(&polygons, number, &all, |_, _| count += 1));
+/// assert_eq!(count, golden::fragments_of(&polygons));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Panics
+/// There are not so many.
+pub fn visit_fragments(polygons: &Polygons, number: usize, within: &PixelBox, mut visit: impl FnMut(u32, u64)) {
+    let Polygons { size, polygons, spheres, .. } = polygons;
+    match polygons.get(number) {
+        Some(polygon) => each_within(*size, within, polygon, &mut visit),
+        None => each_within(*size, within, &spheres[number - polygons.len()], &mut visit),
+    }
+}
+
+fn each_within(size: Size, within: &PixelBox, primitive: &impl Primitive, mut visit: impl FnMut(u32, u64)) {
+    let bounds = primitive.bounds();
+    for y in bounds.top.max(within.top)..=bounds.bottom.min(within.bottom) {
+        for x in bounds.left.max(within.left)..=bounds.right.min(within.right) {
+            if primitive.covers(x, y) {
+                visit(y * size.width() + x, primitive.word(x, y));
+            }
+        }
+    }
 }
 
 /// Calls `visit(pixel index, word)` for every pixel that the primitive covers.

@@ -13,10 +13,12 @@ use super::bin::{Bin, Work, bins};
 use super::config::Config;
 use super::geometry::GeometryReport;
 use super::hardware::{Course, Frames};
+use super::history::Scene;
 use super::model::{Model, RendererTiming, Step, Timing};
 use super::regions::Regions;
 use super::report::Report;
 use crate::error::Error;
+use crate::history::Recorder;
 use crate::run::Watch;
 use crate::threads::{Heard, all_threads, on_threads_heard};
 
@@ -42,6 +44,7 @@ const PHASE: &str = "drawing";
 pub struct Machine {
     pub(super) config: Config,
     engine: EngineKind,
+    recorder: Option<Recorder>,
 }
 
 impl Machine {
@@ -54,12 +57,18 @@ impl Machine {
         config.ring()?;
         config.frame_buffer()?;
         config.check_geometry()?;
-        Ok(Machine { config, engine: EngineKind::Compiled })
+        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None })
     }
 
     /// The same on another engine.
     pub fn on(self, engine: EngineKind) -> Machine {
         Machine { engine, ..self }
+    }
+
+    /// The same machine, which leaves there what it did. Times are counted from the clock in which the first region is given, and a pixel has what is
+    /// drawn when the last instruction of the primitive has ended.
+    pub fn recorded(self, recorder: &Recorder) -> Machine {
+        Machine { recorder: Some(recorder.clone()), ..self }
     }
 
     /// Renders a frame: the picture as the frame buffer has it, and the report.
@@ -80,6 +89,10 @@ impl Machine {
         watch.report(PHASE, 1.0);
         let Config { geometry, costs, .. } = &self.config;
         let geometry = GeometryReport::new(*geometry, costs, polygons, &works);
+        if let Some(recorder) = &self.recorder {
+            let scene = Scene { config: &self.config, regions: &regions, polygons, background };
+            recorder.put(scene.history(&works, &timing, geometry.clocks));
+        }
         let primitives = polygons.polygons.len() + polygons.spheres.len();
         Ok((frame, Report::new(self.config.built(), primitives, geometry, &works, &timing)))
     }

@@ -22,6 +22,7 @@ mod drawing;
 mod formulas;
 mod geometry;
 mod hardware;
+mod history;
 mod machine;
 pub mod model;
 mod outline;

@@ -23,6 +23,7 @@ use super::hardware::Spare;
 use super::report::Report;
 use super::works::{Drawing, Works};
 use crate::error::Error;
+use crate::history::Recorder;
 use crate::run::Watch;
 use run::Run;
 
@@ -50,6 +51,7 @@ const TICK: u64 = 5000;
 pub struct Machine {
     pub(super) config: Config,
     engine: EngineKind,
+    recorder: Option<Recorder>,
     spare: Spare,
 }
 
@@ -61,13 +63,19 @@ impl Machine {
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.roles()?;
         config.pixels()?;
-        Ok(Machine { config, engine: EngineKind::Compiled, spare: Spare::default() })
+        Ok(Machine { config, engine: EngineKind::Compiled, recorder: None, spare: Spare::default() })
     }
 
     /// The same on another engine.
     pub fn on(self, engine: EngineKind) -> Machine {
-        let spare = if engine == self.engine { self.spare } else { Spare::default() };
-        Machine { config: self.config, engine, spare }
+        let spare = if engine == self.engine { self.spare.clone() } else { Spare::default() };
+        Machine { engine, spare, ..self }
+    }
+
+    /// The same machine, which leaves there what it did. Times are counted from the beginning of the front end. A pixel is of the rasterizer whose word was the least
+    /// in most of its samples, and is written when the frame buffer takes it.
+    pub fn recorded(self, recorder: &Recorder) -> Machine {
+        Machine { recorder: Some(recorder.clone()), ..self }
     }
 
     /// Another machine on the same engine. If its arrays are as large, it simulates those that have drawn a frame of this one, which takes less time than new ones.
@@ -98,7 +106,7 @@ impl Machine {
             Samples::Eight(Shading::OncePerPixel) => Works::deferred_once(&self.config, passes, shader)?,
             _ => Works::deferred(&self.config, passes, shader)?,
         };
-        self.run(&works, watch)
+        self.run(&works, shader.background, watch)
     }
 
     /// Renders a frame by the non-texturing system: all regions are in the pixels' memory, and colours are those of the vertices.
@@ -116,7 +124,7 @@ impl Machine {
             return Err(ParameterError("spheres: this machine evaluates no quadratics".to_owned()).into());
         }
         let works = Works::resident(&self.config, &[Drawing::of(&self.config, &polygons.polygons)], background)?;
-        self.run(&works, watch)
+        self.run(&works, background, watch)
     }
 
     /// The same with eight samples of a pixel, one after another: the two passes of [`project_samples`](tilewright_scenes::project_samples). The node
@@ -137,7 +145,7 @@ impl Machine {
             return Err(ParameterError(problem).into());
         }
         let works = Works::resident(&self.config, &Drawing::eight(&self.config, passes), background)?;
-        self.run(&works, watch)
+        self.run(&works, background, watch)
     }
 
     fn check(&self, size: Size) -> Result<(), Error> {
@@ -148,12 +156,16 @@ impl Machine {
         Err(ParameterError(problem).into())
     }
 
-    fn run(&self, works: &Works, watch: &mut Watch) -> Result<(Picture, Report), Error> {
-        let mut run = Run::new(&self.config, self.engine, &self.spare, works)?;
+    fn run(&self, works: &Works, background: [u8; 3], watch: &mut Watch) -> Result<(Picture, Report), Error> {
+        let mut run = Run::new(&self.config, self.engine, &self.spare, works, self.recorder.is_some())?;
         while let Some(done) = run.go_on()? {
             watch.go_on(PHASE, done, run.time() * TICK)?;
         }
-        run.end()
+        let (picture, report, history) = run.end(background)?;
+        if let (Some(recorder), Some(history)) = (&self.recorder, history) {
+            recorder.put(history);
+        }
+        Ok((picture, report))
     }
 }
 

@@ -18,6 +18,7 @@ mod config;
 mod constants;
 mod costs;
 mod hardware;
+mod history;
 mod latency;
 mod machine;
 mod model;

@@ -12,6 +12,7 @@
 mod deferred;
 mod front_end;
 mod picture;
+mod places;
 mod resident;
 mod samples;
 

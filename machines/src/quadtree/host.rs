@@ -6,6 +6,7 @@ use tilewright_scenes::{Polygon, Size};
 use tilewright_sim::Port;
 
 use super::hardware::Hardware;
+use super::history::Recording;
 use super::report::{Phase, Report};
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
@@ -16,6 +17,8 @@ pub(crate) struct Host<'a, 'w> {
     watch: &'a mut Watch<'w>,
     /// The phases that are over.
     pub phases: Vec<Phase>,
+    /// What it does, if that is to be known.
+    pub recording: Option<Recording>,
     /// The phase that runs.
     current: &'static str,
     /// The clock at which the caller is told of the progress next.
@@ -24,7 +27,7 @@ pub(crate) struct Host<'a, 'w> {
 
 impl<'a, 'w> Host<'a, 'w> {
     pub fn new(hardware: &'a mut Hardware, watch: &'a mut Watch<'w>) -> Host<'a, 'w> {
-        Host { hardware, watch, phases: Vec::new(), current: "", next: 0 }
+        Host { hardware, watch, phases: Vec::new(), recording: None, current: "", next: 0 }
     }
 
     /// Sends the packets, and waits until all pixels are drawn.
@@ -64,11 +67,21 @@ impl<'a, 'w> Host<'a, 'w> {
         })
     }
 
+    /// Simulated picoseconds.
+    pub fn time(&self) -> u64 {
+        self.hardware.sim.time()
+    }
+
     /// Waits until a flag is high, if it is not; `done` is how much of the phase is done.
     fn wait_for(&mut self, flag: Port, done: f64) -> Result<(), Error> {
         while !self.hardware.is_high(flag) {
-            self.hardware.run_until(flag, PROGRESS_CLOCKS)?;
-            self.progress(done)?;
+            match self.recording {
+                Some(_) => self.step(done)?,
+                None => {
+                    self.hardware.run_until(flag, PROGRESS_CLOCKS)?;
+                    self.progress(done)?;
+                }
+            }
         }
         Ok(())
     }
@@ -76,6 +89,9 @@ impl<'a, 'w> Host<'a, 'w> {
     /// Goes through a clock.
     fn step(&mut self, done: f64) -> Result<(), Error> {
         self.hardware.step()?;
+        if let Some(recording) = &mut self.recording {
+            recording.see(self.hardware);
+        }
         self.progress(done)
     }
 

@@ -8,9 +8,11 @@ use tilewright_sim::{EngineKind, Simulation};
 use super::config::Config;
 use super::counters::Counters;
 use super::hardware::Hardware;
+use super::history::Recording;
 use super::host::Host;
 use super::report::Report;
 use crate::error::Error;
+use crate::history::Recorder;
 use crate::run::Watch;
 
 /// A generator of p x q video processors, and its host.
@@ -31,6 +33,7 @@ pub struct Machine {
     config: Config,
     hardware: Hardware,
     state: State,
+    recorder: Option<Recorder>,
 }
 
 /// What was with the machine last.
@@ -50,7 +53,7 @@ impl Machine {
     /// [`Error::Parameter`] if there is no such machine.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.generator()?)?;
-        Ok(Machine { config, hardware, state: State::New })
+        Ok(Machine { config, hardware, state: State::New, recorder: None })
     }
 
     /// The same machine on that engine of the simulator; the compiled one is the default.
@@ -60,6 +63,12 @@ impl Machine {
     #[track_caller]
     pub fn on(mut self, engine: EngineKind) -> Machine {
         self.hardware.sim = self.hardware.sim.on(engine);
+        self
+    }
+
+    /// The same machine, which leaves there what it did. It is then looked at in each clock, which takes longer.
+    pub fn recorded(mut self, recorder: &Recorder) -> Machine {
+        self.recorder = Some(recorder.clone());
         self
     }
 
@@ -106,16 +115,25 @@ impl Machine {
                 counters
             }
         };
+        let (time, period) = (self.hardware.sim.time(), self.hardware.sim.program().clocks[0].period);
+        let recording =
+            self.recorder.as_ref().map(|_| Recording::new(&self.config, background, before.clone(), time, period));
         let mut host = Host::new(&mut self.hardware, watch);
+        host.recording = recording;
         host.draw(packets)?;
+        let recording = host.recording.take().map(|recording| (recording, host.time()));
         let words = host.read_out(size, background)?;
         let phases = host.phases;
 
+        let end = self.hardware.sim.time();
         let frame = Frame::from_words(size, words).expect("a word of 48 bits was read for each pixel");
         let now = self.hardware.counters();
         let (each, waited) = (now.each_since(&before), now.broadcast_stalls_since(&before));
         let report =
             Report::new(self.config.built()?, &self.config.parsed_form()?, packets.len(), each, waited, phases);
+        if let (Some(recorder), Some((recording, drawn))) = (&self.recorder, recording) {
+            recorder.put(recording.into_history(&report, &now, drawn, end));
+        }
         self.state = State::Idle(now);
         Ok((frame, report))
     }

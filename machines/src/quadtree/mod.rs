@@ -20,6 +20,7 @@ mod config;
 mod counters;
 mod formulas;
 mod hardware;
+mod history;
 mod host;
 mod machine;
 pub mod model;

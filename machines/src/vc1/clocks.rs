@@ -42,6 +42,13 @@ pub struct Clocks {
     pub swap: u64,
 }
 
+impl Class {
+    /// How a report calls it.
+    pub fn name(self) -> &'static str {
+        Clocks::NAMES[self as usize]
+    }
+}
+
 impl Clocks {
     /// How a report calls them, in its order.
     pub const NAMES: [&'static str; 10] =

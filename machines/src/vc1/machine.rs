@@ -6,6 +6,7 @@ use tilewright_sim::{EngineKind, Simulation};
 
 use super::config::Config;
 use super::hardware::Hardware;
+use super::history;
 use super::host::Host;
 use super::job::Views;
 use super::model::Model;
@@ -13,6 +14,7 @@ use super::processor::Processor;
 use super::program::Settings;
 use super::report::{Report, Shown};
 use crate::error::Error;
+use crate::history::{Painting, Recorder};
 use crate::run::Watch;
 
 /// A VC-1, switched off.
@@ -20,6 +22,7 @@ pub struct Machine {
     config: Config,
     hardware: Hardware,
     judges_every_refresh: bool,
+    recorder: Option<Recorder>,
 }
 
 impl Machine {
@@ -29,7 +32,7 @@ impl Machine {
     /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.hardware()?)?;
-        Ok(Machine { config, hardware, judges_every_refresh: false })
+        Ok(Machine { config, hardware, judges_every_refresh: false, recorder: None })
     }
 
     /// The same machine, which compares every refresh of its display with its frame buffer. Usually it looks at the first one of each
@@ -46,6 +49,13 @@ impl Machine {
     #[track_caller]
     pub fn on(mut self, engine: EngineKind) -> Machine {
         self.hardware.sim = self.hardware.sim.on(engine);
+        self
+    }
+
+    /// The same machine, which leaves there what it did. Pixels are written when a local frame buffer takes them, and what counts of a pixel is the
+    /// least word, as to the merger. Of several frames all are written into one picture.
+    pub fn recorded(mut self, recorder: &Recorder) -> Machine {
+        self.recorder = Some(recorder.clone());
         self
     }
 
@@ -114,6 +124,11 @@ impl Machine {
         let of = |number| Processor::new(Settings::of(&self.config, number, patches), known.clone());
         let mut processors: Vec<_> = (0..self.config.processors).map(of).collect();
         self.hardware.reset(background, self.config.accumulate)?;
+        let begun = self.hardware.edge();
+        if self.recorder.is_some() {
+            self.hardware.notes.painting = Some(Painting::new(self.config.size, background));
+            processors = processors.into_iter().map(Processor::logged).collect();
+        }
         let mut report = Report {
             machine: self.config.built()?,
             polygons: 0,
@@ -132,6 +147,9 @@ impl Machine {
         })?;
         (report.polygons, report.load_words) = (host.scene.polygons, host.scene.words);
         (report.judged, report.compared) = (host.judged(), host.compared());
+        if let (Some(recorder), Some(painting)) = (&self.recorder, self.hardware.notes.painting.take()) {
+            recorder.put(history::of(painting, &processors, begun, &report));
+        }
         Ok(report)
     }
 }

@@ -35,6 +35,7 @@ mod demand;
 mod display;
 mod edges;
 mod hardware;
+mod history;
 mod host;
 mod job;
 mod machine;

@@ -5,6 +5,7 @@ use tilewright_rtl::swap::SwapState;
 use super::model::{Event, Place, What};
 use super::program::Access;
 use super::words::Word;
+use crate::history::{Painting, Write};
 
 /// The events that were noted, of each place in order.
 pub(crate) struct Notes {
@@ -15,6 +16,8 @@ pub(crate) struct Notes {
     /// How often the banks have changed.
     changes: u32,
     first_round: bool,
+    /// What comes of the pixels that local frame buffers take, if that is to be known.
+    pub painting: Option<Painting>,
     /// What is noted in place of an event, to see that the model differs then.
     #[cfg(test)]
     pub falsify: Option<Box<dyn Fn(Event) -> Option<Event>>>,
@@ -42,6 +45,7 @@ impl Notes {
             shown: false,
             changes: 0,
             first_round: true,
+            painting: None,
             #[cfg(test)]
             falsify: None,
         }
@@ -51,7 +55,11 @@ impl Notes {
     pub fn processor(&mut self, clock: u64, number: u32, at: Handshakes) {
         let place = Place::Processor(number);
         match at.taken {
-            Some(Access::Draw(pixel)) => self.add(clock, place, What::Draws(pixel.y * self.width + pixel.x)),
+            Some(Access::Draw(pixel)) => {
+                let at = pixel.y * self.width + pixel.x;
+                self.add(clock, place, What::Draws(at));
+                self.paint(Write { time: clock * Event::PE_PERIOD, pixel: at, painter: number, word: pixel.word });
+            }
             Some(Access::Clear(patch)) => self.add(clock, place, What::Clears(patch)),
             _ => {}
         }
@@ -70,6 +78,13 @@ impl Notes {
         }
         if let Some(word) = at.sent {
             self.bus(clock, number, word);
+        }
+    }
+
+    /// The merger chooses the least word. Which of equal ones that is cannot be seen: the first that was drawn counts.
+    fn paint(&mut self, write: Write) {
+        if let Some(painting) = &mut self.painting {
+            painting.draw(write, |new, kept| new < kept);
         }
     }
 

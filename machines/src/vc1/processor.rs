@@ -36,6 +36,16 @@ pub(crate) struct Processor {
     tally: Tally,
     /// The frames that are over.
     frames: Vec<Tally>,
+    /// What it did one after another, if that is to be known.
+    log: Option<Log>,
+}
+
+/// Classes of clocks one after another, and for how many of them.
+#[derive(Clone, Debug, Default)]
+struct Log {
+    runs: Vec<(Class, u64)>,
+    /// How many runs are of frames that are over.
+    over: usize,
 }
 
 /// What a processing element did in a frame so far, from swap to swap.
@@ -88,9 +98,31 @@ impl Processor {
             unseen: 0,
             tally: Tally::default(),
             frames: Vec::new(),
+            log: None,
         };
         processor.go_on();
         processor
+    }
+
+    /// The same, which keeps what it does one after another.
+    pub fn logged(self) -> Processor {
+        Processor { log: Some(Log::default()), ..self }
+    }
+
+    /// What it did one after another in the frames that are over, and for how many clocks; nothing unless it is [logged](Processor::logged).
+    pub fn runs(&self) -> &[(Class, u64)] {
+        self.log.as_ref().map_or(&[], |log| &log.runs[..log.over])
+    }
+
+    fn count(&mut self, class: Class, clocks: u64) {
+        *self.tally.clocks.of(class) += clocks;
+        if let Some(Log { runs, over }) = &mut self.log {
+            let last = runs.len().saturating_sub(1);
+            match runs.last_mut().filter(|(before, _)| *before == class && last >= *over) {
+                Some((_, before)) => *before += clocks,
+                None => runs.push((class, clocks)),
+            }
+        }
     }
 
     /// What stands at the ports of its local frame buffer in the coming clock.
@@ -162,7 +194,7 @@ impl Processor {
             && clocks >= left
             && !self.is_halted()
         {
-            *self.tally.clocks.of(class) += left;
+            self.count(class, left);
             self.now = Now::Accessing(access);
             clocks -= left;
         }
@@ -177,7 +209,7 @@ impl Processor {
             (_, Now::Accessing(Access::Clear(_) | Access::Draw(_))) => Class::Stalled,
             (_, Now::Accessing(Access::Send(_) | Access::Receive)) => Class::Bus,
         };
-        *self.tally.clocks.of(class) += clocks;
+        self.count(class, clocks);
     }
 
     /// What it does in the coming clocks.
@@ -224,7 +256,7 @@ impl Processor {
             SwapState::Due => Class::Swap,
             SwapState::Clear | SwapState::Draw => self.clock(edge.taken, port_is_free, arrived),
         };
-        *self.tally.clocks.of(class) += 1;
+        self.count(class, 1);
         match (before, edge.may) {
             (SwapState::Overflow, SwapState::Clear) => {
                 self.tally.overflows += 1;
@@ -232,6 +264,9 @@ impl Processor {
             }
             (SwapState::Due, SwapState::Clear) => {
                 self.frames.push(std::mem::take(&mut self.tally));
+                if let Some(Log { runs, over }) = &mut self.log {
+                    *over = runs.len();
+                }
                 self.tasks = vec![Task::Frames(Phase::Swapped)];
                 self.go_on();
             }

@@ -1,5 +1,7 @@
 //! What a run of the model is in clocks.
 
+use std::ops::Range;
+
 use super::renderer::Renderer;
 use super::ring::Ring;
 use tilewright_rtl::pixel_planes::schedule::{Step, Times};
@@ -67,6 +69,8 @@ pub struct RendererTiming {
     pub waited_for_store: u64,
     /// Clocks of both kinds by region.
     waits: Vec<[u64; 2]>,
+    /// Which clocks they are: of the first kind, and of the second.
+    waited: [Vec<Range<u64>>; 2],
 }
 
 /// What the ring brought.
@@ -101,6 +105,11 @@ impl RingTiming {
 }
 
 impl RendererTiming {
+    /// The clocks in which it had to wait for an instruction, and those in which it had to wait for the backing store.
+    pub(in crate::pixel_planes) fn waited(&self) -> &[Vec<Range<u64>>; 2] {
+        &self.waited
+    }
+
     pub(super) fn begin(&mut self, region: usize, now: u64) {
         self.regions.push(region);
         self.given.push(now);
@@ -115,6 +124,7 @@ impl RendererTiming {
             self.first_starved.get_or_insert(ready);
             self.starved += starved;
             self.waits.last_mut().expect("it has a region")[0] += starved;
+            self.waited[0].push(ready..now + 1);
         }
     }
 
@@ -128,6 +138,8 @@ impl RendererTiming {
     pub(super) fn end(&mut self, waited: u64, shown: u64, free: u64) {
         self.waited_for_store += waited;
         self.waits.last_mut().expect("it has a region")[1] = waited;
+        let save = *self.taken.last().expect("it took a save");
+        self.waited[1].push(save - waited..save);
         self.shown.push(shown);
         self.free.push(free);
         self.busy += free - self.given.last().expect("it has a region");

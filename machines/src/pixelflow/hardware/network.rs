@@ -66,4 +66,18 @@ impl Way {
         debug_assert!(came.len() == length);
         Ok(came)
     }
+
+    /// Of each pixel, chip by chip, the number of the first of these nodes that sent the word that came.
+    ///
+    /// # Panics
+    /// Nobody sent it.
+    pub fn winners(&self, own: &[(usize, &Words)], came: &Words) -> Vec<u16> {
+        let bytes = came.len() / self.pixels;
+        let is_of = |words: &Words, chip: u32, pixel: usize| {
+            (0..bytes).map(|byte| byte * self.pixels + pixel).all(|at| words.byte(at, chip) == came.byte(at, chip))
+        };
+        let winner = |(chip, pixel)| own.iter().position(|(_, words)| is_of(words, chip, pixel));
+        let pixels = (0..self.chips).flat_map(|chip| (0..self.pixels).map(move |pixel| (chip, pixel)));
+        pixels.map(|pixel| winner(pixel).expect("the least word is one of them") as u16).collect()
+    }
 }

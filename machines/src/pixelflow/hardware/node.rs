@@ -1,6 +1,7 @@
 //! A node's array in simulation: it is given instructions, and the network reads and writes its registers.
 
 use std::collections::VecDeque;
+use std::ops::Range;
 
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::array::{PixelArray, PixelArrayIn, PixelArrayOut};
@@ -55,8 +56,9 @@ pub(in crate::pixelflow) struct Node {
     /// Clocks since the array was busy.
     rest: u32,
     latency: u32,
-    /// Clocks in which it had an instruction.
+    /// Clocks in which it had an instruction, and the ticks that these are.
     busy: u64,
+    worked: Vec<Range<Ticks>>,
     /// The ticks in which each bank is to be given, by the model.
     expected: [VecDeque<Ticks>; 2],
     /// Banks that the network has, as far as the array knows.
@@ -102,6 +104,7 @@ impl Node {
             rest: 0,
             latency: array.latency(),
             busy: 0,
+            worked: Vec::new(),
             expected: Default::default(),
             claimed: [false; 2],
             there: 0,
@@ -132,6 +135,11 @@ impl Node {
     /// Clocks in which it had an instruction.
     pub fn busy(&self) -> u64 {
         self.busy
+    }
+
+    /// The ticks of these clocks, two for each.
+    pub fn worked(&self) -> &[Range<Ticks>] {
+        &self.worked
     }
 
     /// It is to give a bank in that tick, behind all that were said before.
@@ -248,7 +256,19 @@ impl Node {
     fn count(&mut self, taken: bool) {
         let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
         self.rest = if is_idle { self.rest + 1 } else { 0 };
-        self.busy += u64::from(!is_idle || self.beside.is_busy());
+        self.works(!is_idle || self.beside.is_busy(), self.time - 1);
+    }
+
+    /// Whether it is busy in a clock that begins with that tick.
+    fn works(&mut self, is_busy: bool, from: Ticks) {
+        if !is_busy {
+            return;
+        }
+        self.busy += 1;
+        match self.worked.last_mut().filter(|last| last.end == from) {
+            Some(last) => last.end += 2,
+            None => self.worked.push(from..from + 2),
+        }
     }
 
     /// Whether the network has nothing to do, so that nobody would ever have a bank again.
@@ -307,7 +327,7 @@ impl Node {
         }
         self.beside.clock(&mut self.sim)?;
         // The array waits for it.
-        self.busy += u64::from(self.beside.is_busy());
+        self.works(self.beside.is_busy(), self.time - 3);
         Ok(())
     }
 

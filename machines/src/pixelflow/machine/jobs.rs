@@ -24,6 +24,8 @@ pub(super) struct Composition {
     pub own: Vec<(usize, Words)>,
     /// The place that gets what comes of them.
     pub to: usize,
+    /// Whether it is to be known whose words they are.
+    pub asks: bool,
 }
 
 /// What came of them.
@@ -31,6 +33,8 @@ pub(super) struct Composed {
     pub turn: usize,
     pub target: Target,
     pub words: Words,
+    /// Of each pixel, by chip and there by its number, who has the word that came: the first of them in the order of places; nothing if it is not asked for.
+    pub winners: Vec<u16>,
 }
 
 /// A node to which words come.
@@ -95,9 +99,11 @@ impl Job<'_> {
             Job::Holds(holder) => holder.go_on(|node, turn| node.run(&works.storing(turn), &[])),
             Job::Shades(shader) => shader.go_on(|node, turn| node.run(works.shading(turn), &[])),
             Job::Composes(way, words, composed) => {
-                for Composition { turn, target, own, to } in words {
+                for Composition { turn, target, own, to, asks } in words {
                     let own: Vec<(usize, &Words)> = own.iter().map(|(place, words)| (*place, words)).collect();
-                    composed.push(Composed { turn: *turn, target: *target, words: way.send(&own, *to)? });
+                    let words = way.send(&own, *to)?;
+                    let winners = if *asks { way.winners(&own, &words) } else { Vec::new() };
+                    composed.push(Composed { turn: *turn, target: *target, words, winners });
                 }
                 Ok(())
             }

@@ -8,9 +8,11 @@ use tilewright_sim::EngineKind;
 
 use super::jobs::{Composed, Composition, Job, Target, Worker};
 use crate::error::Error;
+use crate::history::History;
 use crate::pixelflow::config::Config;
 use crate::pixelflow::costs::Ticks;
 use crate::pixelflow::hardware::{Access, Beside, FrameStore, Node, Spare, TextureLookUp, Way, Words};
+use crate::pixelflow::history::{Recording, Worked};
 use crate::pixelflow::model::{Built, Timing};
 use crate::pixelflow::report::Report;
 use crate::pixelflow::works::Works;
@@ -41,6 +43,8 @@ pub(super) struct Run<'a> {
     early: BTreeMap<usize, Words>,
     /// What the holder of the frame got of each region, where words have depths.
     came: Vec<Words>,
+    /// Who drew what, if that is to be known.
+    recording: Option<Recording>,
 }
 
 impl<'a> Run<'a> {
@@ -48,7 +52,13 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// As [`Machine::render`](super::Machine::render).
-    pub fn new(config: &'a Config, engine: EngineKind, spare: &'a Spare, works: &'a Works) -> Result<Run<'a>, Error> {
+    pub fn new(
+        config: &'a Config,
+        engine: EngineKind,
+        spare: &'a Spare,
+        works: &'a Works,
+        records: bool,
+    ) -> Result<Run<'a>, Error> {
         let (array, roles) = (config.pixels()?, config.roles()?);
         let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
         let mut nodes = build(&array, (engine, spare), config.side_by_side, shaders, works)?;
@@ -91,6 +101,7 @@ impl<'a> Run<'a> {
             waiting: Vec::new(),
             early: BTreeMap::new(),
             came: Vec::new(),
+            recording: records.then(|| Recording::new(works)),
         };
         run.schedule();
         run.holder.node.run(&Works::first_of_holder(), &[])?;
@@ -169,7 +180,14 @@ impl<'a> Run<'a> {
     }
 
     /// What is composed comes to whom it is for, in the order of turns.
-    fn deliver(&mut self, Composed { turn, target, words }: Composed) {
+    fn deliver(&mut self, Composed { turn, target, words, winners }: Composed) {
+        if let Some(recording) = self.recording.as_mut().filter(|_| !winners.is_empty()) {
+            // On the way to the holder of the frame the last rasterizer is the first.
+            let is_back = target == Target::Holder;
+            let last = self.rasterizers.len() as u16 - 1;
+            let rasterizer = |winner: u16| if is_back { last - winner } else { winner };
+            recording.see(self.works, turn, &words, winners.into_iter().map(rasterizer));
+        }
         let rasterizers = self.rasterizers.len() as Ticks;
         match target {
             Target::Shader(number) => {
@@ -203,6 +221,7 @@ impl<'a> Run<'a> {
 
     /// Words and colours that have gone from their nodes are the network's.
     fn take_what_went(&mut self) {
+        let asks = self.recording.is_some();
         // Places count from the holder of the frame, or to it.
         let (last, first_shader) = (self.config.nodes as usize - 1, 1 + self.rasterizers.len());
         while self.gone < self.drawn && self.rasterizers.iter().all(|node| node.has_sent(self.gone % 2)) {
@@ -212,12 +231,12 @@ impl<'a> Run<'a> {
             self.waiting.push(match self.works.shader_of(turn, self.shaders.len()) {
                 Some(number) => {
                     let (target, to) = (Target::Shader(number), first_shader + number);
-                    Composition { turn, target, own: own.collect(), to }
+                    Composition { turn, target, own: own.collect(), to, asks }
                 }
                 None => {
                     let mut own: Vec<_> = own.map(|(place, words)| (last - place, words)).collect();
                     own.reverse();
-                    Composition { turn, target: Target::Holder, own, to: last }
+                    Composition { turn, target: Target::Holder, own, to: last, asks }
                 }
             });
             self.gone += 1;
@@ -226,25 +245,34 @@ impl<'a> Run<'a> {
             while let Some(words) = shader.node.sent(1) {
                 let turn = turns.pop_front().expect("it sends colours of its turns alone");
                 let own = vec![(last - first_shader - number, words)];
-                self.waiting.push(Composition { turn, target: Target::Holder, own, to: last });
+                self.waiting.push(Composition { turn, target: Target::Holder, own, to: last, asks: false });
             }
         }
     }
 
-    /// The frame that is shown, and the report.
+    /// The frame that is shown, over that background, the report, and what happened if that is to be known.
     ///
     /// # Errors
     /// [`Error::Simulation`].
-    pub fn end(mut self) -> Result<(Picture, Report), Error> {
+    pub fn end(mut self, background: [u8; 3]) -> Result<(Picture, Report, Option<History>), Error> {
         let picture = self.works.picture(&self.holder.node.scan()?, &self.came);
         let rasterizers = self.rasterizers.iter().map(Node::busy).collect();
         let shaders = self.shaders.iter().map(|shader| shader.node.busy()).collect();
         let held = self.holder.node.busy();
         let report = Report::new(self.config, self.works, self.timing.turns, [rasterizers, shaders], held)?;
+        let history = self.recording.map(|recording| {
+            let worked = |node: &Node| node.worked().to_vec();
+            let nodes = Worked {
+                rasterizers: self.rasterizers.iter().map(worked).collect(),
+                shaders: self.shaders.iter().map(|shader| worked(&shader.node)).collect(),
+                holder: worked(&self.holder.node),
+            };
+            recording.into_history(self.works, &report, (&picture, background), nodes)
+        });
         let shaders = self.shaders.into_iter().map(|shader| shader.node);
         let nodes = [self.holder.node].into_iter().chain(self.rasterizers).chain(shaders);
         nodes.for_each(|node| self.spare.keep(node.into_array()));
-        Ok((picture, report))
+        Ok((picture, report, history))
     }
 }
 

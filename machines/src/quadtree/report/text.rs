@@ -38,7 +38,7 @@ impl Report {
         writeln!(f, "{:12} {:>10} {:>10} {:>8} {:>8}", "stage", "tests", "windows", "least", "most")?;
         for stage in &self.stages {
             let Stage { tests, windows, .. } = stage;
-            let name = name(stage);
+            let name = stage.name();
             writeln!(f, "{name:12} {:>10} {:>10} {:>8} {:>8}", tests.all, windows.all, windows.least, windows.most)?;
         }
         writeln!(f, "Least and most are the windows of one video processor; each has four tests on the next level.")
@@ -52,7 +52,7 @@ impl Report {
         )?;
         for stage in &self.stages {
             let Stage { busy, stalled, load, .. } = stage;
-            let name = name(stage);
+            let name = stage.name();
             let [load, most] = load.map(|load| 100.0 * load);
             writeln!(
                 f,
@@ -64,12 +64,14 @@ impl Report {
     }
 }
 
-/// A stage in the first column.
-fn name(stage: &Stage) -> String {
-    match stage.level {
-        0 => stage.unit.to_owned(),
-        level if stage.units == 1 => format!("{level} {}", stage.unit),
-        level => format!("{level} {} x {}", stage.unit, stage.units),
+impl Stage {
+    /// How a report calls it.
+    pub(in crate::quadtree) fn name(&self) -> String {
+        match self.level {
+            0 => self.unit.to_owned(),
+            level if self.units == 1 => format!("{level} {}", self.unit),
+            level => format!("{level} {} x {}", self.unit, self.units),
+        }
     }
 }
 

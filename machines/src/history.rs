@@ -1,0 +1,215 @@
+//! What a machine did in the time of a frame: which unit wrote which pixel when, and what each unit did in its clocks.
+//!
+//! A machine that is given a [`Recorder`] fills it while it renders. Of a frame without one nothing is kept.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tilewright_scenes::frame::blank;
+use tilewright_scenes::{Frame, Size};
+
+/// Where a machine leaves the history of the frame that it rendered last. Copies share it.
+///
+/// ```
+/// use tilewright_machines::{Recorder, Watch, quadtree};
+/// use tilewright_scenes::{Scene, Size, project_polygons};
+///
+/// let (scene, size) = (Scene::builtin("teapot").expect("a built-in scene"), Size::new(16, 12)?);
+/// let packets = project_polygons(&scene, size)?.polygons;
+/// let recorder = Recorder::default();
+/// let mut machine = quadtree::Machine::new(quadtree::Config::for_packets(size, &packets))?.recorded(&recorder);
+/// let (frame, _) = machine.render(&packets, scene.background, &mut Watch::default())?;
+/// let history = recorder.take().expect("a frame was rendered");
+/// assert_eq!(history.picture_at(u64::MAX), frame);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Recorder(Arc<Mutex<Option<History>>>);
+
+impl Recorder {
+    /// The history of the last frame, once.
+    pub fn take(&self) -> Option<History> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    pub(crate) fn put(&self, history: History) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(history);
+    }
+}
+
+/// What happened in the time of a frame. All times are simulated picoseconds from the beginning of the run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct History {
+    /// The size of the picture.
+    pub size: Size,
+    /// The colour of pixels that nothing covers.
+    pub background: [u8; 3],
+    /// The width and height of the regions that are drawn one by one, if there are some.
+    pub region: Option<[u32; 2]>,
+    /// The names of the units that draw, by number, such as `PE 3`.
+    pub painters: Vec<String>,
+    /// Each change of a pixel, by time.
+    pub writes: Vec<Write>,
+    /// What units did, in the order of a chart.
+    pub lanes: Vec<Lane>,
+}
+
+/// A unit changes a pixel of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Write {
+    /// When, in picoseconds.
+    pub time: u64,
+    /// Which pixel, in raster order.
+    pub pixel: u32,
+    /// The number of the unit.
+    pub painter: u32,
+    /// What the pixel is from then on: depth above colour.
+    pub word: u64,
+}
+
+/// What a unit, or several alike, did in its clocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lane {
+    /// What it is, such as `PE 3`.
+    pub name: String,
+    /// What the amounts of its spans count: `clocks` or `bits`.
+    pub of: &'static str,
+    /// The most of them in a picosecond.
+    pub rate: f64,
+    /// By time.
+    pub spans: Vec<Span>,
+}
+
+/// Something that a unit did for a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// What, such as `clearing`.
+    pub what: &'static str,
+    /// From when to when, in picoseconds.
+    pub from: u64,
+    /// See `from`.
+    pub to: u64,
+    /// How much of it: as many clocks as there are in that time, or fewer if the unit did it only now and then.
+    pub amount: u64,
+}
+
+impl Lane {
+    /// A unit with clocks of that period, or so many units.
+    pub(crate) fn of_clocks(name: impl Into<String>, period: u64, units: u32) -> Lane {
+        Lane { name: name.into(), of: "clocks", rate: f64::from(units) / period as f64, spans: Vec::new() }
+    }
+
+    /// Adds a span that has some time, and lengthens the last one if that goes on.
+    pub(crate) fn add(&mut self, what: &'static str, from: u64, to: u64, amount: u64) {
+        if amount == 0 || from == to {
+            return;
+        }
+        match self.spans.last_mut() {
+            Some(last) if last.what == what && last.to == from && last.is_full(self.rate) => {
+                (last.to, last.amount) = (to, last.amount + amount);
+            }
+            _ => self.spans.push(Span { what, from, to, amount }),
+        }
+    }
+
+    /// How much of something there was in all of its time.
+    ///
+    /// ```
+    /// use tilewright_machines::{Lane, Span};
+    ///
+    /// let spans = [(0, 30, 3), (50, 90, 2)].map(|(from, to, amount)| Span { what: "drawing", from, to, amount });
+    /// let lane = Lane { name: "PE 0".to_owned(), of: "clocks", rate: 0.1, spans: spans.to_vec() };
+    /// assert_eq!((lane.amount("drawing"), lane.amount("clearing")), (5, 0));
+    /// ```
+    pub fn amount(&self, what: &str) -> u64 {
+        self.spans.iter().filter(|span| span.what == what).map(|span| span.amount).sum()
+    }
+}
+
+impl Span {
+    /// Whether it took all of the unit's time.
+    fn is_full(&self, rate: f64) -> bool {
+        self.amount as f64 >= (self.to - self.from) as f64 * rate * (1.0 - 1e-9)
+    }
+}
+
+impl History {
+    /// By pixel, in raster order: the number of the unit whose word it has in the end; none where nothing was drawn.
+    pub fn owners(&self) -> Vec<Option<u32>> {
+        let mut owners = vec![None; self.size.pixels()];
+        self.writes.iter().for_each(|write| owners[write.pixel as usize] = Some(write.painter));
+        owners
+    }
+
+    /// The picture as it was at that time, with all that was written until then.
+    pub fn picture_at(&self, time: u64) -> Frame {
+        let mut frame = Frame::blank(self.size, self.background);
+        let until = self.writes.partition_point(|write| write.time <= time);
+        self.writes[..until].iter().for_each(|write| frame.words[write.pixel as usize] = write.word);
+        frame
+    }
+}
+
+/// A picture that is being written, and its changes so far.
+#[derive(Debug)]
+pub(crate) struct Painting {
+    size: Size,
+    background: [u8; 3],
+    words: Vec<u64>,
+    writes: Vec<Write>,
+}
+
+impl Painting {
+    /// One that is empty.
+    pub fn new(size: Size, background: [u8; 3]) -> Painting {
+        Painting { size, background, words: vec![blank(background); size.pixels()], writes: Vec::new() }
+    }
+
+    /// A unit has a word for a pixel, which that takes if it is nearer than what it has, by the rule.
+    pub fn draw(&mut self, write: Write, is_nearer: impl Fn(u64, u64) -> bool) {
+        let kept = &mut self.words[write.pixel as usize];
+        if is_nearer(write.word, *kept) {
+            *kept = write.word;
+            self.writes.push(write);
+        }
+    }
+
+    /// The history of the frame: of units by their names, and of what they did.
+    pub fn into_history(self, painters: Vec<String>, lanes: Vec<Lane>) -> History {
+        let Painting { size, background, mut writes, .. } = self;
+        // Stable: what was written at once stays in its order.
+        writes.sort_by_key(|write| write.time);
+        History { size, background, region: None, painters, writes, lanes }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_has_what_was_nearest_until_a_time() {
+        let size = Size::new(2, 1).expect("in range");
+        let mut painting = Painting::new(size, [7; 3]);
+        let words = [(30, 1, 90), (10, 0, 50), (20, 0, 60)];
+        for (time, painter, word) in words {
+            painting.draw(Write { time, pixel: 1, painter, word }, |new, kept| new < kept);
+        }
+        let history = painting.into_history(vec!["a".to_owned(), "b".to_owned()], Vec::new());
+        assert_eq!(history.writes.iter().map(|it| it.word).collect::<Vec<_>>(), [50, 90]);
+        assert_eq!(history.picture_at(9).words, [blank([7; 3]); 2]);
+        assert_eq!(history.picture_at(10).words, [blank([7; 3]), 50]);
+        assert_eq!(history.owners(), [None, Some(1)]);
+    }
+
+    #[test]
+    fn what_goes_on_is_one_span() {
+        let mut lane = Lane::of_clocks("unit", 10, 1);
+        for (what, from, to, amount) in
+            [("a", 0, 30, 3), ("a", 30, 50, 2), ("a", 50, 90, 1), ("a", 90, 100, 1), ("b", 100, 100, 0)]
+        {
+            lane.add(what, from, to, amount);
+        }
+        let spans: Vec<_> = lane.spans.iter().map(|span| (span.from, span.to, span.amount)).collect();
+        assert_eq!(spans, [(0, 50, 5), (50, 90, 1), (90, 100, 1)]);
+    }
+}

@@ -1,0 +1,133 @@
+//! What the nodes did in the time of a frame, and whose words were the least.
+
+use std::ops::Range;
+
+use tilewright_rtl::pixelflow::fields::{appearance, gouraud};
+use tilewright_scenes::Frame as Picture;
+
+use super::costs::Ticks;
+use super::hardware::Words;
+use super::model::Done;
+use super::report::Report;
+use super::works::Works;
+use crate::history::{History, Lane, Painting, Write};
+
+/// Picoseconds of a tick.
+const TICK: u64 = 5000;
+
+/// Whose words were the least so far.
+pub(super) struct Recording {
+    /// By pixel of the frame, and there by rasterizer: of how many samples.
+    samples: Vec<u16>,
+    rasterizers: usize,
+}
+
+/// The ticks in which nodes had an instruction.
+pub(super) struct Worked {
+    pub rasterizers: Vec<Vec<Range<Ticks>>>,
+    pub shaders: Vec<Vec<Range<Ticks>>>,
+    pub holder: Vec<Range<Ticks>>,
+}
+
+impl Recording {
+    /// Of a frame before its first region.
+    pub fn new(works: &Works) -> Recording {
+        let rasterizers = works.shares();
+        Recording { samples: vec![0; works.size().pixels() * rasterizers], rasterizers }
+    }
+
+    /// The network has composed a turn: of each pixel, chip by chip, the word and whose it is.
+    pub fn see(&mut self, works: &Works, turn: usize, words: &Words, winners: impl Iterator<Item = u16>) {
+        for (at, winner) in winners.enumerate() {
+            let (chip, pixel) = works.place_in_chip(at);
+            if is_covered(works, words, chip, pixel)
+                && let Some(place) = works.pixel(works.region(turn), chip, pixel)
+            {
+                self.samples[place * self.rasterizers + usize::from(winner)] += 1;
+            }
+        }
+    }
+
+    /// The history of a frame, which came out like that.
+    pub fn into_history(
+        self,
+        works: &Works,
+        report: &Report,
+        (picture, background): (&Picture, [u8; 3]),
+        nodes: Worked,
+    ) -> History {
+        let mut painting = Painting::new(picture.size(), background);
+        for turn in (0..works.turns()).filter(|turn| works.ends(*turn)) {
+            self.paint(&mut painting, works, turn, report, picture);
+        }
+        let names = (1..=self.rasterizers).map(|number| format!("rasterizer {number}")).collect();
+        painting.into_history(names, lanes(report, nodes))
+    }
+
+    /// The pixels of a region, as the frame buffer takes them: one of each chip at a time.
+    fn paint(&self, painting: &mut Painting, works: &Works, turn: usize, report: &Report, picture: &Picture) {
+        let loaded = &report.turns[turn].loaded;
+        let of_chip = works.pixels_of_chip();
+        for at in 0..works.pixels_of_array() {
+            let (chip, pixel) = works.place_in_chip(at);
+            let Some(place) = works.pixel(works.region(turn), chip, pixel) else { continue };
+            let samples = &self.samples[place * self.rasterizers..][..self.rasterizers];
+            let most = samples.iter().copied().max().unwrap_or(0);
+            if most == 0 {
+                continue;
+            }
+            let painter = samples.iter().position(|count| *count == most).unwrap_or(0) as u32;
+            let ticks = (loaded.end - loaded.start) * (pixel as u64 + 1) / of_chip as u64;
+            let time = (report.delay() + loaded.start + ticks) * TICK;
+            painting.draw(Write { time, pixel: place as u32, painter, word: picture.words[place] }, |_, _| true);
+        }
+    }
+}
+
+/// Whether a pixel's word is of something.
+fn is_covered(works: &Works, words: &Words, chip: u32, pixel: usize) -> bool {
+    let byte = |address: u64| {
+        let sent = (works.bytes() - 1 - address) as usize;
+        words.byte(sent * works.pixels_of_chip() + pixel, chip)
+    };
+    match works.is_shaded() {
+        true => byte(appearance::ZERO.address) == 0,
+        false => (0..gouraud::DEPTH.bytes).any(|number| byte(gouraud::DEPTH.byte(number)) != 0xff),
+    }
+}
+
+/// What all units did.
+fn lanes(report: &Report, nodes: Worked) -> Vec<Lane> {
+    let delay = report.delay();
+    let mut front = Lane::of_clocks("front end", TICK, 1);
+    front.add("geometry", 0, report.front * TICK, report.front);
+    front.add("second pass", report.front * TICK, (report.front + report.second) * TICK, report.second);
+    // An array has a clock for two ticks.
+    let node = |name: String, what, worked: Vec<Range<Ticks>>| {
+        let mut lane = Lane::of_clocks(name, 2 * TICK, 1);
+        for ticks in worked {
+            lane.add(what, (delay + ticks.start) * TICK, (delay + ticks.end) * TICK, (ticks.end - ticks.start) / 2);
+        }
+        lane
+    };
+    let stage = |name: &str, what, of: fn(&Done) -> &Range<Ticks>| {
+        let mut lane = Lane::of_clocks(name, TICK, 1);
+        for ticks in report.turns.iter().map(of) {
+            lane.add(what, (delay + ticks.start) * TICK, (delay + ticks.end) * TICK, ticks.end - ticks.start);
+        }
+        lane
+    };
+    let mut lanes = vec![front];
+    let numbered = |kind: &'static str, worked: Vec<Vec<Range<Ticks>>>| {
+        (1..).zip(worked).map(move |(number, worked): (u32, _)| (format!("{kind} {number}"), worked))
+    };
+    lanes.extend(numbered("rasterizer", nodes.rasterizers).map(|(name, it)| node(name, "rasterizing", it)));
+    lanes.push(stage("network", "composing", |it| &it.composed));
+    if !nodes.shaders.is_empty() {
+        lanes.extend(numbered("shader", nodes.shaders).map(|(name, it)| node(name, "shading", it)));
+        lanes.push(stage("network, back", "sending colours", |it| &it.sent));
+    }
+    lanes.push(node("frame's holder".to_owned(), "storing", nodes.holder));
+    lanes.push(stage("frame buffer", "loading", |it| &it.loaded));
+    lanes
+}
