@@ -180,6 +180,13 @@ impl Running {
         wave
     }
 
+    /// Of a port its path in the bundle, with the lane of its name; of anything else the name.
+    fn path_of(&self, name: &str) -> String {
+        let (base, lane) = name.split_at(name.find('[').unwrap_or(name.len()));
+        let mut ports = self.program.inputs.iter().chain(&self.program.outputs);
+        ports.find(|port| port.name == base).map_or_else(|| name.to_owned(), |port| format!("{}{lane}", port.path))
+    }
+
     #[track_caller]
     fn sources(&self, run: u32, probe: Probe) -> Vec<Source> {
         let name = match probe {
@@ -194,7 +201,10 @@ impl Running {
                 Err(unknown) => lookup::signals(hierarchy, &name, run).map_err(|_| unknown),
             },
         };
-        let source = |(name, Found { signal, lane })| Source { value: signal.value, lane, kind: signal.kind, name };
+        let source = |(name, Found { signal, lane }): (String, Found)| {
+            let path = self.path_of(&name);
+            Source { value: signal.value, lane, kind: signal.kind, name, path }
+        };
         match found {
             Ok(found) => found.into_iter().map(source).collect(),
             Err(unknown) => panic!("{unknown}"),

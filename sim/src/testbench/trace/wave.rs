@@ -10,6 +10,8 @@
 //! count  | 0     | 1 | 2 |
 //! ```
 
+mod svg;
+
 use std::fmt;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -70,6 +72,8 @@ struct Row {
 #[derive(Debug, Clone)]
 pub(crate) struct Source {
     pub name: String,
+    /// The name with records and their fields apart, such as `request.valid`.
+    pub path: String,
     pub value: ValueId,
     pub lane: u32,
     pub kind: Kind,
