@@ -4,8 +4,9 @@ use crate::engine::EngineArguments;
 use crate::golden;
 use crate::machine::{ENTRANTS, Entrant, Figures, Machine, Run};
 use crate::names;
+use crate::pictures::{Paint, Painted, all_on_a_sheet, animation, check_film, sheet};
 use crate::scene::{SceneArguments, triangles};
-use crate::shell::output::Output;
+use crate::shell::output::{Output, write_all};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, terminal};
@@ -15,8 +16,9 @@ use clap::Args;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
+use tilewright_machines::{History, Recorder};
 use tilewright_scenes::golden::render_watched;
-use tilewright_scenes::{Frame, Projection, Scene};
+use tilewright_scenes::{Frame, Projection, Scene, Size};
 
 /// Renders a scene on all machines, compares the frames, and prints what each machine took
 #[derive(Args)]
@@ -25,11 +27,14 @@ Examples:
   tilewright compare star --size 64x48
   tilewright compare teapot --size 160x120 --machine vc1 --machine quadtree -o frame.png
   tilewright compare star --size 64x48 --json
+  tilewright compare star --size 64x48 --owners owners.png --animate frame.png
 
 Each machine is as `render` builds it without options, but a VC-1 has as many pages as the scene needs; `render` has those options, and a machine's whole report. The clocks are those of a frame, and the lines
 below the table say what is in them. Tested are the pixels that processors were given for some polygon, drawn those that it covers, each as often as
 it is. At work is how much of the time the processors worked on the mean, of a pipe its busiest part; and what takes longest, in parts of the frame's time, limits it.
 Faces are cut into triangles for all machines, as not all of them draw polygons.
+
+--owners and --animate have the machines side by side, as `render` has each of them. In an animation each takes its own time, from its first pixel to its last.
 
 Exit code 1 means that a frame differs from the golden image, which the machines then do not have in common. The picture of -o is that of the first machine,
 or of the first that differs, with the picture of the differences beside it as `render` leaves it.")]
@@ -42,6 +47,12 @@ pub struct Compare {
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Who drew which pixel on each machine, a PNG file (`-`: standard output)
+    #[arg(long, value_name = "FILE")]
+    owners: Option<PathBuf>,
+    /// The frame coming into being on each machine, an animated PNG file (`-`: standard output), in the colours of the units
+    #[arg(long, value_name = "FILE")]
+    animate: Option<PathBuf>,
     #[command(flatten)]
     engine: EngineArguments,
     /// Print the table as JSON
@@ -63,6 +74,9 @@ pub struct Comparison {
     /// The first frame, or the first that differs.
     #[serde(skip)]
     frame: Option<Frame>,
+    /// What each machine did, if that is to be known, and what came of it.
+    #[serde(skip)]
+    histories: Vec<(&'static str, History, Frame)>,
 }
 
 /// A machine's line of the table.
@@ -81,14 +95,25 @@ impl Compare {
     pub fn run(self) -> Result<Exit, Failure> {
         let scene = self.scene.load()?;
         self.check_distinct(&scene.files)?;
-        let output = self.output.as_deref().map(Output::at).transpose()?;
+        check_film(self.animate.as_deref())?;
+        let at = |path: &Option<PathBuf>| path.as_deref().map(Output::at).transpose();
+        let [output, owners, animate] = [at(&self.output)?, at(&self.owners)?, at(&self.animate)?];
         let is_asked = |it: &Entrant| self.machines.is_empty() || self.machines.contains(&it.machine);
         let entrants: Vec<Entrant> = ENTRANTS.into_iter().filter(is_asked).collect();
-        let run = Run { engine: self.engine, filters: &TraceOptions::default(), waveform: None };
+        let recorder = (owners.is_some() || animate.is_some()).then(Recorder::default);
+        if recorder.is_some() {
+            check_room(scene.size, entrants.len())?;
+        }
+        let (filters, recorder) = (&TraceOptions::default(), recorder.as_ref());
+        let run = Run { engine: self.engine, filters, waveform: None, recorder };
         let comparison = Comparison::of(&scene, &entrants, &run)?;
 
-        if let (Some(output), Some(path), Some(frame)) = (output, &self.output, &comparison.frame) {
-            output.write(&frame.to_png())?;
+        let painted = comparison.painted();
+        let frame = output.zip(comparison.frame.as_ref()).map(|(output, frame)| (output, frame.to_png()));
+        let owners = owners.map(|output| (output, all_on_a_sheet(&painted).to_png()));
+        let animate = animate.map(|output| (output, animation(&painted)));
+        write_all([frame, owners, animate].into_iter().flatten())?;
+        if let Some(path) = &self.output {
             leave_difference(path, comparison.differing().and_then(|row| row.golden.picture.as_ref()));
         }
         match (self.json, comparison.identical) {
@@ -103,7 +128,8 @@ impl Compare {
     /// That no file which is written is another one, or one that is read.
     fn check_distinct(&self, scene: &[PathBuf]) -> Result<(), Failure> {
         let difference = self.output.as_ref().and_then(|path| beside(path, DIFFERENCE));
-        let written: Vec<&Path> = self.output.iter().chain(&difference).map(PathBuf::as_path).collect();
+        let written = self.output.iter().chain(&difference).chain(&self.owners).chain(&self.animate);
+        let written: Vec<&Path> = written.map(PathBuf::as_path).collect();
         check_distinct(&written, &scene.iter().map(PathBuf::as_path).collect::<Vec<_>>())
     }
 }
@@ -126,11 +152,15 @@ impl Comparison {
             identical: true,
             machines: Vec::new(),
             frame: None,
+            histories: Vec::new(),
         };
         for Entrant { machine, draw } in entrants {
             let drawn = draw(scene, run);
             let (frame, figures) = drawn.map_err(|failure| failure.of(machine.name()))?;
             let verdict = golden.judge(&frame);
+            if let Some(history) = run.recorder.and_then(Recorder::take) {
+                comparison.histories.push((machine.name(), history, frame.clone()));
+            }
             if comparison.frame.is_none() || comparison.identical && !verdict.identical {
                 comparison.frame = Some(frame);
             }
@@ -140,6 +170,17 @@ impl Comparison {
             comparison.machines.push(Row { machine, figures, megahertz, milliseconds, golden: verdict });
         }
         Ok(comparison)
+    }
+
+    /// What each machine painted, if that is known.
+    fn painted<'a>(&'a self) -> Vec<Painted<'a>> {
+        let painted = |(name, history, frame): &'a (&str, History, Frame)| Painted {
+            history,
+            frame,
+            paint: Paint::Owners,
+            label: Some(name),
+        };
+        self.histories.iter().map(painted).collect()
     }
 
     /// The first machine whose frame is not the golden image.
@@ -180,6 +221,17 @@ impl Comparison {
         }
         Ok(())
     }
+}
+
+/// That pictures of all machines have room on a sheet.
+fn check_room(size: Size, machines: usize) -> Result<(), Failure> {
+    if sheet(size, machines).is_some() {
+        return Ok(());
+    }
+    let sentence = format!(
+        "{machines} pictures of {size} pixels are too large for one: pass a smaller --size, such as 640x480, or fewer machines"
+    );
+    Err(Failure::new(Exit::BadInput, sentence))
 }
 
 /// The scene with each triangle as a face: a face of more corners is one polygon where its corners are within a unit of depth of one plane, and then may
@@ -251,12 +303,11 @@ impl fmt::Display for Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tilewright_scenes::Size;
 
     fn star_on(entrants: &[Entrant]) -> Comparison {
         let scene = Scene { size: Size::new(32, 24).unwrap(), ..Scene::builtin("star").unwrap() };
         let (engine, filters) = (EngineArguments::default(), TraceOptions::default());
-        Comparison::of(&scene, entrants, &Run { engine, filters: &filters, waveform: None }).unwrap()
+        Comparison::of(&scene, entrants, &Run { engine, filters: &filters, waveform: None, recorder: None }).unwrap()
     }
 
     #[test]

@@ -152,6 +152,17 @@ impl MachineArguments {
     }
 }
 
+impl MachineArguments {
+    /// The option that makes several frames on that machine, if one does.
+    pub fn several(&self, machine: Machine) -> Option<&'static str> {
+        match machine {
+            Machine::Vc1 => self.vc1.several(),
+            Machine::PixelFlow => self.pixelflow.several(),
+            Machine::Quadtree | Machine::PixelPlanes => None,
+        }
+    }
+}
+
 /// The name of the first option that is given.
 fn first_given<const N: usize>(options: [(&'static str, bool); N]) -> Option<&'static str> {
     options.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)

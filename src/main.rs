@@ -13,6 +13,7 @@ mod manual;
 mod names;
 mod new;
 mod number;
+mod pictures;
 mod player;
 mod render;
 mod reproduce;

@@ -5,8 +5,9 @@ mod frames;
 use crate::engine::EngineArguments;
 use crate::machine::{Job, Machine, MachineArguments, Run};
 use crate::names;
+use crate::pictures::PictureOptions;
 use crate::scene::SceneArguments;
-use crate::shell::output::{Output, Waveform};
+use crate::shell::output::{Output, Waveform, write_all};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
 use crate::shell::{Exit, Failure, terminal};
@@ -32,6 +33,13 @@ Examples:
   tilewright render star --machine pixelflow --size 64x48 --nodes 4 --shaders 1 --array 32x16
   tilewright render star --machine pixelflow --size 64x48 --nodes 8 --shaders 2 --array 32x16 --stereo halved
   tilewright render teapot --size 64x48 --processors 2 --vcd run.vcd --scope 'u_gfb.*' --from 10us --to 20us
+  tilewright render teapot --size 64x48 --owners owners.png --timeline time.svg
+  tilewright render star --machine pixel-planes-5 --size 64x48 --region 16 --animate frame.png
+
+--owners, --timeline and --animate are drawn from what is seen of the machine. A pixel is of the processing element whose word was the least that a local frame buffer took; of the video processor
+whose buffer has it; of the renderer that has its region, which is darker along its left and upper border; or of the node whose word won the composition, in most samples. It
+comes when a local frame buffer or a video buffer took it, when the last instruction of its primitive had ended, or when the frame buffer took it. Images of an animation are equally
+spaced in the machine's time from the first pixel to the last one, and the last one stays longer.
 
 Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
 stands a picture of the differences, such as frame.difference.png; an identical frame removes one that an earlier run left there.
@@ -59,6 +67,8 @@ pub struct Render {
     #[command(flatten)]
     filters: TraceOptions,
     #[command(flatten)]
+    pictures: PictureOptions,
+    #[command(flatten)]
     options: MachineArguments,
 }
 
@@ -76,6 +86,7 @@ impl Render {
     pub fn run(self) -> Result<Exit, Failure> {
         self.filters.check(self.vcd.as_deref(), "--vcd")?;
         self.options.check(self.machine)?;
+        self.pictures.check(self.options.several(self.machine))?;
         let scene = self.scene.load()?;
         match self.machine {
             Machine::Vc1 => match self.options.vc1.turn(&scene)? {
@@ -97,12 +108,17 @@ impl Render {
         self.check_distinct(self.output.as_slice(), scene)?;
         let output = self.output.as_deref().map(Output::at).transpose()?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
+        let pictures = self.pictures.open()?;
         let golden = Golden::new(self.golden.as_deref(), job.size(), || job.golden())?;
-        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref() };
+        let recorder = pictures.recorder();
+        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder };
         let (frame, report) = job.render(&run)?;
         let verdict = golden.judge(&frame);
-        if let (Some(output), Some(path)) = (output, &self.output) {
-            output.write(&frame.to_png())?;
+        let title = format!("{} on {}: what each unit did when", scene.name, self.machine.name());
+        let mut files: Vec<(Output, Vec<u8>)> = output.map(|output| (output, frame.to_png())).into_iter().collect();
+        files.extend(pictures.made(&title, &frame));
+        write_all(files)?;
+        if let Some(path) = &self.output {
             leave_difference(path, verdict.picture.as_ref());
         }
         self.tell(scene, &report, &verdict, verdict.identical)
@@ -135,6 +151,7 @@ impl Render {
     fn check_distinct(&self, frames: &[PathBuf], scene: &Scene) -> Result<(), Failure> {
         let differences: Vec<PathBuf> = frames.iter().filter_map(|path| beside(path, DIFFERENCE)).collect();
         let written = frames.iter().chain(&differences).chain(&self.vcd).map(PathBuf::as_path);
+        let written = written.chain(self.pictures.paths());
         let read = scene.files.iter().chain(&self.golden).map(PathBuf::as_path);
         check_distinct(&Vec::from_iter(written), &Vec::from_iter(read))
     }

@@ -1,4 +1,4 @@
-//! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, or as text.
+//! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, as text, or as a picture.
 
 use crate::block::{BlockArguments, simulation};
 use crate::engine::EngineArguments;
@@ -15,6 +15,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Read;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tilewright_hdl::Scenario;
 use tilewright_hdl::catalog::{Entry, Values};
@@ -30,20 +31,22 @@ Examples:
   tilewright wave merging-unit -o mu.vcd
   tilewright wave merging-unit -o mu.vcd --ascii
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
+  tilewright wave merging-unit -o mu.svg
 
 Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-One that GTKWave or somebody else wrote stays as it is. With --to the run ends there, unless --ascii shows all of it. The values of a wave in text are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
+One that GTKWave or somebody else wrote stays as it is. An -o that ends in .svg is a picture of the waves that the text has, light or dark as the reader's screen is.
+With --to the run ends there, unless the wave is shown as text, which has all of it. Values in text and in pictures are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
 the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
-    /// The waveform, a VCD file; `-` is standard output. Without it the wave is shown as text
+    /// The waveform, a VCD file, or a picture of it if the name ends in .svg; `-` is standard output. Without it the wave is shown as text
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
     /// Print the ports' waves as text, beside -o as well
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
-    /// What the numbers of a wave in text are written in [default: hex, and decimal where they are signed]
+    /// What the numbers of a wave in text, or of a picture, are written in [default: hex, and decimal where they are signed]
     #[arg(long, value_name = "RADIX", value_parser = names::of::<Radix>("radix"))]
     radix: Option<Radix>,
     #[command(flatten)]
@@ -54,6 +57,9 @@ pub struct Wave {
     #[command(flatten)]
     filters: TraceOptions,
 }
+
+/// The most clocks that a picture shows.
+const MOST_DRAWN: u64 = 2000;
 
 /// A radix by its name on the command line.
 #[derive(Clone, Copy, ValueEnum)]
@@ -95,13 +101,21 @@ impl Wave {
     /// Runs the scenario, writes the files and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         self.check()?;
-        let save = self.output.as_ref().and_then(|path| beside(path, "gtkw"));
+        let (picture, vcd) =
+            if self.is_picture() { (self.output.as_ref(), None) } else { (None, self.output.as_ref()) };
+        let save = vcd.and_then(|path| beside(path, "gtkw"));
         check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
         let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
-        let text = if self.is_text() { Some(self.record_ports(&mut sim, &scenario)?) } else { None };
-        let waveform = self.output.as_deref().map(Waveform::at).transpose()?;
+        let text = self.is_text().then(|| self.record_ports(&mut sim, &scenario, "a wave in text")).transpose()?;
+        if picture.is_some() {
+            self.check_drawn(&sim, &scenario)?;
+        }
+        let drawn = picture.map(|_| self.record_ports(&mut sim, &scenario, "a picture")).transpose()?;
+        let drawn = drawn.map(|wave| wave.times(self.filters.times()));
+        let picture = picture.map(|path| Output::at(path)).transpose()?;
+        let waveform = vcd.map(|path| Waveform::at(path)).transpose()?;
         let ours = save.as_deref().filter(|path| is_ours(path)).map(Output::at).transpose()?;
         let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
         let end = if self.is_text() { u64::MAX } else { self.filters.times().end };
@@ -118,11 +132,16 @@ impl Wave {
                 files.extend(save.clone());
             }
         }
+        if let (Some(picture), Some(drawn), true) = (picture, drawn, Failure::leaves_a_waveform(&ended)) {
+            self.filters.warn_if_empty(sim.time());
+            ended = Failure::both(ended, picture.write(drawn.svg().as_bytes()));
+            files.extend(self.output.clone());
+        }
         ended?;
         if let Some(text) = text {
             terminal::print(&text.to_string())?;
         }
-        let viewers = self.output.as_ref().zip(save).map_or_else(Vec::new, |(path, save)| viewers(path, &save));
+        let viewers = vcd.zip(save).map_or_else(Vec::new, |(path, save)| viewers(path, &save));
         if self.json {
             terminal::print_json(&report(entry, &values, &scenario, &sim, &files, viewers))?;
         } else {
@@ -136,20 +155,46 @@ impl Wave {
         self.ascii || self.output.is_none()
     }
 
-    /// That there is what the options are about.
+    /// Whether a picture of the waves is asked for.
+    fn is_picture(&self) -> bool {
+        self.output.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case("svg"))
+    }
+
+    /// That the options fit to what is written.
     fn check(&self) -> Result<(), Failure> {
         let sentence = if self.json && self.output.is_none() {
             "--json reports on a waveform file: name it with -o FILE"
-        } else if self.radix.is_some() && !self.is_text() {
-            "--radix is about a wave in text: add --ascii, or leave out -o"
+        } else if self.radix.is_some() && !self.is_text() && !self.is_picture() {
+            "--radix is about numbers in text, and a waveform file has bits: leave out -o, or name a picture with -o, such as wave.svg"
+        } else if self.filters.is_scoped() && self.is_picture() {
+            "a picture has the ports of the block, as the text has: leave out --scope, or name a waveform file with -o, such as wave.vcd"
         } else {
             return self.filters.check(self.output.as_deref(), "-o");
         };
         Err(Failure::new(Exit::BadInput, sentence))
     }
 
-    fn record_ports(&self, sim: &mut Simulation, scenario: &Scenario) -> Result<tilewright_sim::Wave, Failure> {
-        check_length(sim, scenario, "a wave in text")?;
+    /// That a picture is not of more clocks than anybody looks at.
+    fn check_drawn(&self, sim: &Simulation, scenario: &Scenario) -> Result<(), Failure> {
+        let Range { start, end } = self.filters.times();
+        let time = end.min(scenario.end_ps).saturating_sub(start);
+        let clocks: u64 = sim.program().clocks.iter().map(|clock| time / clock.period).sum();
+        if clocks <= MOST_DRAWN {
+            return Ok(());
+        }
+        let sentence = format!(
+            "a picture of {clocks} clocks is too long to be looked at, {MOST_DRAWN} are the most: pass --from and --to, such as --to 2us"
+        );
+        Err(Failure::new(Exit::BadInput, sentence))
+    }
+
+    fn record_ports(
+        &self,
+        sim: &mut Simulation,
+        scenario: &Scenario,
+        what: &str,
+    ) -> Result<tilewright_sim::Wave, Failure> {
+        check_length(sim, scenario, what)?;
         let program = sim.program();
         let ports = program.inputs.iter().chain(&program.outputs);
         // A port that has lanes is shown lane by lane.

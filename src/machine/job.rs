@@ -8,7 +8,7 @@ use crate::watch::watched;
 use serde::Serialize;
 use std::fmt::Display;
 use tilewright_hdl::Bundle;
-use tilewright_machines::Watch;
+use tilewright_machines::{Recorder, Watch};
 use tilewright_scenes::{Frame, Size};
 use tilewright_sim::{EngineKind, Simulation};
 
@@ -38,6 +38,8 @@ pub struct Run<'a> {
     pub engine: EngineArguments,
     pub filters: &'a TraceOptions,
     pub waveform: Option<&'a Waveform>,
+    /// Where the machine is to leave what it did, if that is to be known.
+    pub recorder: Option<&'a Recorder>,
 }
 
 impl Run<'_> {

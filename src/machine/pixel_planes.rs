@@ -115,7 +115,10 @@ impl Job for PixelPlanesJob {
                             leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine, or `tilewright wave renderer`";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let machine = self.machine.clone().on(run.engine());
+        let mut machine = self.machine.clone().on(run.engine());
+        if let Some(recorder) = run.recorder {
+            machine = machine.recorded(recorder);
+        }
         run.watch(|watch| machine.render(&self.polygons, self.background, watch), |(_, report)| report.picoseconds())
     }
 }

@@ -107,6 +107,11 @@ impl PixelFlowOptions {
         ])
     }
 
+    /// What makes several frames, if anything does.
+    pub fn several(&self) -> Option<&'static str> {
+        first_given([("--stereo", self.stereo.is_some())])
+    }
+
     /// A scene for the machine.
     ///
     /// # Errors
@@ -250,7 +255,10 @@ impl Job for PixelFlowJob {
                             leave out --vcd, and see `tilewright wave pixelflow-node`";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
-        let machine = self.machine.clone().on(run.engine());
+        let mut machine = self.machine.clone().on(run.engine());
+        if let Some(recorder) = run.recorder {
+            machine = machine.recorded(recorder);
+        }
         let render = |watch: &mut tilewright_machines::Watch| match &self.work {
             Work::Deferred(deferred) => machine.render(deferred, watch),
             Work::Resident(polygons, background) => machine.render_resident(polygons, *background, watch),

@@ -132,6 +132,9 @@ impl Job for QuadtreeJob {
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
         let mut machine = Machine::new(self.config.clone())?.on(run.engine());
+        if let Some(recorder) = run.recorder {
+            machine = machine.recorded(recorder);
+        }
         run.attach(machine.simulation())?;
         run.watch(
             |watch| machine.render(&self.polygons.polygons, self.background, watch),

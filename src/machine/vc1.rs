@@ -135,6 +135,12 @@ impl Vc1Options {
         ])
     }
 
+    /// What makes several frames, if anything does.
+    pub fn several(&self) -> Option<&'static str> {
+        let frames = self.frames.is_some_and(|frames| frames > 1);
+        first_given([("--frames", frames), ("--accumulate", self.accumulate.is_some())])
+    }
+
     /// A picture of a scene.
     ///
     /// # Errors

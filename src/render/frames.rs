@@ -33,7 +33,7 @@ impl Render {
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
         // That the folder can be written to is seen before the machine is built.
         let _ = paths.first().map(|path| Output::at(path)).transpose()?;
-        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref() };
+        let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder: None };
         let mut frames = Vec::new();
         let report = turn.render(&run, |number, picture, golden| {
             let verdict = Golden::Rendered(golden).judge(&picture);

@@ -1,7 +1,6 @@
 //! `tilewright reproduce`: the tables and figures of a paper, beside what was measured here.
 
 mod all;
-mod colour;
 mod effort;
 mod pixel_planes;
 mod pixelflow;

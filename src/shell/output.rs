@@ -49,13 +49,13 @@ impl Output {
 ///
 /// # Errors
 /// One cannot be written.
-pub fn write_all<'a>(outputs: impl IntoIterator<Item = (Output, &'a [u8])>) -> Result<(), Failure> {
+pub fn write_all(outputs: impl IntoIterator<Item = (Output, impl AsRef<[u8]>)>) -> Result<(), Failure> {
     let mut filled = Vec::new();
     for (Output { name, to }, bytes) in outputs {
         match to {
-            To::Standard(mut file) => terminal::check(file.write_all(bytes))?,
+            To::Standard(mut file) => terminal::check(file.write_all(bytes.as_ref()))?,
             To::File(mut file) => {
-                file.fill(bytes)?;
+                file.fill(bytes.as_ref())?;
                 filled.push((name, file));
             }
         }

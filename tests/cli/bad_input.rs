@@ -141,7 +141,9 @@ const CASES: &[(&str, &[&str])] = &[
     ),
     (
         "wave merging-unit -o mu.vcd --radix hex",
-        &["error: --radix is about a wave in text: add --ascii, or leave out -o\n"],
+        &[
+            "error: --radix is about numbers in text, and a waveform file has bits: leave out -o, or name a picture with -o, such as wave.svg\n",
+        ],
     ),
     ("wave merging-unit --json", &["error: --json reports on a waveform file: name it with -o FILE\n"]),
     ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),

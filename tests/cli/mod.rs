@@ -16,6 +16,7 @@ mod list;
 mod manual;
 pub mod new;
 mod output;
+mod pictures;
 mod pixel_planes;
 mod pixelflow;
 mod places;

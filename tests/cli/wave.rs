@@ -125,3 +125,28 @@ fn a_port_of_lanes_is_shown_lane_by_lane() {
     }
     assert!(!text.contains("works_polygon_right "), "{text}");
 }
+
+#[test]
+fn a_picture_has_the_rows_of_the_text() {
+    let folder = Folder::new();
+    assert_eq!(folder.stdout("wave merging-unit -o mu.svg"), "");
+    // The picture of the documentation: `tilewright wave merging-unit -o docs/merging-unit.svg` makes it.
+    assert_eq!(folder.read("mu.svg"), include_str!("../../docs/merging-unit.svg"));
+    assert_eq!(folder.names(), ["mu.svg"]);
+    let values = |options: &str| {
+        folder.stdout(&format!("wave merging-unit -o some.svg {options}"));
+        folder.read("some.svg").matches("<g><title>").count()
+    };
+    assert!(values("--radix decimal") > values("--from 0.4us --to 0.8us"));
+    let drawn = folder.json("wave page-id-generator -o page.svg --json");
+    assert_eq!((&drawn["files"][0], &drawn["commands"]), (&"page.svg".into(), &serde_json::json!([])));
+
+    for (line, sentence) in [
+        ("wave merging-unit -o mu.svg --scope **", "leave out --scope"),
+        ("wave merging-unit -o mu.vcd --radix hex", "--radix is about numbers in text"),
+        ("wave gfb-unit -o gfb.svg --set width=64 --set height=64", "pass --from and --to"),
+    ] {
+        let run = folder.run(line);
+        assert!(run.code == Some(2) && run.stderr.contains(sentence), "{line}: {run:?}");
+    }
+}

@@ -30,6 +30,9 @@ impl Job for Vc1Job {
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
         let mut machine = Machine::new(self.config)?.on(run.engine());
+        if let Some(recorder) = run.recorder {
+            machine = machine.recorded(recorder);
+        }
         run.attach(machine.simulation())?;
         let (mut views, mut picture) = (self.views.iter().cloned(), None);
         let seen = |shown: Shown| {

@@ -1,7 +1,7 @@
 //! A frame with its regions: a tint and a number for the renderer that drew each.
 
-use crate::reproduce::colour::colour;
 use tilewright_machines::pixel_planes::{Regions, Report};
+use tilewright_report::palette;
 use tilewright_scenes::frame::{rgb_of, word};
 use tilewright_scenes::{Frame, PixelBox};
 
@@ -27,7 +27,7 @@ pub fn owners(frame: &Frame, regions: &Regions, report: &Report) -> Frame {
     let mut picture = frame.clone();
     for it in &report.regions {
         let pixels = regions.pixels(it.region);
-        let owner = owner_colour(it.renderer, report.renderers.len());
+        let owner = palette::colour(it.renderer as u32);
         paint(&mut picture, pixels, |rgb| mix(rgb, owner, TINT));
         let PixelBox { left, top, right, bottom } = pixels;
         let square = (regions.side() / 24).max(1);
@@ -41,11 +41,6 @@ pub fn owners(frame: &Frame, regions: &Regions, report: &Report) -> Frame {
         }
     }
     picture
-}
-
-/// A colour for each renderer: neighbours differ in hue, and by turns in brightness.
-fn owner_colour(renderer: usize, of: usize) -> [u8; 3] {
-    colour(renderer as f64 / of as f64, if renderer.is_multiple_of(2) { 255.0 } else { 160.0 })
 }
 
 /// From one colour to another, `share` of the way.
@@ -77,18 +72,9 @@ fn write(picture: &mut Frame, number: usize, square: u32, place: PixelBox, ink: 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
     use tilewright_machines::Watch;
     use tilewright_machines::pixel_planes::{Config, Machine};
     use tilewright_scenes::{Scene, Size, project_polygons};
-
-    #[test]
-    fn each_renderer_has_a_colour_of_its_own() {
-        for count in [1, 2, 16, 32] {
-            let colours: BTreeSet<_> = (0..count).map(|renderer| owner_colour(renderer, count)).collect();
-            assert_eq!(colours.len(), count);
-        }
-    }
 
     /// Each region has its renderer's colour along its border and nowhere another's; a region's middle shows the frame.
     #[test]
@@ -102,7 +88,7 @@ mod tests {
         assert_eq!(report.regions.len(), 12);
         for it in &report.regions {
             let PixelBox { left, top, right, bottom } = regions.pixels(it.region);
-            let owner = owner_colour(it.renderer, 3);
+            let owner = palette::colour(it.renderer as u32);
             assert_eq!([picture.rgb(right, top), picture.rgb(left, bottom)], [owner; 2]);
             assert_eq!(picture.rgb(right, bottom), mix(frame.rgb(right, bottom), owner, TINT));
         }

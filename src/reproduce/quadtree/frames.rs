@@ -1,7 +1,7 @@
 //! Frames that the hardware has drawn: pictures, who drew which pixel, and how busy it was.
 
 use super::plan::config;
-use crate::reproduce::colour::colour;
+use crate::pictures::owners;
 use crate::reproduce::effort::Effort;
 use crate::reproduce::right;
 use crate::scene::polygons;
@@ -87,7 +87,7 @@ pub fn section(frames: &[Drawn]) -> Section {
         let section = section.part(picture(drawn));
         // The pattern and the levels of 256 processors are no picture.
         match number {
-            0 => section.part(owners(drawn)).part(busy(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
+            0 => section.part(who(drawn)).part(busy(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
                 drawn,
                 "stalled",
                 |it| it.stalled,
@@ -115,7 +115,7 @@ fn picture(drawn: &Drawn) -> Picture {
 const PART: (u32, u32) = (40, 30);
 
 /// The part of the frame around its first pixel: a colour for each video processor.
-fn owners(drawn: &Drawn) -> Picture {
+fn who(drawn: &Drawn) -> Picture {
     let (size, (p, q)) = (drawn.frame.size(), (drawn.report.machine.p, drawn.report.machine.q));
     let (width, height) = (PART.0.min(size.width()), PART.1.min(size.height()));
     let nothing = tilewright_scenes::frame::blank(drawn.background);
@@ -123,25 +123,17 @@ fn owners(drawn: &Drawn) -> Picture {
     let (x, y) = (first % size.width(), first / size.width());
     let left = x.saturating_sub(width / 2).min(size.width() - width);
     let top = y.saturating_sub(height / 6).min(size.height() - height);
-    let owner = |x: u32, y: u32| match drawn.frame.word(x, y) == nothing {
-        true => [24, 24, 24],
-        false => owner_colour(x % p, y % q, (p, q)),
-    };
-    let words = (0..height).flat_map(|y| (0..width).map(move |x| (left + x, top + y)));
-    let words = words.map(|(x, y)| tilewright_scenes::frame::word(0, owner(x, y))).collect();
-    let size = Size::new(width, height).expect("in range");
-    let part = Frame::from_words(size, words).expect("a word for each pixel");
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (left + x, top + y)));
+    let owner = |(x, y): (u32, u32)| (drawn.frame.word(x, y) != nothing).then_some(x % p + p * (y % q));
+    let words = places.clone().map(|(x, y)| drawn.frame.word(x, y)).collect();
+    let part = Frame::from_words(Size::new(width, height).expect("in range"), words).expect("a word for each pixel");
+    let part = owners::picture(&part, &places.map(owner).collect::<Vec<_>>(), None);
     let title = format!("Who drew which pixel: the top of {}", drawn.scene);
     let alt = format!("a pattern of {p} x {q} colours where there are polygons");
     Picture::new(drawn.id("owners"), title, alt, part.to_png()).note(format!(
         "A colour for each of {p}x{q} video processors; dark is where no polygon is. The video controller reads a pixel from the buffer of the \
          processor that drew it, so the place says who that was; the checks below have that each drew as many as it should."
     ))
-}
-
-/// Hues along a row of the matrix, from light to dark along a column.
-fn owner_colour(i: u32, j: u32, (p, q): (u32, u32)) -> [u8; 3] {
-    colour(f64::from(i) / f64::from(p), 255.0 * (1.0 - 0.65 * f64::from(j) / f64::from(q)))
 }
 
 /// Busy clocks of each video processor, as they stand in the matrix.
@@ -168,7 +160,6 @@ fn stages(drawn: &Drawn, what: &str, of: fn(&UnitReport) -> u64) -> HeatMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
     use tilewright_scenes::project_polygons;
 
     /// A frame is right, and is not if it is compared with another.
@@ -196,15 +187,5 @@ mod tests {
         assert_eq!(verdicts(drawn(0, 0)), ["holds", "holds"]);
         assert!(verdicts(drawn(3, 1)).iter().all(|verdict| verdict.starts_with("differs")));
         Ok(())
-    }
-
-    #[test]
-    fn each_processor_has_a_colour_of_its_own() {
-        let colours = |p: u32, q: u32| {
-            (0..p).flat_map(|i| (0..q).map(move |j| owner_colour(i, j, (p, q)))).collect::<BTreeSet<_>>()
-        };
-        for (p, q) in [(1, 1), (4, 4), (2, 8), (16, 16)] {
-            assert_eq!(colours(p, q).len() as u32, p * q);
-        }
     }
 }

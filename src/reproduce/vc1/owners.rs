@@ -3,13 +3,12 @@
 use super::frames::background;
 use super::observed::observed;
 use super::plan::Plan;
-use crate::reproduce::colour::colour;
+use crate::pictures::owners;
 use std::collections::BTreeSet;
 use tilewright_machines::vc1::{Machine, Shown};
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{HeatMap, Origin, Picture, Rule, Section, Statement};
 use tilewright_rtl::clocks::PE;
-use tilewright_scenes::frame::word;
 use tilewright_scenes::{Frame, Size};
 
 const SCENE: &str = "table";
@@ -124,17 +123,10 @@ impl Owners {
         section.part(self.picture()).part(self.pages())
     }
 
-    /// A hue for each processing element, as light as the frame is there.
+    /// A colour for each processing element, as light as the frame is there.
     fn picture(&self) -> Picture {
-        let shade = |(least, shown): (&Option<(u64, u32)>, &u64)| match least {
-            None => word(0, [24, 24, 24]),
-            Some((_, number)) => {
-                let light = (0..3).map(|channel| shown >> (8 * channel) & 0xff).max().unwrap_or_default();
-                word(0, owner_colour(*number, light as f64))
-            }
-        };
-        let words = self.taken.least.iter().zip(&self.frame.words).map(shade).collect();
-        let picture = Frame::from_words(self.taken.size, words).expect("a word for each pixel");
+        let owners: Vec<Option<u32>> = self.taken.least.iter().map(|it| it.map(|(_, number)| number)).collect();
+        let picture = owners::picture(&self.frame, &owners, None);
         let alt =
             format!("the scene {SCENE} in {PROCESSORS} colours: the top of the table in lines, each object in patches");
         Picture::new("figure-12", "Figure 12: the table in the colours of the processing elements", alt, picture.to_png()).note(
@@ -161,21 +153,10 @@ impl Owners {
     }
 }
 
-/// Neighbours have hues far apart.
-fn owner_colour(number: u32, light: f64) -> [u8; 3] {
-    colour(f64::from(7 * number % PROCESSORS) / f64::from(PROCESSORS), 90.0 + light * 165.0 / 255.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::reproduce::effort::Effort;
-
-    #[test]
-    fn each_processing_element_has_a_colour_of_its_own() {
-        let colours: BTreeSet<[u8; 3]> = (0..PROCESSORS).map(|number| owner_colour(number, 255.0)).collect();
-        assert_eq!(colours.len(), PROCESSORS as usize);
-    }
 
     #[test]
     fn what_was_taken_is_the_frame_and_what_was_not_is_seen() {
