@@ -189,6 +189,11 @@ fn every_crate_can_be_packaged() {
     let is_published = |package: &serde_json::Value| package["publish"].as_array().is_none_or(|to| !to.is_empty());
     let mut count = 0;
     for package in packages.iter().filter(|package| is_published(package)) {
+        let said = |key: &str| package[key].as_str().is_some_and(|text| !text.is_empty());
+        assert!(["description", "license", "version", "rust_version"].into_iter().all(said), "{}", package["name"]);
+        // Both licences want their text beside the sources.
+        let folder = Path::new(package["manifest_path"].as_str().unwrap()).parent().unwrap();
+        assert!(folder.join("LICENSE-MIT").is_file() && folder.join("LICENSE-APACHE").is_file(), "{folder:?}");
         let dependencies = package["dependencies"].as_array().unwrap().iter();
         for needed in dependencies.filter(|it| it["path"].is_string() && it["kind"] != "dev") {
             let (name, of) = (&needed["name"], &package["name"]);
