@@ -2,7 +2,7 @@
 
 use crate::engine::tell_fallback;
 use crate::names::{self, Names, are_alike};
-use crate::shell::{Exit, Failure};
+use crate::shell::{Exit, Failure, progress};
 use clap::Args;
 use std::num::{IntErrorKind, ParseIntError};
 use tilewright_hdl::catalog::{Entry, Values};
@@ -36,6 +36,15 @@ impl BlockArguments {
         }
         Ok((self.block, self.block.values(settings)?))
     }
+}
+
+/// The circuit of a block.
+///
+/// # Errors
+/// The values of its parameters do not go together.
+pub fn design(block: &Entry, values: &Values) -> Result<Design, Failure> {
+    progress::phase("elaborating");
+    Ok(block.design(values)?)
 }
 
 /// The parser of a block's name.
@@ -83,6 +92,7 @@ const MOST_BYTES: u64 = 2 << 30;
 /// Its memories are too large, or it cannot be simulated.
 pub fn simulation(design: &Design, engine: EngineKind) -> Result<Simulation, Failure> {
     check_memories(design)?;
+    progress::phase("compiling");
     let sim = Simulation::from_design(design)?.on(engine);
     tell_fallback(&sim);
     Ok(sim)

@@ -9,7 +9,7 @@ use crate::scene::{SceneArguments, triangles};
 use crate::shell::output::{Output, write_all};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
-use crate::shell::{Exit, Failure, terminal};
+use crate::shell::{Exit, Failure, progress, terminal};
 use crate::trace::TraceOptions;
 use crate::verdict::{DIFFERENCE, Golden, Verdict, leave_difference};
 use clap::Args;
@@ -155,6 +155,7 @@ impl Comparison {
             histories: Vec::new(),
         };
         for Entrant { machine, draw } in entrants {
+            progress::phase("building");
             let drawn = draw(scene, run);
             let (frame, figures) = drawn.map_err(|failure| failure.of(machine.name()))?;
             let verdict = golden.judge(&frame);

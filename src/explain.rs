@@ -1,8 +1,8 @@
 //! `tilewright explain`: what each pass of the simulator makes of a block.
 
-use crate::block::{BlockArguments, check_memories};
+use crate::block::{BlockArguments, check_memories, design};
 use crate::names::Names;
-use crate::shell::{Exit, Failure, terminal};
+use crate::shell::{Exit, Failure, progress, terminal};
 use clap::Args;
 use serde::Serialize;
 use tilewright_sim::{Pass, Passes, explain};
@@ -50,8 +50,9 @@ impl Explain {
     /// Prints what the passes leave.
     pub fn run(self) -> Result<Exit, Failure> {
         let (entry, values) = self.block.find()?;
-        let design = entry.design(&values)?;
+        let design = design(entry, &values)?;
         check_memories(&design)?;
+        progress::phase("explaining");
         let wanted = |pass: Pass| self.passes.is_empty() || self.passes.contains(&pass);
         let explained = explain(&design, &Passes::default()).into_iter().filter(|it| wanted(it.pass));
         let shown =

@@ -3,7 +3,7 @@
 use crate::scene::{self, SceneArguments};
 use crate::shell::output::Output;
 use crate::shell::place::check_distinct;
-use crate::shell::{Exit, Failure, Progress, interrupt, terminal};
+use crate::shell::{Exit, Failure, Progress, interrupt, progress, terminal};
 use clap::Args;
 use serde::Serialize;
 use std::ops::ControlFlow;
@@ -97,6 +97,7 @@ impl Golden {
         check_distinct(&[&self.output], &Vec::from_iter(scene.files.iter().map(PathBuf::as_path)))?;
         let output = Output::at(&self.output)?;
         let frame = picture.draw(scene.background)?;
+        progress::phase("writing");
         output.write(&frame.to_png())?;
         let counts = picture.counts();
         let report = Report {

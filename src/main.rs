@@ -27,7 +27,7 @@ mod watch;
 mod wave;
 
 use clap::{Parser, Subcommand};
-use shell::{Exit, Failure, crash, interrupt, terminal};
+use shell::{Exit, Failure, crash, interrupt, progress, terminal};
 use std::process::ExitCode;
 
 /// Parallel rendering machines of the 1990s, as hardware that runs cycle by cycle
@@ -103,6 +103,7 @@ fn main() -> ExitCode {
             if line.quiet {
                 terminal::be_quiet();
             }
+            progress::begin();
             line.command.run()
         }
         Err(shown) if shown.use_stderr() => {
@@ -111,7 +112,9 @@ fn main() -> ExitCode {
         }
         Err(help) => terminal::check(help.print()).map(|()| Exit::Done),
     })
+    .inspect(|_| progress::end())
     .unwrap_or_else(|failure| {
+        progress::end();
         terminal::complain(&failure);
         failure.exit
     })

@@ -10,7 +10,7 @@ use crate::scene::SceneArguments;
 use crate::shell::output::{Output, Waveform, write_all};
 use crate::shell::place::{beside, check_distinct};
 use crate::shell::text::legible;
-use crate::shell::{Exit, Failure, terminal};
+use crate::shell::{Exit, Failure, progress, terminal};
 use crate::trace::{TraceOptions, WAVEFORM};
 use crate::verdict::{DIFFERENCE, Golden, leave_difference};
 use clap::Args;
@@ -112,7 +112,9 @@ impl Render {
         let golden = Golden::new(self.golden.as_deref(), job.size(), || job.golden())?;
         let recorder = pictures.recorder();
         let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder };
+        progress::phase("building");
         let (frame, report) = job.render(&run)?;
+        progress::phase("comparing");
         let verdict = golden.judge(&frame);
         let title = format!("{} on {}: what each unit did when", scene.name, self.machine.name());
         let mut files: Vec<(Output, Vec<u8>)> = output.map(|output| (output, frame.to_png())).into_iter().collect();

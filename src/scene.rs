@@ -1,6 +1,6 @@
 //! The scene that a command is given, and the size of the frame.
 
-use crate::shell::{Exit, Failure, terminal};
+use crate::shell::{Exit, Failure, progress, terminal};
 use clap::Args;
 use std::ffi::OsString;
 use std::sync::{Mutex, PoisonError};
@@ -24,7 +24,10 @@ impl SceneArguments {
     /// # Errors
     /// The scene's, naming file and line.
     pub fn load(&self) -> Result<Scene, Failure> {
-        Ok(Scene::load_sized(&self.scene, self.size)?)
+        progress::phase("reading");
+        let scene = Scene::load_sized(&self.scene, self.size)?;
+        progress::phase("setting up");
+        Ok(scene)
     }
 }
 

@@ -1,9 +1,9 @@
 //! `tilewright verilog`: a block as Verilog, and a testbench that replays its scenario.
 
-use crate::block::{BlockArguments, simulation};
+use crate::block::{BlockArguments, design, simulation};
 use crate::player::{check_length, play};
 use crate::shell::output::{Folder, quoted};
-use crate::shell::{Exit, Failure, terminal};
+use crate::shell::{Exit, Failure, progress, terminal};
 use clap::Args;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -56,7 +56,8 @@ impl Verilog {
         Folder::check(&self.output)?;
         let (entry, values) = self.block.find()?;
         let folder = Folder::make(&self.output)?;
-        let design = entry.design(&values)?;
+        let design = design(entry, &values)?;
+        progress::phase("printing");
         let mut files = verilog(&design);
         let mut cycles = None;
         if self.testbench {

@@ -1,6 +1,6 @@
 //! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, as text, or as a picture.
 
-use crate::block::{BlockArguments, simulation};
+use crate::block::{BlockArguments, design, simulation};
 use crate::engine::EngineArguments;
 use crate::names;
 use crate::player::{check_length, play};
@@ -106,7 +106,7 @@ impl Wave {
         let save = vcd.and_then(|path| beside(path, "gtkw"));
         check_distinct(&Vec::from_iter(self.output.iter().chain(&save).map(PathBuf::as_path)), &[])?;
         let (entry, values) = self.block.find()?;
-        let mut sim = simulation(&entry.design(&values)?, self.engine.kind())?;
+        let mut sim = simulation(&design(entry, &values)?, self.engine.kind())?;
         let scenario = entry.scenario(&values)?;
         let text = self.is_text().then(|| self.record_ports(&mut sim, &scenario, "a wave in text")).transpose()?;
         if picture.is_some() {

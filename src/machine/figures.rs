@@ -6,7 +6,7 @@ use super::pixel_planes::PixelPlanesOptions;
 use super::pixelflow::PixelFlowJob;
 use super::quadtree::QuadtreeOptions;
 use super::vc1::Vc1Options;
-use crate::shell::Failure;
+use crate::shell::{Failure, progress};
 use serde::Serialize;
 use tilewright_hdl::ir::State;
 use tilewright_hdl::{Block, elaborate};
@@ -99,6 +99,7 @@ fn drawn(job: &impl Compared, run: &Run) -> Result<(Frame, Figures), Failure> {
 /// # Errors
 /// Its description has a mistake.
 pub fn state<B: Block>(block: &B) -> Result<State, Failure> {
+    progress::phase("counting");
     let design = elaborate(block).map_err(tilewright_sim::Error::from)?;
     Ok(design.state())
 }

@@ -10,7 +10,7 @@ mod vc1;
 
 use crate::names;
 use crate::shell::output::Folder;
-use crate::shell::{Exit, Failure, interrupt, terminal};
+use crate::shell::{Exit, Failure, interrupt, progress, terminal};
 use crate::watch::watched;
 use clap::{Args, ValueEnum, value_parser};
 use effort::Effort;
@@ -96,6 +96,7 @@ impl Reproduce {
         let inner = if self.machine == Paper::All { PAPERS.map(|(_, name)| name).to_vec() } else { Vec::new() };
         let folder = Folder::make_with(&self.output, &inner)?;
         let pages = self.pages(effort)?;
+        progress::phase("writing");
         let files: Vec<File> = pages.iter().flat_map(|(prefix, page)| files(prefix, page)).collect();
         let written = folder.fill(files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())))?;
 

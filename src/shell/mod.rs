@@ -5,7 +5,7 @@ mod exit;
 pub mod interrupt;
 pub mod output;
 pub mod place;
-mod progress;
+pub mod progress;
 pub mod terminal;
 pub mod text;
 

@@ -38,6 +38,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
         tell(text.trim_end_matches('\n'));
         return Ok(());
     }
+    progress::end();
     let mut out = io::stdout().lock();
     check(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
 }
@@ -98,7 +99,6 @@ pub fn scold(text: &str) {
 
 /// Writes lines to standard error.
 pub fn tell(lines: &str) {
-    progress::clear();
     // Nobody is left to tell if standard error is closed.
-    let _ = writeln!(io::stderr(), "{lines}");
+    progress::aside(|| drop(writeln!(io::stderr(), "{lines}")));
 }

@@ -75,5 +75,24 @@ fn progress_is_a_short_line_that_goes_away() {
     let quiet = on_a_terminal(&folder, 80, "render teapot --size 64x48 --processors 1 -o x.png --quiet");
     assert_eq!(quiet.as_deref(), Some(""));
     let text = on_a_terminal(&folder, 80, "golden teapot --size 64x48 -o x.png").unwrap();
-    assert!(text.starts_with("\rgolden image --"), "{text:?}");
+    assert!(text.contains("\rgolden image --"), "{text:?}");
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn work_that_does_not_know_how_far_it_is_has_a_line_after_a_second() {
+    let folder = Folder::with_pyramid();
+    // The scene comes late, so that reading it takes long and no work.
+    std::fs::rename(folder.path("pyramid.obj"), folder.path("late")).unwrap();
+    let late = |line: &str| {
+        let made = folder.shell("rm -f pyramid.obj; mkfifo pyramid.obj");
+        assert_eq!(made.code, Some(0), "{made:?}");
+        on_a_terminal(&folder, 80, &format!("{line} & sleep 1.4; cat late > pyramid.obj; wait $!"))
+    };
+    let line = "golden pyramid.obj --size 16x12 -o x.png";
+    let Some(text) = late(line) else { return };
+    assert!(text.starts_with("\rreading      ") && text.contains("s\u{1b}[K\r\u{1b}[Kwrote x.png\r\n"), "{text:?}");
+    assert_eq!(late(&format!("{line} --quiet")).as_deref(), Some(""));
+    let piped = folder.shell(&format!("(sleep 1.4; cat late > pyramid.obj) & tilewright {line}; wait"));
+    assert_eq!((piped.code, piped.stderr.as_str()), (Some(0), "wrote x.png\n"), "no line where there is no terminal");
 }
