@@ -53,6 +53,9 @@ pub struct Lane {
     pub(crate) events: Vec<Event>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(crate) columns: Vec<Column>,
+    /// The number of its colour in the palette, if it has one in other pictures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) colour: Option<u32>,
 }
 
 /// A time in which several things went on, each for a share of it.
@@ -87,7 +90,20 @@ impl Lane {
     /// assert_eq!(tilewright_report::Lane::new("sender").name, "sender");
     /// ```
     pub fn new(name: impl Into<String>) -> Lane {
-        Lane { name: name.into(), spans: Vec::new(), events: Vec::new(), columns: Vec::new() }
+        Lane { name: name.into(), spans: Vec::new(), events: Vec::new(), columns: Vec::new(), colour: None }
+    }
+
+    /// Shows beside its name the [palette](crate::palette)'s colour of that number, which it has in other pictures.
+    ///
+    /// ```
+    /// use tilewright_report::{Lane, Origin, Timeline};
+    ///
+    /// let lane = Lane::new("sender").coloured(3).span("sending", 0.0, 1.0);
+    /// let svg = Timeline::new("transfer", "A transfer", "time, ms", Origin::Formula).lane(lane).svg_text();
+    /// assert!(svg.contains("<rect class=\"part\" style=\"fill:#"));
+    /// ```
+    pub fn coloured(self, number: u32) -> Lane {
+        Lane { colour: Some(number), ..self }
     }
 
     /// Adds what goes on from one time to another.

@@ -22,7 +22,8 @@ pub struct PictureOptions {
     /// Who drew which pixel, a PNG file (`-`: standard output): a colour for each unit that draws, as light as the frame; grey is where nothing was drawn
     #[arg(long, value_name = "FILE")]
     owners: Option<PathBuf>,
-    /// What each unit did when, in the classes of clocks that the report has, as a chart in an SVG file (`-`: standard output)
+    /// What each unit did when, in the classes of clocks that the report has, as a chart in an SVG file (`-`: standard output); beside a unit that draws is its
+    /// colour of --owners
     #[arg(long, value_name = "FILE")]
     timeline: Option<PathBuf>,
     /// The frame coming into being, an animated PNG file (`-`: standard output): each pixel comes when the machine wrote it, in the colours of the frame, or with

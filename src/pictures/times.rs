@@ -3,11 +3,9 @@
 use tilewright_machines::{History, Lane, Span};
 use tilewright_report::{Lane as Bars, Origin, Timeline};
 
-/// Classes in which a unit waits.
-const WAITING: [&str; 8] = [
+/// Classes in which a unit waits for others that have still to do.
+const WAITING: [&str; 6] = [
     "stalled",
-    "bus",
-    "overflow",
     "sync",
     "swap",
     "waiting for instructions",
@@ -15,11 +13,13 @@ const WAITING: [&str; 8] = [
     "waiting for the blanking",
 ];
 
+const NOTE: &str = "A square is the unit's colour in the picture of --owners.";
+
 /// Columns of a chart, and how many spans of a lane are drawn one by one.
 const COLUMNS: u64 = 240;
 const FEW: usize = 120;
 
-/// The chart. A lane of few spans has each of them, one of many has the share of each class in each part of the time.
+/// The chart. A lane of few spans has each of them, one of many has the share of each class in each part of the time. Who draws has its colour beside its name.
 pub fn chart(history: &History, title: &str) -> Timeline {
     let mut kinds: Vec<&str> = Vec::new();
     for span in history.lanes.iter().flat_map(|lane| &lane.spans) {
@@ -30,8 +30,18 @@ pub fn chart(history: &History, title: &str) -> Timeline {
     let (waiting, work): (Vec<&str>, Vec<&str>) = kinds.iter().partition(|kind| WAITING.contains(kind));
     let end = history.lanes.iter().filter_map(|lane| Some(lane.spans.last()?.to)).max().unwrap_or(0);
     let chart = Timeline::new("timeline", title, "time, ms", Origin::rtl([])).kinds(work.clone(), waiting.clone());
+    let is_painter = |lane: &Lane| history.painters.contains(&lane.name);
+    let chart = if history.lanes.iter().any(is_painter) { chart.note(NOTE) } else { chart };
     let kinds = [work, waiting].concat();
-    history.lanes.iter().map(|lane| bars(lane, &kinds, end)).fold(chart, Timeline::lane)
+    let lane = |lane: &Lane| {
+        let painter = (0..).zip(&history.painters).find(|(_, name)| **name == lane.name);
+        let bars = bars(lane, &kinds, end);
+        match painter {
+            Some((number, _)) => bars.coloured(number),
+            None => bars,
+        }
+    };
+    history.lanes.iter().map(lane).fold(chart, Timeline::lane)
 }
 
 fn bars(lane: &Lane, kinds: &[&'static str], end: u64) -> Bars {

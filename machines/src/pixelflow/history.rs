@@ -17,9 +17,9 @@ const TICK: u64 = 5000;
 
 /// Whose words were the least so far.
 pub(super) struct Recording {
-    /// By pixel of the frame, and there by rasterizer: of how many samples.
+    /// By pixel of the frame: of each of its samples that something covers the number of the rasterizer, counted from 1; and then zeros.
     samples: Vec<u16>,
-    rasterizers: usize,
+    of_pixel: usize,
 }
 
 /// The ticks in which nodes had an instruction.
@@ -32,8 +32,8 @@ pub(super) struct Worked {
 impl Recording {
     /// Of a frame before its first region.
     pub fn new(works: &Works) -> Recording {
-        let rasterizers = works.shares();
-        Recording { samples: vec![0; works.size().pixels() * rasterizers], rasterizers }
+        let of_pixel = works.samples() as usize;
+        Recording { samples: vec![0; works.size().pixels() * of_pixel], of_pixel }
     }
 
     /// The network has composed a turn: of each pixel, chip by chip, the word and whose it is.
@@ -43,7 +43,8 @@ impl Recording {
             if is_covered(works, words, chip, pixel)
                 && let Some(place) = works.pixel(works.region(turn), chip, pixel)
             {
-                self.samples[place * self.rasterizers + usize::from(winner)] += 1;
+                let of_pixel = &mut self.samples[place * self.of_pixel..][..self.of_pixel];
+                of_pixel.iter_mut().find(|it| **it == 0).into_iter().for_each(|free| *free = winner + 1);
             }
         }
     }
@@ -60,8 +61,16 @@ impl Recording {
         for turn in (0..works.turns()).filter(|turn| works.ends(*turn)) {
             self.paint(&mut painting, works, turn, report, picture);
         }
-        let names = (1..=self.rasterizers).map(|number| format!("rasterizer {number}")).collect();
+        let names = (1..=works.shares()).map(|number| format!("rasterizer {number}")).collect();
         painting.into_history(names, lanes(report, nodes))
+    }
+
+    /// The rasterizer that has most samples of a pixel, of several the first; none if nothing covers it.
+    fn owner(&self, pixel: usize) -> Option<u32> {
+        let samples = &self.samples[pixel * self.of_pixel..][..self.of_pixel];
+        let count = |number: u16| samples.iter().filter(|it| **it == number).count();
+        let most = samples.iter().filter(|it| **it > 0).max_by_key(|it| (count(**it), std::cmp::Reverse(**it)));
+        most.map(|number| u32::from(*number) - 1)
     }
 
     /// The pixels of a region, as the frame buffer takes them: one of each chip at a time.
@@ -71,12 +80,7 @@ impl Recording {
         for at in 0..works.pixels_of_array() {
             let (chip, pixel) = works.place_in_chip(at);
             let Some(place) = works.pixel(works.region(turn), chip, pixel) else { continue };
-            let samples = &self.samples[place * self.rasterizers..][..self.rasterizers];
-            let most = samples.iter().copied().max().unwrap_or(0);
-            if most == 0 {
-                continue;
-            }
-            let painter = samples.iter().position(|count| *count == most).unwrap_or(0) as u32;
+            let Some(painter) = self.owner(place) else { continue };
             let ticks = (loaded.end - loaded.start) * (pixel as u64 + 1) / of_chip as u64;
             let time = (report.delay() + loaded.start + ticks) * TICK;
             painting.draw(Write { time, pixel: place as u32, painter, word: picture.words[place] }, |_, _| true);

@@ -32,7 +32,12 @@ struct Layout<'a> {
     looks: Vec<Look>,
     /// Whether lanes have columns.
     has_kinds: bool,
+    /// What squares of lanes' colours take, if some have one.
+    squares: i32,
 }
+
+/// The side of a square.
+const SQUARE: i32 = 10 * TENTHS;
 
 /// Whether a lane has columns, or would have.
 fn is_of_columns(chart: &Timeline, lane: &Lane) -> bool {
@@ -56,12 +61,14 @@ pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
         let columns = lane.columns.iter().flat_map(|column| [column.from, column.to]);
         ends.chain(columns).chain(lane.events.iter().map(|event| event.at))
     });
+    let squares = if chart.lanes.iter().any(|lane| lane.colour.is_some()) { SQUARE + 5 * TENTHS } else { 0 };
     let layout = Layout {
         scale: Scale::around(times, false),
-        ends: (longest * CHARACTER + 10 * TENTHS, width - 12 * TENTHS),
+        ends: (longest * CHARACTER + 10 * TENTHS + squares, width - 12 * TENTHS),
         names: chart.names(),
         looks: looks(chart),
         has_kinds: !chart.kinds.is_empty(),
+        squares,
     };
     let mut top = 0;
     let tops: Vec<i32> = chart
@@ -141,8 +148,13 @@ impl Layout<'_> {
     }
 
     fn lane(&self, lane: &Lane, top: i32) -> Markup {
+        // Before it is a square, if lanes have colours.
+        let end = self.ends.0 - 6 * TENTHS - self.squares;
         html! {
-            text.tick x=(tenths(self.ends.0 - 6 * TENTHS)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="end" { (lane.name) }
+            @if let Some(number) = lane.colour {
+                rect.part style={ "fill:" (palette::css(number)) } x=(tenths(end + 5 * TENTHS)) y=(tenths(top + (BAR - SQUARE) / 2)) width=(tenths(SQUARE)) height=(tenths(SQUARE)) {}
+            }
+            text.tick x=(tenths(end)) y=(tenths(top + BAR / 2)) dy="0.35em" text-anchor="end" { (lane.name) }
             @if self.has_kinds && lane.spans.is_empty() { (self.columns(&lane.columns, top)) }
             @for span in &lane.spans { (self.bar(span, top)) }
             (self.signs(&lane.events, top))

@@ -30,6 +30,7 @@ pub fn svg_file_of_times(chart: &Timeline) -> Markup {
             style { (PreEscaped(STYLE)) }
             rect.paper width=(width) height=(height) {}
             text.title x=(MARGIN) y=(MARGIN + 14.0) { (chart.title) }
+            text x=(width - MARGIN) y=(MARGIN + 14.0) text-anchor="end" { (chart.note) }
             g transform={ "translate(" (MARGIN) "," (MARGIN + HEAD) ")" } { (inside) }
             @for (number, (name, (left, line))) in chart.names().iter().zip(&entries).enumerate() {
                 g transform={ "translate(" (MARGIN + left + 14.0) "," (legend + line * LINE) ")" } {

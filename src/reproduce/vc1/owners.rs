@@ -6,7 +6,7 @@ use super::plan::Plan;
 use crate::pictures::owners;
 use std::collections::BTreeSet;
 use tilewright_machines::vc1::{Machine, Shown};
-use tilewright_machines::{Error, Watch};
+use tilewright_machines::{Error, Recorder, Watch};
 use tilewright_report::{HeatMap, Origin, Picture, Rule, Section, Statement};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::{Frame, Size};
@@ -17,6 +17,8 @@ const PROCESSORS: u32 = 16;
 /// A frame with what each local frame buffer took of it.
 pub struct Owners {
     frame: Frame,
+    /// By pixel: whose word it has, as the machine tells it.
+    owners: Vec<Option<u32>>,
     taken: Taken,
     /// Pixels that processing elements drew, as they count them.
     drawn: Vec<u64>,
@@ -83,11 +85,13 @@ impl Owners {
             frame = Some(shown.frame);
             true
         };
-        let report = observed(Machine::new(case.config(plan))?, &signals, seen, |machine| {
+        let recorder = Recorder::default();
+        let report = observed(Machine::new(case.config(plan))?.recorded(&recorder), &signals, seen, |machine| {
             machine.render_frames(background(&case), watch, || views.take(), shown)
         })?;
         let drawn = report.frames[0].processors.iter().map(|it| it.pixels).collect();
-        Ok(Owners { frame: frame.expect("a view has a frame"), taken, drawn })
+        let owners = recorder.take().map_or_else(Vec::new, |history| history.owners());
+        Ok(Owners { frame: frame.expect("a view has a frame"), owners, taken, drawn })
     }
 
     /// Pixels whose word is not the least that was taken, and processing elements whose pixels were not all seen.
@@ -125,8 +129,7 @@ impl Owners {
 
     /// A colour for each processing element, as light as the frame is there.
     fn picture(&self) -> Picture {
-        let owners: Vec<Option<u32>> = self.taken.least.iter().map(|it| it.map(|(_, number)| number)).collect();
-        let picture = owners::picture(&self.frame, &owners, None);
+        let picture = owners::picture(&self.frame, &self.owners, None);
         let alt =
             format!("the scene {SCENE} in {PROCESSORS} colours: the top of the table in lines, each object in patches");
         Picture::new("figure-12", "Figure 12: the table in the colours of the processing elements", alt, picture.to_png()).note(
@@ -166,6 +169,8 @@ mod tests {
         assert!(all > 1000, "{all}");
         let who: BTreeSet<u32> = owners.taken.least.iter().flatten().map(|(_, number)| *number).collect();
         assert_eq!((owners.astray(), who.len()), ([0, 0], PROCESSORS as usize));
+        let least: Vec<Option<u32>> = owners.taken.least.iter().map(|it| it.map(|(_, number)| number)).collect();
+        assert_eq!(owners.owners, least, "what stands on the signals is what the machine tells");
         let at = owners.taken.least.iter().position(Option::is_some).expect("something is drawn");
         owners.frame.words[at] ^= 1;
         owners.taken.count[3] -= 1;
