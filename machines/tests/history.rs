@@ -126,15 +126,16 @@ fn renderers_of_pixel_planes_have_the_pixels_of_their_regions() -> Result<(), Bo
 
 #[test]
 fn rasterizers_of_pixelflow_have_the_pixels_of_their_polygons() -> Result<(), Box<dyn std::error::Error>> {
-    let (scene, polygons) = star();
-    let config = pixelflow::Config { nodes: 4, shaders: 0, array: [32, 16], ..pixelflow::Config::new(polygons.size) };
+    let (scene, size) = (star().0, Size::new(32, 24)?);
+    let polygons = project_polygons(&scene, size)?;
+    let config = pixelflow::Config { nodes: 4, shaders: 0, array: [16, 8], ..pixelflow::Config::new(polygons.size) };
     let recorder = Recorder::default();
     let machine = pixelflow::Machine::new(config.clone())?.recorded(&recorder);
     let (frame, report) = machine.render_resident(&polygons, scene.background, &mut Watch::default())?;
     let history = recorder.take().expect("a frame was rendered");
     check(&history, &frame, scene.background);
     // Polygons are dealt to nodes in turn; a pixel is of one whose polygon has its word.
-    let all = PixelBox { left: 0, top: 0, right: 63, bottom: 47 };
+    let all = PixelBox { left: 0, top: 0, right: 31, bottom: 23 };
     let mut may = vec![[false; 3]; frame.words.len()];
     for number in 0..polygons.polygons.len() {
         golden::visit_fragments(&polygons, number, &all, |pixel, word| {
@@ -167,7 +168,7 @@ fn rasterizers_of_pixelflow_have_the_pixels_of_their_polygons() -> Result<(), Bo
     assert_eq!(shaded.picture_at(u64::MAX).rgb_bytes(), frame.rgb_bytes());
     let packets = &deferred.passes[0].packets;
     for (pixel, owner) in (0..).zip(shaded.owners()) {
-        let (x, y) = (pixel % 64, pixel / 64);
+        let (x, y) = (pixel % 32, pixel / 32);
         let covering = || packets.iter().zip(0..).filter(|(it, _)| it.triangle.covers(x, y));
         let nearest = covering().map(|(it, _)| it.triangle.depth(x, y)).min();
         assert_eq!(owner.is_some(), nearest.is_some(), "({x}, {y})");
