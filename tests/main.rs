@@ -9,5 +9,6 @@ mod documents;
 mod examples;
 mod first_block;
 mod glossary;
+mod guide;
 mod papers;
 mod ports;

@@ -8,7 +8,7 @@ mod determinism;
 mod documentation;
 mod engine;
 mod explain;
-mod harness;
+pub mod harness;
 mod interruption;
 mod limits;
 mod lines;

@@ -1,12 +1,12 @@
 //! What Yosys makes of the memories of appendix F, on three families of FPGAs.
 
-use crate::book::folder;
 use crate::tools::is_known_yosys;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
 use std::process::Command;
 use tilewright_gen::tools::skipped_without;
+use tilewright_guide::book::folder;
 use tilewright_guide::words::{AllWords, KINDS, Words};
 use tilewright_hdl::{Block, elaborate};
 

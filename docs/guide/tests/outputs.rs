@@ -1,7 +1,7 @@
 //! What the chapters show as printed is what their code prints.
 
-use crate::book::{Fence, fences, stands_in};
 use tilewright_guide::blink::Blink;
+use tilewright_guide::book::{Fence, fences, stands_in};
 use tilewright_guide::grammar::{Everything, Free};
 use tilewright_guide::mistakes::{crossing::Crossing, stages::Stages, undriven::Undriven, widths::Widths};
 use tilewright_guide::nearer::Lesser;

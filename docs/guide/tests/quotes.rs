@@ -1,8 +1,8 @@
 //! The code of the chapters is the crate's, to the letter.
 
-use crate::book::{Fence, fences, folder, stands_in};
 use std::collections::BTreeSet;
 use std::fs;
+use tilewright_guide::book::{Fence, fences, folder, stands_in};
 
 #[test]
 fn quoted_code_stands_in_its_file() {
@@ -65,4 +65,32 @@ fn the_grammar_has_the_words_of_the_macro() {
     for clause in clauses {
         assert!(words.contains(clause), "the grammar knows no `{clause}`");
     }
+}
+
+/// The index has the messages as the tests of the language have them.
+#[test]
+fn the_messages_of_the_index_are_tested_ones() {
+    let tests = fs::read_dir(folder().join("../../hdl/tests/messages")).unwrap();
+    let tests: String = tests.map(|entry| fs::read_to_string(entry.unwrap().path()).unwrap()).collect();
+    let index = fs::read_to_string(folder().join("c-messages.md")).unwrap();
+    let rows = index.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | ")).map(|(message, _)| message);
+    let messages: Vec<&str> = rows.filter(|message| *message != "message").collect();
+    for message in &messages {
+        assert!(tests.contains(message), "no test has the message\n{message}");
+    }
+    assert!(messages.len() > 60, "only {} are found", messages.len());
+}
+
+/// The last column of the translations is code that is built.
+#[test]
+fn translations_are_code_that_is_built() {
+    let source = fs::read_to_string(folder().join("src/translations.rs")).unwrap();
+    let table = fs::read_to_string(folder().join("b-translations.md")).unwrap();
+    let rows = table.lines().filter(|line| line.starts_with('|')).skip(2);
+    let last = rows.filter_map(|line| line.trim_end_matches(" |").rsplit_once(" | ").map(|(_, last)| last));
+    let codes: Vec<&str> = last.flat_map(|cell| cell.split('`').skip(1).step_by(2)).collect();
+    for code in &codes {
+        assert!(source.contains(code), "src/translations.rs does not have {code}");
+    }
+    assert!(codes.len() > 20, "only {} are found", codes.len());
 }

@@ -1,6 +1,5 @@
 //! Commands of external programs that the chapters show do what they show, where the programs are installed.
 
-use crate::book::{Fence, fences, folder, stands_in};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -9,6 +8,7 @@ use tempfile::TempDir;
 use tilewright_blocks::PowerOnReset;
 use tilewright_gen::tools::{skipped, skipped_without};
 use tilewright_guide::blink::Blink;
+use tilewright_guide::book::{Fence, commands, fences, folder, stands_in};
 use tilewright_guide::mistakes::unguarded::Unguarded;
 use tilewright_guide::uart::echo::Echo;
 use tilewright_guide::uart::proved::{QueueCounts, QueueKeeps};
@@ -44,22 +44,6 @@ fn print<B: Block>(block: &B, folder: &Path) {
     for file in tilewright_gen::verilog(&elaborate(block).unwrap()) {
         fs::write(folder.join(file.name), file.text).unwrap();
     }
-}
-
-/// Each command of a block, which may have several lines, with what is shown behind it.
-fn commands(text: &str) -> Vec<(String, String)> {
-    let mut commands: Vec<(String, String)> = Vec::new();
-    for line in text.lines() {
-        match (line.strip_prefix("$ "), commands.last_mut()) {
-            (Some(command), _) => commands.push((command.to_owned(), String::new())),
-            (None, Some((command, _))) if command.ends_with('\\') || command.matches('\'').count() % 2 == 1 => {
-                *command += &format!("\n{line}");
-            }
-            (None, Some((_, shown))) => *shown += &format!("{line}\n"),
-            (None, None) => panic!("`{line}` stands before the first command"),
-        }
-    }
-    commands
 }
 
 /// Whether Yosys is the version that the chapters show; others print other numbers.
