@@ -10,6 +10,7 @@ use tilewright_gen::tools::{skipped, skipped_without};
 use tilewright_guide::blink::Blink;
 use tilewright_guide::book::{Fence, commands, fences, folder, stands_in};
 use tilewright_guide::mistakes::unguarded::Unguarded;
+use tilewright_guide::solutions::apart::Apart;
 use tilewright_guide::uart::echo::Echo;
 use tilewright_guide::uart::proved::{QueueCounts, QueueKeeps};
 use tilewright_hdl::{Block, elaborate};
@@ -20,6 +21,7 @@ fn folder_of(name: &str) -> TempDir {
     match name {
         "queue" => print(&QueueCounts { depth: 4 }, made.path()),
         "byte" => print(&QueueKeeps { depth: 4 }, made.path()),
+        "ticks" => print(&Apart { clocks_per_bit: 2 }, made.path()),
         "unguarded" => print(&Unguarded, made.path()),
         "blink" => {
             print(&PowerOnReset::new(16), made.path());
