@@ -1,6 +1,6 @@
 //! The document: what is around and between the parts.
 
-use crate::page::{Page, Part, Section};
+use crate::page::{Page, Part, Placed, Section};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 /// Colours, what is around parts, and charts.
@@ -34,16 +34,18 @@ pub fn document(page: &Page) -> Markup {
     }
 }
 
-/// How many statements hold, in words.
+/// How many statements hold, in words, each a way to the first of the tables that have them.
 fn summary(page: &Page) -> Markup {
     let [holds, differs, unknown] = page.count();
     let verb = |count, one, several| if count == 1 { one } else { several };
+    let first = page.parts().find(|part| matches!(part, Part::Verdicts(_))).and_then(Part::name);
+    let first = first.map_or(String::new(), |(_, id)| format!("#{id}"));
     html! {
         @if holds + differs + unknown > 0 {
             ul.summary aria-label="Verdicts" {
-                li.holds { strong { (holds) } " " (verb(holds, "holds", "hold")) }
-                li.differs { strong { (differs) } " " (verb(differs, "differs", "differ")) }
-                li.unknown { strong { (unknown) } " cannot be compared" }
+                li { a.holds href=(first) { strong { (holds) } " " (verb(holds, "holds", "hold")) } }
+                li { a.differs href=(first) { strong { (differs) } " " (verb(differs, "differs", "differ")) } }
+                li { a.unknown href=(first) { strong { (unknown) } " cannot be compared" } }
             }
         }
     }
@@ -64,33 +66,41 @@ fn in_page(number: usize, section: &Section) -> Markup {
     html! {
         section id={ "section-" (number + 1) } {
             h2 { (section.title) }
-            @for part in &section.parts { (in_section(part)) }
+            @for placed in &section.parts { (in_section(placed)) }
         }
     }
 }
 
-fn in_section(part: &Part) -> Markup {
-    match part {
+fn in_section(placed: &Placed) -> Markup {
+    let figure = |title: &str, note: &str, inside: Markup| figure(placed, title, note, inside);
+    match &placed.part {
         Part::Paragraph(text) => html! { p { (text) } },
         Part::Links(links) => html! {
-            ul { @for it in links { li { a href=(it.address) { (it.title) } " " (it.note) } } }
+            ul.links { @for it in links { li { a href=(it.address) { (it.title) } " " (it.note) } } }
         },
-        Part::Verdicts(it) => figure(part, &it.title, "", it.html()),
-        Part::Chart(it) => figure(part, &it.title, &it.note, it.html()),
-        Part::Timeline(it) => figure(part, &it.title, &it.note, it.html()),
-        Part::Picture(it) => figure(part, &it.title, &it.note, it.html()),
-        Part::HeatMap(it) => figure(part, &it.title, &it.note, it.html()),
-        Part::Table(it) => figure(part, &it.title, &it.note, it.html()),
+        Part::Verdicts(it) => figure(&it.title, &it.note, it.html()),
+        Part::Chart(it) => figure(&it.title, &it.note, it.html()),
+        Part::Timeline(it) => figure(&it.title, &it.note, it.html()),
+        Part::Picture(it) => figure(&it.title, &it.note, it.html()),
+        Part::HeatMap(it) => figure(&it.title, &it.note, it.html()),
+        Part::Table(it) => figure(&it.title, &it.note, it.html()),
     }
 }
 
-/// A part with its caption, which leads to its data.
-fn figure(part: &Part, title: &str, note: &str, inside: Markup) -> Markup {
+/// A part with its caption: what it shows, or its title; then what is drawn, and its data.
+fn figure(Placed { claim, part }: &Placed, title: &str, note: &str, inside: Markup) -> Markup {
     let (kind, id) = part.name().unwrap_or_default();
     let file = part.file().map_or(String::new(), |file| file.name);
     html! {
         figure.(kind.replace(' ', "-")) id=(id) {
-            figcaption { h3 { (title) } " " @if !note.is_empty() { span.note { (note) } " " } a.data href=(file) { (file) } }
+            figcaption {
+                @match claim {
+                    Some(claim) => { h3 { (claim) } " " span.title { (title) "." } " " }
+                    None => { h3.title { (title) } " " }
+                }
+                @if !note.is_empty() { span.note { (note) } " " }
+                a.data href=(file) { (file) }
+            }
             (inside)
         }
     }

@@ -56,7 +56,16 @@ struct Report<'a> {
 pub struct Section {
     /// Its title.
     pub title: String,
-    pub(crate) parts: Vec<Part>,
+    pub(crate) parts: Vec<Placed>,
+}
+
+/// A part in its section, with what it shows in one sentence if it is a figure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct Placed {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub claim: Option<String>,
+    #[serde(flatten)]
+    pub part: Part,
 }
 
 /// What a section is made of. Each kind becomes one by `into()`.
@@ -190,7 +199,7 @@ impl Page {
     }
 
     pub(crate) fn parts(&self) -> impl Iterator<Item = &Part> {
-        self.sections.iter().flat_map(|section| &section.parts)
+        self.sections.iter().flat_map(|section| &section.parts).map(|placed| &placed.part)
     }
 
     /// The report as files: `index.html`, which needs none of the others; `report.json` with all numbers; and of each part its data as
@@ -262,7 +271,23 @@ impl Section {
     /// assert_eq!(Section::new("Statements").part(Verdicts::new("statements", "Statements of the paper")).title, "Statements");
     /// ```
     pub fn part(mut self, part: impl Into<Part>) -> Section {
-        self.parts.push(part.into());
+        self.parts.push(Placed { claim: None, part: part.into() });
+        self
+    }
+
+    /// Adds a figure under the one thing that it shows, a short sentence. The figure’s title then says what is drawn.
+    ///
+    /// ```
+    /// use tilewright_report::{Axis, Chart, Page, Provenance, Section};
+    ///
+    /// let chart = Chart::new("load", "Load by area", Axis::log("area S, pixels"), Axis::linear("load"));
+    /// let page = Page::new("Pipelines", Provenance::new("tilewright", "0.1.0", "tilewright list"))
+    ///     .section(Section::new("Load").figure("The load is greatest near 100 pixels.", chart));
+    /// let html = String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap();
+    /// assert!(html.contains("<h3>The load is greatest near 100 pixels.</h3>"));
+    /// ```
+    pub fn figure(mut self, claim: impl Into<String>, part: impl Into<Part>) -> Section {
+        self.parts.push(Placed { claim: Some(claim.into()), part: part.into() });
         self
     }
 }

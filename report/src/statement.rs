@@ -1,8 +1,9 @@
 //! A statement of a paper beside what was found of it here.
 
 use crate::csv;
-use crate::number::shown;
+use crate::evidence::{Numbers, evidence, places};
 use crate::origin::Origin;
+use crate::reason::Reason;
 use crate::verdict::{Point, Rule, Verdict, in_words};
 use maud::{Markup, html};
 use serde::Serialize;
@@ -23,26 +24,13 @@ use serde::ser::{SerializeStruct, Serializer};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     fact: String,
-    pub(crate) text: String,
+    text: String,
     rule: Rule,
     unit: String,
     reference: Option<Numbers>,
     found: Option<Numbers>,
     obstacle: Option<String>,
-    pub(crate) reason: Option<String>,
-}
-
-/// Numbers of one origin.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-struct Numbers {
-    origin: Origin,
-    points: Vec<Point>,
-}
-
-impl Numbers {
-    fn new<P: Into<Point>>(origin: Origin, points: impl IntoIterator<Item = P>) -> Numbers {
-        Numbers { origin, points: points.into_iter().map(Into::into).collect() }
-    }
+    pub(crate) reason: Option<Reason>,
 }
 
 impl Statement {
@@ -122,16 +110,20 @@ impl Statement {
         Statement { obstacle: Some(why.into()), ..self }
     }
 
-    /// Says why it differs, if it does.
+    /// Says why it differs, if it does, and what would have to change for it to hold.
     ///
     /// ```
-    /// use tilewright_report::{Origin, Rule, Statement, Verdicts};
+    /// use tilewright_report::{Origin, Page, Provenance, Rule, Section, Statement, Verdicts};
     ///
-    /// let of = |found: f64| Statement::new("VC1-TM", "T_m", Rule::Equals).paper([25.3]).found(Origin::Formula, [found]).because("β is ours");
-    /// let reasons = |found| Verdicts::new("statements", "Statements").state(of(found)).differing().count();
-    /// assert_eq!([25.3, 26.0].map(reasons), [0, 1]);
+    /// let page = |found: f64| {
+    ///     let statement = Statement::new("VC1-TM", "T_m", Rule::Equals).paper([25.3]).found(Origin::Formula, [found]);
+    ///     let verdicts = Verdicts::new("statements", "Statements").state(statement.because(["β is ours.", "The paper would have to print β."]));
+    ///     let page = Page::new("T_m", Provenance::new("tilewright", "0.1.0", "tilewright list")).section(Section::new("T_m").part(verdicts));
+    ///     String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap()
+    /// };
+    /// assert_eq!([25.3, 26.0].map(|found| page(found).contains("β is ours.")), [false, true]);
     /// ```
-    pub fn because(self, reason: impl Into<String>) -> Statement {
+    pub fn because(self, reason: impl Into<Reason>) -> Statement {
         Statement { reason: Some(reason.into()), ..self }
     }
 
@@ -169,21 +161,21 @@ impl Statement {
         in_words(&self.rule, if is_formula { "the formula’s value" } else { "the paper’s value" })
     }
 
-    pub(crate) fn html(&self) -> Markup {
+    /// The statement with its rule, the verdict if that is not plain from where it stands, and what is said of it; beside these, its numbers.
+    pub(crate) fn html(&self, more: Markup) -> Markup {
         let verdict = self.verdict();
         let named = match &verdict {
             Verdict::Differs { at, .. } => at.as_slice(),
             _ => &[],
         };
         html! {
-            tr role="row" {
-                th role="rowheader" scope="row" {
-                    span.fact { (self.fact) } " " span.statement { (self.text) }
-                    span.rule { "Rule: " (self.rule_in_words()) }
+            div.statement {
+                div.words {
+                    p.text { (self.text) " " span.fact { (self.fact) } }
+                    p.rule { "Rule: " (self.rule_in_words()) (in_words_beside(&verdict)) }
+                    (more)
                 }
-                td role="cell" data-label="Reference" { (numbers(&self.reference, &self.unit, named)) }
-                td role="cell" data-label="Found here" { (numbers(&self.found, &self.unit, named)) }
-                td role="cell" data-label="Verdict" { (in_table(&verdict)) }
+                (evidence(&self.reference, &self.found, &self.unit, named))
             }
         }
     }
@@ -192,12 +184,8 @@ impl Statement {
     pub(crate) fn rows(&self) -> Vec<Vec<String>> {
         let verdict = self.verdict().to_string();
         let row = |at: &str| {
-            // A number without a place counts for all.
             let value = |numbers: &Option<Numbers>| {
-                let point = |numbers: &Numbers| {
-                    numbers.points.iter().find(|point| point.at == at || point.at.is_empty()).map(|point| point.value)
-                };
-                let both = numbers.as_ref().and_then(|numbers| Some((&numbers.origin, point(numbers)?)));
+                let both = numbers.as_ref().and_then(|numbers| Some((&numbers.origin, numbers.at(at)?)));
                 both.map_or([String::new(), String::new()], |(origin, value)| {
                     [origin.name().to_owned(), csv::cell(value)]
                 })
@@ -210,19 +198,15 @@ impl Statement {
             row.push(verdict.clone());
             row
         };
-        let places = [&self.found, &self.reference]
-            .into_iter()
-            .flatten()
-            .map(|numbers| &numbers.points)
-            .find(|points| !points.is_empty());
-        places.map_or_else(|| vec![row("")], |points| points.iter().map(|point| row(&point.at)).collect())
+        let places = places(&self.reference, &self.found);
+        if places.is_empty() { vec![row("")] } else { places.into_iter().map(row).collect() }
     }
 }
 
 /// The verdict stands beside what it follows from.
 impl Serialize for Statement {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut it = serializer.serialize_struct("Statement", 9)?;
+        let mut it = serializer.serialize_struct("Statement", 10)?;
         it.serialize_field("fact", &self.fact)?;
         it.serialize_field("text", &self.text)?;
         it.serialize_field("rule", &self.rule)?;
@@ -232,51 +216,27 @@ impl Serialize for Statement {
         it.serialize_field("found", &self.found)?;
         it.serialize_field("verdict", &self.verdict())?;
         it.serialize_field("verdict_in_words", &self.verdict().to_string())?;
+        it.serialize_field("reason_if_it_differs", &self.reason)?;
         it.end()
     }
 }
 
-/// The verdict with its colour and its sign, of which it needs neither.
-fn in_table(verdict: &Verdict) -> Markup {
-    let (class, sign, words, more) = match verdict {
-        Verdict::Holds => ("holds", "✓", "holds".to_owned(), String::new()),
-        Verdict::Differs { by, at } => {
-            let place = match at.as_slice() {
-                [] => String::new(),
-                [only] => format!("at {only}"),
-                several => format!("from {}", several.join(" to ")),
-            };
-            // Its number and unit stay on one line.
-            ("differs", "≠", format!("differs {by}").replace(" %", "\u{a0}%"), place)
-        }
-        Verdict::CannotBeCompared { why } => ("unknown", "–", "cannot be compared".to_owned(), why.clone()),
+/// The verdict where a statement does not hold, with its colour and its sign, of which it needs neither.
+fn in_words_beside(verdict: &Verdict) -> Markup {
+    let (class, sign, words) = match verdict {
+        Verdict::Holds => return html! {},
+        // Its number and unit stay on one line.
+        Verdict::Differs { by, at } => ("differs", "≠", format!("differs {by}{}", place(at)).replace(" %", "\u{a0}%")),
+        Verdict::CannotBeCompared { why } => ("unknown", "–", format!("cannot be compared: {why}")),
     };
-    html! {
-        div {
-            span.verdict.(class) { span aria-hidden="true" { (sign) } " " (words) }
-            @if !more.is_empty() { span.detail { (more) } }
-        }
-    }
+    html! { br; span.verdict.(class) { span aria-hidden="true" { (sign) } " " (words) } }
 }
 
-/// How many numbers a cell of the table shows, besides those that a verdict names; the CSV file has all.
-const SHOWN: usize = 6;
-
-fn numbers(numbers: &Option<Numbers>, unit: &str, named: &[String]) -> Markup {
-    let Some(Numbers { origin, points }) = numbers else { return html! { span { "–" } } };
-    let is_shown = |(index, point): &(usize, &Point)| *index < SHOWN || named.contains(&point.at);
-    let shown_points: Vec<&Point> = points.iter().enumerate().filter(is_shown).map(|(_, point)| point).collect();
-    let left = points.len() - shown_points.len();
-    html! {
-        div {
-            ul.numbers {
-                @for point in shown_points {
-                    li { @if !point.at.is_empty() { span.at { (point.at) } " " } span { (shown(point.value)) } }
-                }
-            }
-            @if left > 0 { span.detail { "and " (left) " more" } }
-            span.origin { @if !unit.is_empty() { (unit) ", " } (in_full(origin)) }
-        }
+fn place(at: &[String]) -> String {
+    match at {
+        [] => String::new(),
+        [only] => format!(" at {only}"),
+        several => format!(" from {}", several.join(" to ")),
     }
 }
 

@@ -22,6 +22,13 @@ pub enum Cell {
     Text(String),
 }
 
+impl Cell {
+    /// Whether it stands for a number that there is not.
+    fn is_missing(&self) -> bool {
+        matches!(self, Cell::Text(text) if text == "–")
+    }
+}
+
 impl From<f64> for Cell {
     fn from(value: f64) -> Cell {
         Cell::Number(value)
@@ -114,23 +121,28 @@ impl Table {
     }
 
     pub(crate) fn html(&self) -> Markup {
-        // A column of numbers has its name above them.
-        let is_number = |column: usize| self.rows.iter().all(|row| matches!(row.get(column), Some(Cell::Number(_))));
+        // A column of numbers, some of which may be missing, has its name above them.
+        let is_number = |column: usize| {
+            let mut cells =
+                self.rows.iter().filter_map(|row| row.get(column)).filter(|cell| !cell.is_missing()).peekable();
+            cells.peek().is_some() && cells.all(|cell| matches!(cell, Cell::Number(_)))
+        };
         html! {
             div.scroll tabindex="0" role="region" aria-label=(self.title) {
                 table.data {
                     thead { tr { @for (column, name) in self.columns.iter().enumerate() { th.number[is_number(column)] scope="col" { (name) } } } }
-                    tbody { @for row in &self.rows { tr { @for (column, cell) in row.iter().enumerate() { (in_table(column, cell)) } } } }
+                    tbody { @for row in &self.rows { tr { @for (column, cell) in row.iter().enumerate() { (in_table(column, cell, is_number(column))) } } } }
                 }
             }
         }
     }
 }
 
-fn in_table(column: usize, cell: &Cell) -> Markup {
-    let (is_number, text) = match cell {
-        Cell::Number(value) => (true, shown(*value)),
-        Cell::Text(text) => (false, text.clone()),
+fn in_table(column: usize, cell: &Cell, is_number: bool) -> Markup {
+    let is_number = is_number || matches!(cell, Cell::Number(_));
+    let text = match cell {
+        Cell::Number(value) => shown(*value),
+        Cell::Text(text) => text.clone(),
     };
     html! {
         @if column == 0 { th.number[is_number] scope="row" { (text) } } @else { td.number[is_number] { (text) } }

@@ -1,6 +1,7 @@
 //! A table of statements with their verdicts.
 
 use crate::csv;
+use crate::reason::Reason;
 use crate::statement::Statement;
 use crate::verdict::Verdict;
 use maud::{Markup, html};
@@ -19,6 +20,7 @@ use serde::Serialize;
 pub struct Verdicts {
     pub(crate) id: String,
     pub(crate) title: String,
+    pub(crate) note: String,
     statements: Vec<Statement>,
 }
 
@@ -29,7 +31,18 @@ impl Verdicts {
     /// assert_eq!(tilewright_report::Verdicts::new("statements", "Statements of the paper").count(), [0, 0, 0]);
     /// ```
     pub fn new(id: impl Into<String>, title: impl Into<String>) -> Verdicts {
-        Verdicts { id: id.into(), title: title.into(), statements: Vec::new() }
+        Verdicts { id: id.into(), title: title.into(), note: String::new(), statements: Vec::new() }
+    }
+
+    /// What the caption says besides the title.
+    ///
+    /// ```
+    /// use tilewright_report::Verdicts;
+    ///
+    /// assert_eq!(Verdicts::new("statements", "Statements").note("Of a small screen.").count(), [0, 0, 0]);
+    /// ```
+    pub fn note(self, note: impl Into<String>) -> Verdicts {
+        Verdicts { note: note.into(), ..self }
     }
 
     /// Adds a statement.
@@ -75,29 +88,38 @@ impl Verdicts {
         count
     }
 
-    /// The statements that differ, in words, each with the reason if one is known.
-    ///
-    /// ```
-    /// use tilewright_report::{Origin, Rule, Statement, Verdicts};
-    ///
-    /// let slow = Statement::new("VC1-33", "It takes 33.3 ms.", Rule::Equals).paper([33.3]).found(Origin::model([]), [50.0]);
-    /// let verdicts = Verdicts::new("statements", "Statements").state(slow.because("A page is lacking."));
-    /// assert_eq!(verdicts.differing().collect::<Vec<_>>(), [("It takes 33.3 ms.", Some("A page is lacking."))]);
-    /// ```
-    pub fn differing(&self) -> impl Iterator<Item = (&str, Option<&str>)> {
-        let differing = self.statements.iter().filter(|it| matches!(it.verdict(), Verdict::Differs { .. }));
-        differing.map(|it| (it.text.as_str(), it.reason.as_deref()))
-    }
-
+    /// Those that differ, with their reasons; then, folded, those that hold, and those that cannot be compared.
     pub(crate) fn html(&self) -> Markup {
+        let [holds, differs, unknown] = self.count();
+        let of = |kind: fn(&Verdict) -> bool| self.statements.iter().filter(move |it| kind(&it.verdict()));
+        let folded = |class: &str, sign: &str, words: String, kind: fn(&Verdict) -> bool| {
+            html! {
+                details.statements {
+                    summary.(class) { span aria-hidden="true" { (sign) } " " (words) }
+                    ol.statements { @for it in of(kind) { li { (it.html(html! {})) } } }
+                }
+            }
+        };
         html! {
-            table.verdicts role="table" {
-                thead role="rowgroup" {
-                    tr role="row" {
-                        @for name in ["Statement and rule", "Reference", "Found here", "Verdict"] { th role="columnheader" scope="col" { (name) } }
+            @if differs > 0 {
+                p.count.differs { span aria-hidden="true" { "≠" } " " (differs) @if differs == 1 { " differs" } @else { " differ" } }
+                ol.statements.differing {
+                    @for (reason, statements) in by_reason(of(|it| matches!(it, Verdict::Differs { .. }))) {
+                        @let reason = reason.map_or(html! {}, Reason::html);
+                        li {
+                            @match statements.as_slice() {
+                                [only] => (only.html(reason)),
+                                several => { @for it in several { (it.html(html! {})) } (reason) }
+                            }
+                        }
                     }
                 }
-                tbody role="rowgroup" { @for statement in &self.statements { (statement.html()) } }
+            }
+            @if holds > 0 {
+                (folded("holds", "✓", format!("{holds} hold{}", if holds == 1 { "s" } else { "" }), |it| *it == Verdict::Holds))
+            }
+            @if unknown > 0 {
+                (folded("unknown", "–", format!("{unknown} cannot be compared"), |it| matches!(it, Verdict::CannotBeCompared { .. })))
             }
         }
     }
@@ -120,4 +142,17 @@ impl Verdicts {
             [names.map(str::to_owned).to_vec()].into_iter().chain(self.statements.iter().flat_map(Statement::rows)),
         )
     }
+}
+
+/// Statements that differ for one reason, together, each reason where its first one stands.
+fn by_reason<'a>(statements: impl Iterator<Item = &'a Statement>) -> Vec<(Option<&'a Reason>, Vec<&'a Statement>)> {
+    let mut groups: Vec<(Option<&Reason>, Vec<&Statement>)> = Vec::new();
+    for it in statements {
+        let reason = it.reason.as_ref();
+        match groups.iter_mut().find(|(other, _)| reason.is_some() && *other == reason) {
+            Some((_, group)) => group.push(it),
+            None => groups.push((reason, vec![it])),
+        }
+    }
+    groups
 }

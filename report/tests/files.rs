@@ -16,6 +16,7 @@ fn small(mut text: impl FnMut(&str) -> String) -> Page {
         .parameter(text("size"), text("8x8"), text("small"));
     let rule = Rule::NeverDecreases { with: text("k") };
     let verdicts = Verdicts::new("verdicts", text("Statements"))
+        .note(text("All three."))
         .state(
             Statement::new(text("F1"), text("Two is two."), Rule::Equals)
                 .unit(text("clocks"))
@@ -24,7 +25,8 @@ fn small(mut text: impl FnMut(&str) -> String) -> Page {
         )
         .state(
             Statement::new(text("F2"), text("It grows."), rule)
-                .found(Origin::model([7, 8]), [(text("k = 1"), 4.0), (text("k = 2"), 3.0)]),
+                .found(Origin::model([7, 8]), [(text("k = 1"), 4.0), (text("k = 2"), 3.0)])
+                .because([text("It is full."), text("It would have to be larger.")]),
         )
         .state(Statement::new(text("F3"), text("It is fast."), Rule::AtLeast).cannot_be_compared(text("nobody knows")));
     let curve = text("curve");
@@ -53,7 +55,13 @@ fn small(mut text: impl FnMut(&str) -> String) -> Page {
         .lane(Lane::new(text("bus")).span(&span, 1.0, 3.0));
     Page::new(text("A small page"), provenance)
         .paragraph(text("It is small."))
-        .section(Section::new(text("First")).part(verdicts).paragraph(text("And then?")).part(chart).part(times))
+        .section(
+            Section::new(text("First"))
+                .part(verdicts)
+                .paragraph(text("And then?"))
+                .figure(text("It bends."), chart)
+                .part(times),
+        )
         .section(Section::new(text("Second")).part(dots).part(map))
         .section(Section::new(text("Third")).part(table))
 }
@@ -158,6 +166,57 @@ fn the_number_that_differs_is_on_the_page() {
         "{html}"
     );
     assert!(!html.contains("x = 31"));
+}
+
+/// Statements that differ for one reason stand together, above it; what holds is folded.
+#[test]
+fn what_differs_is_open_and_explained_once_for_each_reason() {
+    let of = |text: &str, found: f64| {
+        Statement::new("F1", text, Rule::Equals).paper([33.3]).found(Origin::model([]), [found])
+    };
+    let lacking = ["A page is lacking.", "There would have to be one more."];
+    let table = Verdicts::new("verdicts", "Statements").states([
+        of("One.", 50.0).because(lacking),
+        of("Two.", 33.3).because(["It holds.", "Nothing."]),
+        of("Three.", 1.0),
+        of("Four.", 67.0).because(lacking),
+    ]);
+    let page =
+        Page::new("Some", Provenance::new("program", "1.2.3", "program")).section(Section::new("One").part(table));
+    let files = page.files().unwrap();
+    let html = file(&files, "index.html");
+    let place = |text: &str| html.find(text).unwrap_or_else(|| panic!("no {text}"));
+    let order =
+        ["3 differ", "One.", "Four.", lacking[0], lacking[1], "Three.", "<details", "1 holds", "Two."].map(place);
+    assert!(order.is_sorted(), "{order:?}");
+    assert!(!html.contains("It holds.") && html.matches(lacking[0]).count() == 1);
+}
+
+/// Names beside curves need no legend; those that are too long for a narrow chart have one there, and others everywhere.
+#[test]
+fn a_legend_is_for_names_that_have_no_room() {
+    let html = |names: [&str; 2]| {
+        let series = names.map(|name| Series::new(name, Origin::Formula, [(1.0, 1.0), (2.0, 3.0)]));
+        let chart =
+            series.into_iter().fold(Chart::new("chart", "A", Axis::linear("x"), Axis::linear("y")), Chart::series);
+        let page =
+            Page::new("A", Provenance::new("program", "1.2.3", "program")).section(Section::new("A").part(chart));
+        String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap()
+    };
+    let legends = |names| ["legend names narrow\"", "legend names\""].map(|class| html(names).contains(class));
+    assert_eq!(legends(["k = 1", "k = 2"]), [false, false]);
+    assert_eq!(legends(["k = 1", "pre-sorting, one shader"]), [true, false]);
+    assert_eq!(legends(["k = 1", "a-name-that-cannot-be-broken"]), [false, true]);
+}
+
+/// A printed page is black on white whatever the screen is, with all statements.
+#[test]
+fn a_page_is_printed_in_the_light_and_unfolded() {
+    let sheet = include_str!("../src/style.css");
+    let dark: Vec<&str> = sheet.split("prefers-color-scheme: dark").collect();
+    assert!(dark.len() == 2 && dark[0].ends_with("@media screen and ("), "dark colours are for screens alone");
+    let print = sheet.split("@media print").nth(1).unwrap();
+    assert!(print.contains("details::details-content { content-visibility: visible;"));
 }
 
 #[test]

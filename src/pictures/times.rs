@@ -4,14 +4,8 @@ use tilewright_machines::{History, Lane, Span};
 use tilewright_report::{Lane as Bars, Origin, Timeline};
 
 /// Classes in which a unit waits for others that have still to do.
-const WAITING: [&str; 6] = [
-    "stalled",
-    "sync",
-    "swap",
-    "waiting for instructions",
-    "waiting for the store",
-    "waiting for the blanking",
-];
+const WAITING: [&str; 6] =
+    ["stalled", "sync", "swap", "waiting for instructions", "waiting for the store", "waiting for the blanking"];
 
 const NOTE: &str = "A square is the unit's colour in the picture of --owners.";
 

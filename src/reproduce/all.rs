@@ -32,8 +32,8 @@ pub fn page(effort: Effort, links: Vec<Link>) -> Result<Page, Failure> {
         .section(Section::new("Machines").links(links).paragraph(
             "These pages have what the papers say of each machine, beside what is measured here.",
         ))
+        .section(compared.iter().filter_map(picture).fold(Section::new("Frames"), |section, (claim, picture)| section.figure(claim, picture)))
         .section(table_section(&compared))
-        .section(compared.iter().filter_map(picture).fold(Section::new("Frames"), Section::part))
         .section(Section::new("Checks").part(Verdicts::new("checks", "Checks").states(checks(&compared))));
     Ok(page)
 }
@@ -102,13 +102,17 @@ fn cells(machine: &str, figures: &Figures) -> [Cell; 10] {
     ]
 }
 
-/// The frame that all have drawn.
-fn picture(it: &Comparison) -> Option<Picture> {
+/// The frame that all have drawn, and whether they have.
+fn picture(it: &Comparison) -> Option<(&'static str, Picture)> {
     let (name, frame) = (it.scene(), it.frame()?);
     let alt = format!("the scene {name}, {} pixels", frame.size());
     let differing = it.machines().map(|(_, differing, _)| differing).sum();
+    let claim = match differing {
+        0 => "All machines draw this frame, bit for bit.",
+        _ => "The machines do not draw the same frame.",
+    };
     let picture = Picture::new(format!("{name}-frame"), name, alt, frame.to_png());
-    Some(picture.note(right::in_words(differing)))
+    Some((claim, picture.note(right::in_words(differing))))
 }
 
 /// That frames are right, and that machines count the same.

@@ -20,6 +20,16 @@ impl Effort {
         count.min(self.most.unwrap_or(u64::MAX))
     }
 
+    /// What is said beside the statements of a quick look.
+    pub fn note(&self) -> &'static str {
+        match self.is_quick() {
+            true => {
+                "This is a quick look, in which more differs. The reasons given are those of the full page, with its numbers."
+            }
+            false => "",
+        }
+    }
+
     /// What makes the same page.
     pub fn command(&self, paper: &str, option: &str) -> String {
         let most = self.most.map_or(String::new(), |most| format!(" {option} {most}"));

@@ -7,6 +7,7 @@ mod pixelflow;
 mod quadtree;
 mod right;
 mod vc1;
+mod words;
 
 use crate::names;
 use crate::shell::output::Folder;

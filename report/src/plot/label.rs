@@ -1,62 +1,100 @@
 //! Names of series at the ends of their curves, so that no eye has to go to the legend and back.
 
-use super::Shown;
 use super::svg::TENTHS;
+use super::{Format, Shown};
 use crate::chart::Chart;
 
-/// A name beside a point.
+/// A name beside a curve, in one line or in two.
 pub struct Label<'a> {
-    pub text: &'a str,
+    pub lines: Vec<&'a str>,
     pub number: usize,
-    pub point: (f64, f64),
+    /// Where the curve begins and ends.
+    pub first: (f64, f64),
+    pub last: (f64, f64),
 }
 
+/// The height of a line, in tenths.
+pub const LINE: i32 = 14 * TENTHS;
+
 impl Label<'_> {
-    /// The room that it takes, in tenths.
+    /// The room that it takes beside its curve, in tenths.
     pub fn width(&self) -> i32 {
-        (self.text.chars().count() as i32 * 7 + 14) * TENTHS
+        let longest = self.lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
+        (longest as i32 * 7 + 22) * TENTHS
+    }
+
+    /// How high it is, in tenths.
+    pub fn height(&self) -> i32 {
+        self.lines.len() as i32 * LINE
     }
 }
 
-/// The longest name that fits beside a curve, in characters.
-const LONGEST: usize = 9;
-
-/// The labels of a chart of several names, if all are short: each at the last point of its first series.
-pub fn labels<'a>(chart: &'a Chart, shown: &[Shown]) -> Vec<Label<'a>> {
+/// Whether the names of a chart stand at the ends of its curves in that format, so that it needs no legend of them.
+pub fn are_beside(chart: &Chart, format: Format) -> bool {
     let names = chart.names();
-    if names.len() < 2 || names.iter().any(|name| name.chars().count() > LONGEST) {
+    names.len() > 1 && names.iter().all(|name| lines(name, format.longest).is_some())
+}
+
+/// The labels of a chart of several names, if there is room for all: each beside its first series.
+pub fn labels<'a>(chart: &'a Chart, shown: &[Shown], format: Format) -> Vec<Label<'a>> {
+    if !are_beside(chart, format) {
         return vec![];
     }
     let label = |(number, text): (usize, &&'a str)| {
         let points = &shown.iter().find(|it| it.number == number && !it.points.is_empty())?.points;
-        Some(Label { text, number, point: *points.last()? })
+        Some(Label { lines: lines(text, format.longest)?, number, first: *points.first()?, last: *points.last()? })
     };
-    names.iter().enumerate().filter_map(label).collect()
+    chart.names().iter().enumerate().filter_map(label).collect()
 }
 
-/// Heights of labels, in tenths, moved as little as is needed for each to be readable.
+/// A name in one line, or broken where its two lines are most alike in length; none if that is too long for the room.
+fn lines(name: &str, longest: usize) -> Option<Vec<&str>> {
+    let length = |text: &str| text.chars().count();
+    if length(name) <= longest {
+        return Some(vec![name]);
+    }
+    let halves = name.match_indices(' ').map(|(at, _)| [&name[..at], &name[at + 1..]]);
+    let best = halves.min_by_key(|halves| halves.map(length).into_iter().max())?;
+    best.iter().all(|half| length(half) <= longest).then(|| best.to_vec())
+}
+
+/// Heights of lines of labels, in tenths, moved as little as is needed for each to be readable.
 pub fn apart(heights: &[i32]) -> Vec<i32> {
-    const LINE: i32 = 14 * TENTHS;
+    apart_by(heights, &vec![LINE; heights.len()])
+}
+
+/// The same of labels that take the room of `sizes`; heights are of their middles.
+pub fn apart_by(heights: &[i32], sizes: &[i32]) -> Vec<i32> {
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by_key(|index| heights[*index]);
     let mut moved = heights.to_vec();
     // Labels that touch are a group, which stands where its members are nearest to their places.
     let mut groups: Vec<Vec<usize>> = Vec::new();
+    let room = |group: &[usize]| group.iter().map(|index| sizes[*index]).sum::<i32>();
+    // How far below the top of its group the middle of each is.
+    let middles = |group: &[usize]| {
+        let mut above = 0;
+        let middle = |index: &usize| {
+            above += sizes[*index];
+            above - sizes[*index] / 2
+        };
+        group.iter().map(middle).collect::<Vec<i32>>()
+    };
     let top = |group: &[usize]| {
-        let wanted = group.iter().enumerate().map(|(place, index)| heights[*index] - place as i32 * LINE).sum::<i32>();
+        let wanted = group.iter().zip(middles(group)).map(|(index, below)| heights[*index] - below).sum::<i32>();
         wanted / group.len() as i32
     };
     for index in order {
         groups.push(vec![index]);
         while let [.., above, below] = groups.as_slice()
-            && top(below) < top(above) + above.len() as i32 * LINE
+            && top(below) < top(above) + room(above)
         {
             let below = groups.pop().unwrap_or_default();
             groups.last_mut().into_iter().for_each(|above| above.extend(&below));
         }
     }
     for group in &groups {
-        group.iter().enumerate().for_each(|(place, index)| moved[*index] = top(group) + place as i32 * LINE);
+        group.iter().zip(middles(group)).for_each(|(index, below)| moved[*index] = top(group) + below);
     }
     moved
 }
@@ -71,5 +109,14 @@ mod tests {
         assert_eq!(apart(&[300, 300]), [230, 370]);
         assert_eq!(apart(&[300, 290, 1000]), [365, 225, 1000]);
         assert_eq!(apart(&[0, 100, 200]), [-40, 100, 240], "groups grow");
+        assert_eq!(apart_by(&[300, 300], &[280, 140]), [195, 405], "one of two lines");
+    }
+
+    #[test]
+    fn long_names_are_broken_in_the_middle_or_left_to_the_legend() {
+        assert_eq!(lines("k = 4", 9), Some(vec!["k = 4"]));
+        assert_eq!(lines("eight samples, our circuit’s time", 20), Some(vec!["eight samples,", "our circuit’s time"]));
+        assert_eq!(lines("non-texturing", 9), None);
+        assert_eq!(lines("one and two and three and four", 9), None);
     }
 }

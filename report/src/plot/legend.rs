@@ -1,22 +1,27 @@
 //! The legend: which shape and dashes are which series, and which kind of mark is which origin.
 
+use super::label::are_beside;
 use super::mark::{CROSS, LOOKS, PLUS, filled, outline};
 use super::svg::points;
+use super::{NARROW, WIDE};
 use crate::chart::Chart;
 use crate::origin::Origin;
 use crate::statement::in_full;
 use maud::{Markup, html};
 
-/// The series' names in their looks, then the origins in plain ink.
+/// The series' names in their looks, where they do not stand beside their curves; then the origins in plain ink.
 pub fn legend(chart: &Chart) -> Markup {
     let names = chart.names();
     let mut origins: Vec<&Origin> = chart.series.iter().map(|series| &series.origin).collect();
     origins.sort();
     origins.dedup();
     html! {
-        ul.legend aria-label="Legend" {
-            @for (number, name) in names.iter().enumerate() {
-                li { (sample(&format!("look{}", number % LOOKS), &of_name(chart, name), number)) (name) }
+        // What has no room in a wide chart has none in a narrow one.
+        @if !are_beside(chart, NARROW) {
+            ul.legend.names.narrow[are_beside(chart, WIDE)] aria-label="Legend" {
+                @for (number, name) in names.iter().enumerate() {
+                    li { (sample(&format!("look{}", number % LOOKS), &of_name(chart, name), number)) (name) }
+                }
             }
         }
         ul.legend.origins aria-label="Kinds of marks" {

@@ -36,12 +36,14 @@ pub struct Format {
     height: u32,
     /// About how many labels are along an axis.
     labels: (usize, usize),
+    /// The most characters in a line of a name beside its curve.
+    longest: usize,
 }
 
 /// A chart as wide as the text.
-pub const WIDE: Format = Format { class: "wide", width: 720, height: 420, labels: (8, 10) };
+pub const WIDE: Format = Format { class: "wide", width: 720, height: 420, labels: (8, 10), longest: 20 };
 /// A chart for a telephone.
-pub const NARROW: Format = Format { class: "narrow", width: 350, height: 320, labels: (4, 6) };
+pub const NARROW: Format = Format { class: "narrow", width: 350, height: 320, labels: (4, 6), longest: 9 };
 
 /// A chart as an SVG element of that format.
 pub fn svg(chart: &Chart, format: Format) -> Markup {
@@ -81,7 +83,7 @@ type Drawn = Result<(), DrawingAreaErrorKind<Infallible>>;
 
 fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn {
     let shown = shown(chart);
-    let labels = label::labels(chart, &shown);
+    let labels = label::labels(chart, &shown, format);
     let root = Svg::new(elements, (format.width, format.height)).into_drawing_area();
     let mut plot = axes(&root, chart, format, &shown, labels.iter().map(Label::width).max())?;
     // Lines first, so that no mark is hidden by one.
@@ -151,13 +153,34 @@ fn line(chart: &Chart, series: &Series) -> Option<Paint> {
     }
 }
 
-/// Names beside the ends of their curves.
+/// Names beside the ends of their curves, each with a line to its own if it had to move away. Where curves meet on the right and not on
+/// the left, they stand above their beginnings.
 fn names(root: &Area, plot: &Plot, labels: &[Label]) -> Drawn {
-    let ends: Vec<(i32, i32)> = labels.iter().map(|label| plot.backend_coord(&label.point)).collect();
-    let heights = label::apart(&ends.iter().map(|end| end.1).collect::<Vec<_>>());
-    for ((label, end), height) in labels.iter().zip(ends).zip(heights) {
+    let sizes: Vec<i32> = labels.iter().map(Label::height).collect();
+    let placed = |of: fn(&Label) -> (f64, f64), above: i32| {
+        let points: Vec<(i32, i32)> = labels.iter().map(|label| plot.backend_coord(&of(label))).collect();
+        let heights: Vec<i32> = points.iter().map(|point| point.1 - above).collect();
+        let moved = label::apart_by(&heights, &sizes);
+        let way: i32 = moved.iter().zip(&heights).map(|(moved, wanted)| (moved - wanted).abs()).sum();
+        (way, points, moved)
+    };
+    let (right, ends, heights) = placed(|label| label.last, 0);
+    let (left, starts, above) = placed(|label| label.first, ABOVE);
+    let is_right = right <= left + label::LINE;
+    let (points, heights, gap) = if is_right { (ends, heights, 16 * TENTHS) } else { (starts, above, 8 * TENTHS) };
+    for ((label, point), height) in labels.iter().zip(points).zip(heights) {
         let style = Paint::Name.text(label.number).pos(Pos::new(HPos::Left, VPos::Center));
-        root.draw(&Text::new(label.text, (end.0 + 8 * TENTHS, height), style))?;
+        if is_right && (height - point.1).abs() > label::LINE / 2 {
+            let line = vec![(point.0 + 6 * TENTHS, point.1), (point.0 + 14 * TENTHS, height)];
+            root.draw(&PathElement::new(line, Paint::Thread.line(label.number)))?;
+        }
+        for (number, line) in (0..).zip(&label.lines) {
+            let place = height - label.height() / 2 + label::LINE / 2 + number * label::LINE;
+            root.draw(&Text::new(*line, (point.0 + gap, place), style.clone()))?;
+        }
     }
     Ok(())
 }
+
+/// How far above the beginning of its curve a name stands, in tenths.
+const ABOVE: i32 = 10 * TENTHS;

@@ -1,6 +1,7 @@
 //! Regions of a vector, H_v: the paper's two formulas and what was counted, against length, angle and the side of regions.
 
 use super::plan::{ANGLE, LENGTH, Plan, SIDE, SIDES};
+use crate::reproduce::words::short;
 use crate::shell::Failure;
 use tilewright_machines::pixel_planes::{Binner, Bins, Outline, Point, Regions, Shape, Study, Vectors};
 use tilewright_machines::{Error, Watch};
@@ -110,11 +111,29 @@ pub fn section(counted: &Counted) -> Section {
              that it prints; and 1 + L (cos θ + sin θ)/S for the vector itself, which is exact. Plus signs are bins of random vectors at random \
              places of a 1280x1024 screen, a region from its border. The cross is the 1.63 that the paper prints for its example.",
         )
-        .part(by_length(counted, ANGLE))
-        .part(by_length(counted, 15.0))
-        .part(by_angle(counted, LENGTH))
-        .part(by_angle(counted, LONGEST))
-        .part(by_side(counted))
+        .figure(claim(counted, LENGTH, ANGLE), by_length(counted, ANGLE))
+        .figure(claim(counted, LONGEST, 15.0), by_length(counted, 15.0))
+        .figure(claim(counted, LENGTH, 30.0), by_angle(counted, LENGTH))
+        .figure(claim(counted, LONGEST, ANGLE), by_angle(counted, LONGEST))
+        .figure(by_half_the_side(counted), by_side(counted))
+}
+
+/// What each binner makes of a vector.
+fn claim(counted: &Counted, length: f64, angle: f64) -> String {
+    let is_it = |point: &&Point| point.shape == Shape { length, angle };
+    let bins = counted.points().find(is_it).expect("it is counted").counted;
+    let [by_box, by_columns, tight] = named(bins).map(|(_, mean)| short(mean.mean));
+    format!(
+        "A vector of {length} pixels at {angle} degrees is in {by_box} regions by its box, {by_columns} by columns, and {tight} by itself."
+    )
+}
+
+fn by_half_the_side(counted: &Counted) -> String {
+    let [half, whole] = [SIDE / 2, SIDE].map(|side| short(counted.example(side).counted.by_box.mean));
+    format!(
+        "With regions of {} pixels a side a vector’s box meets {half} of them, and with {SIDE} pixels {whole}.",
+        SIDE / 2
+    )
 }
 
 const LENGTH_AXIS: &str = "length L, pixels";

@@ -5,6 +5,7 @@ use super::owners::owners;
 use super::plan::{Plan, RENDERERS};
 use super::scenes::Which;
 use crate::reproduce::right;
+use crate::reproduce::words::{percent, short};
 use crate::shell::Failure;
 use tilewright_machines::Watch;
 use tilewright_machines::pixel_planes::{Machine, Regions, RendererReport, Report};
@@ -97,8 +98,22 @@ pub fn section(frames: &[Drawn]) -> Section {
         .iter()
         .enumerate()
         .fold(section, |section, (number, drawn)| {
-            let section = if number == 0 { section.part(picture(drawn)) } else { section };
-            section.part(regions(drawn)).part(load(drawn))
+            let name = drawn.load.name;
+            let primitives = drawn.report.primitives;
+            let ms = short(milliseconds(drawn.report.drawn));
+            let section = match number {
+                0 => section.figure(format!("{primitives} primitives are drawn in {ms} ms."), picture(drawn)),
+                _ => section,
+            };
+            let worst = match drawn.imbalance() {
+                1.0 => format!("{name}: all renderers have the same load."),
+                worst => format!("{name}: the busiest renderer has {} times the mean load.", short(worst)),
+            };
+            let all = || drawn.report.renderers.iter().map(|it| it.working() as f64 / drawn.report.drawn.max(1) as f64);
+            let [least, most] = [all().fold(1.0, f64::min), all().fold(0.0, f64::max)].map(percent);
+            section
+                .figure(worst, regions(drawn))
+                .figure(format!("{name}: renderers work {least} to {most} of the clocks."), load(drawn))
         })
         .part(table(frames))
 }

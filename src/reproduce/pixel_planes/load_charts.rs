@@ -4,6 +4,7 @@ use super::bins::EXAMPLE;
 use super::frames::Drawn;
 use super::loads::{Load, Loads, renderers};
 use super::plan::RENDERERS;
+use crate::reproduce::words::short;
 use tilewright_machines::pixel_planes::{greatest_load, greatest_load_of_whole_regions};
 use tilewright_report::{Axis, Cell, Chart, Origin, Section, Series, Table};
 
@@ -22,19 +23,55 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
             "Plus signs are counted by a plain allocator: the next region in order of decreasing bins goes to the renderer that is free first, and each \
              primitive takes it as long. Filled marks are frames that the circuit drew, whose allocator goes by the clock.",
         )
-        .part(between_bounds(loads, frames, "surfaces", &["teapot", "ter1k", "ter250"]))
-        .part(between_bounds(loads, frames, "lines", &["wireframe", "star", "vectors"]))
+        .figure(worst(loads, &SURFACES), between_bounds(loads, frames, "surfaces", &SURFACES))
+        .figure(worst(loads, &LINES), between_bounds(loads, frames, "lines", &LINES))
         .part(table(loads, frames))
         .paragraph(
             "How well the load is balanced is another matter: the worst load in parts of the mean one. With few regions a renderer, the one that \
              gets the fullest region decides.",
         )
-        .part(balance(loads, frames))
+        .figure(imbalance(loads), balance(loads, frames))
         .paragraph(
             "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance has \
              a say; what remains is that regions are dealt as a whole, and that those at the border have fewer vectors.",
         )
-        .part(of_vectors(loads, frames))
+        .figure(crowded(loads), of_vectors(loads, frames))
+}
+
+const SURFACES: [&str; 3] = ["teapot", "ter1k", "ter250"];
+const LINES: [&str; 3] = ["wireframe", "star", "vectors"];
+
+/// How near the worst of these scenes comes to the upper bound.
+fn worst(loads: &Loads, names: &[&str]) -> String {
+    let all = names.iter().filter_map(|name| loads.of(name));
+    let worst = all.map(|load| load.worst(RENDERERS) as f64 / load.least(RENDERERS)).fold(0.0, f64::max);
+    format!(
+        "With {RENDERERS} renderers no worst load is above {} P/B, where the bound is {} P/B.",
+        short(worst),
+        loads.regions.count()
+    )
+}
+
+/// How well few and many renderers are balanced.
+fn imbalance(loads: &Loads) -> String {
+    let most = tilewright_machines::pixel_planes::Config::MOST_RENDERERS;
+    let worst = |b| short(loads.scenes.iter().map(|load| load.imbalance(b)).fold(0.0, f64::max));
+    format!(
+        "The worst load is at most {} times the mean with {RENDERERS} renderers, and {} times with {most}.",
+        worst(RENDERERS),
+        worst(most)
+    )
+}
+
+/// What chance adds to the load of the most vectors.
+fn crowded(loads: &Loads) -> String {
+    let crowd = loads.crowds.last().expect("vectors are counted");
+    let worst = crowd.worst.by_box as f64 * f64::from(RENDERERS) / crowd.vectors as f64;
+    let (vectors, balanced) = (short(crowd.vectors as f64), short(EXAMPLE.by_box(super::plan::SIDE)));
+    format!(
+        "Of {vectors} vectors the busiest renderer has {} V/B by boxes; in perfect balance that is {balanced} V/B.",
+        short(worst)
+    )
 }
 
 const RENDERER_AXIS: &str = "renderers B";

@@ -52,11 +52,11 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              renderers; where it runs, each of its handshakes is compared with the model’s. The formulas are those of the paper, restored where the print is \
              damaged.",
         )
-        .section(Section::new("Statements").part(statements::verdicts(&found)))
         .section(bins::section(&found.counted))
         .section(load_charts::section(&found.loads, &found.frames))
         .section(time_charts::section(&plan, &found.times, &found.table))
         .section(frames::section(&found.frames))
+        .section(Section::new("Statements").part(statements::verdicts(&found).note(effort.note())))
         .section(
             Section::new("Checks of what is measured")
                 .paragraph("The golden image is that of a plain rasterizer, which knows no regions.")

@@ -3,6 +3,7 @@
 use super::bins::EXAMPLE;
 use super::plan::{Plan, RENDERERS, Spec};
 use super::times::{Run, Times, Took};
+use crate::reproduce::words::{percent, short};
 use tilewright_machines::pixel_planes::{Config, PERIOD, Row, Shape, Table, VECTOR_CYCLES, least_load};
 use tilewright_report::{Axis, Cell, Chart, Origin, Section, Series};
 
@@ -24,19 +25,19 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
             ring_in_words(),
             tilewright_rtl::pixel_planes::ring::Ring::INSTRUCTION
         ))
-        .part(charts.against(&BY_RENDERERS))
-        .part(charts.against(&BY_SIDE))
+        .figure(charts.by_ring(), charts.against(&BY_RENDERERS))
+        .figure(charts.best_side(), charts.against(&BY_SIDE))
         .paragraph(
             "A frame takes time of its own, which the formula leaves out: every region is cleared, saved and sent, also where nothing is drawn. Of few \
              vectors that is most of it; and with many renderers, or small regions, these have to wait until what they drew before is sent.",
         )
-        .part(charts.against(&BY_VECTORS))
+        .figure(charts.few_and_many(), charts.against(&BY_VECTORS))
         .paragraph(format!(
             "The formula assumes that renderers never wait for primitives. With the ring of {} they do, if there are many: this is the part of their clocks in \
              which they could have begun an instruction that had not come, and how much of what it can bring the ring brings.",
             ring_in_words()
         ))
-        .part(charts.waiting())
+        .figure(charts.starved(), charts.waiting())
 }
 
 /// What the ring brings, if nobody says otherwise.
@@ -120,6 +121,50 @@ impl Charts<'_> {
         let mut runs: Vec<&Run> = self.times.runs.iter().filter(is_of).collect();
         runs.sort_by(|one, other| (figure.at)(&one.spec).total_cmp(&(figure.at)(&other.spec)));
         runs
+    }
+
+    /// What a vector takes with either ring.
+    fn by_ring(&self) -> String {
+        let [ample, real] = [Config::AMPLE_RING, Config::RING].map(|ring| {
+            let run = self.times.usual(ring);
+            short(run.per_vector(&run.model))
+        });
+        format!(
+            "On {RENDERERS} renderers a vector takes {ample} ns with an ample ring, and {real} ns with {}.",
+            ring_in_words()
+        )
+    }
+
+    /// The regions with which vectors are drawn fastest.
+    fn best_side(&self) -> String {
+        let runs = self.runs(&BY_SIDE, Config::AMPLE_RING);
+        let time = |run: &Run| run.per_vector(&run.model);
+        let best = runs.iter().min_by(|one, other| time(one).total_cmp(&time(other))).expect("there are runs");
+        format!(
+            "With an ample ring, regions of {} pixels a side are fastest: {} ns a vector.",
+            best.spec.side,
+            short(time(best))
+        )
+    }
+
+    /// What a frame takes by itself.
+    fn few_and_many(&self) -> String {
+        let runs = self.runs(&BY_VECTORS, Config::AMPLE_RING);
+        let of = |run: &Run| [run.spec.vectors as f64, run.model.drawn as f64 * PERIOD / 1e6].map(short);
+        if let [only] = runs.as_slice() {
+            let [vectors, time] = of(only);
+            return format!("A frame of {vectors} vectors takes {time} ms.");
+        }
+        let [[few, least], [many, most]] = [runs[0], runs[runs.len() - 1]].map(of);
+        format!("A frame takes time of its own: {few} vectors take {least} ms, and {many} take {most} ms.")
+    }
+
+    /// How much the most renderers wait.
+    fn starved(&self) -> String {
+        let runs = self.runs(&BY_RENDERERS, Config::RING);
+        let run = runs[runs.len() - 1];
+        let (waiting, load) = (percent(run.model.starved), percent(run.model.load));
+        format!("{} renderers wait {waiting} of their clocks, while the ring is loaded to {load}.", run.spec.renderers)
     }
 
     fn against(&self, figure: &Figure) -> Chart {

@@ -46,12 +46,12 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              paper’s time for each step. It knows no circuit. Where the paper’s statements follow from its constants, both agree with it. Further down the circuit itself draws \
              frames, with its own time for each step.",
         )
-        .section(Section::new("Statements").part(statements::verdicts(&found, &plan)))
         .section(charts::latencies(&found))
         .section(charts::stages(&found))
         .section(charts::pre_sorting(&found))
         .section(frames::section(&found.frames, &plan))
         .section(stereo::section(&found.frames, &plan))
+        .section(Section::new("Statements").part(statements::verdicts(&found, &plan).note(effort.note())))
         .section(Section::new("Checks of what is measured").part(statements::checks(&found, &plan)));
     Ok(Some(page))
 }

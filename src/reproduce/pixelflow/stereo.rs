@@ -2,6 +2,7 @@
 
 use super::frames::{Drawn, Spec, of_triangles};
 use super::plan::Plan;
+use crate::reproduce::words::short;
 use tilewright_machines::pixelflow::{Samples, Shades, Stereo, StereoReport, milliseconds};
 use tilewright_report::{Axis, Cell, Chart, Origin, Rule, Section, Series, Statement, Table};
 
@@ -37,8 +38,20 @@ pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
              after another, the front end goes on to the second frame while the first one is drawn. The paper has no formula for either; here its formulas are put together for both. Both eyes have the \
              same random triangles, so of either way the circuit has drawn one frame.",
         )
-        .part(latencies(frames, plan))
+        .figure(claim(frames, plan), latencies(frames, plan))
         .part(crossings())
+}
+
+/// Which way is sooner.
+fn claim(frames: &[Drawn], plan: &Plan) -> String {
+    let [halved, sequential] =
+        WAYS.map(|(stereo, _)| drawn(frames, plan.stereo(), stereo).pop().expect("triangles are drawn"));
+    format!(
+        "Of {} triangles both eyes’ frames are there after {} ms on halves of the machine, and after {} ms one after another.",
+        short(1000.0 * halved.thousands),
+        short(halved.found),
+        short(sequential.found)
+    )
 }
 
 fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {

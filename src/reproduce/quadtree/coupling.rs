@@ -1,8 +1,11 @@
 //! Matrices as they run, with their waits, and what queues of packets lose: the paper's assumption that processors work equally long and
 //! are coupled loosely (MPG-LIM).
 
+use super::by_formula;
 use super::curves::figure;
 use super::found::{Coupled, Found};
+use crate::reproduce::words::{percent, short};
+use tilewright_machines::quadtree::model::Measured;
 use tilewright_report::{Axis, Chart, Section, Series};
 
 /// As it ran, beside the formulas, which know no waits; then the loss.
@@ -13,22 +16,70 @@ pub fn section(found: &Found) -> Section {
              processors at once, so one whose queue is full holds up the others. These points are polygons over all clocks until the matrix \
              is idle, with queues of 16 packets before each processor; the lines are the formulas, which know no waits.",
         )
-        .part(figure(found, ("stacks-as-run", "Performance of stacks as they ran, in parts of P_max", true), |it| it.p_s, None, |it| it.stacks_ran))
-        .part(figure(found, ("pipelines-as-run", "Performance of pipelines as they ran, in parts of P_max", true), |it| it.p_p, None, |it| it.pipes_ran))
+        .figure(
+            as_ran(found, "stacks", by_formula(4, AREA).p_s, |it| it.stacks_ran),
+            figure(found, ("stacks-as-run", "Performance of stacks as they ran, in parts of P_max", true), |it| it.p_s, None, |it| it.stacks_ran),
+        )
+        .figure(
+            as_ran(found, "pipelines", by_formula(4, AREA).p_p, |it| it.pipes_ran),
+            figure(found, ("pipelines-as-run", "Performance of pipelines as they ran, in parts of P_max", true), |it| it.p_p, None, |it| it.pipes_ran),
+        )
         .paragraph(
             "How much that is depends on the queues. The loss is the part of the clocks by which a matrix takes longer than its processors \
              would on the mean, if none had to wait for another. It has two parts: what deeper queues win back, and that one processor has more \
              to do than another, which no queue does.",
         );
     section
-        .part(by_matrix(&found.coupled, "stack", "stacks"))
-        .part(by_area(&found.coupled))
+        .figure(lost(&found.coupled, "stack", "stacks"), by_matrix(&found.coupled, "stack", "stacks"))
+        .figure(lost_by_area(&found.coupled), by_area(&found.coupled))
         .paragraph(
             "A pipeline takes packets in without such queues: its stages and the queues of windows between them hold several. There the \
              depth is that of the queues of windows, and the loss the part of the clocks in which its slowest level has nothing to do.",
         )
-        .part(by_matrix(&found.coupled, "pipe", "pipelines"))
-        .part(by_windows(&found.coupled))
+        .figure(lost(&found.coupled, "pipe", "pipelines"), by_matrix(&found.coupled, "pipe", "pipelines"))
+        .figure(idle(&found.coupled), by_windows(&found.coupled))
+}
+
+/// How fast the largest matrix is as it runs, beside the formula.
+fn as_ran(found: &Found, name: &str, formula: f64, of: fn(&Measured) -> f64) -> String {
+    let ran = found.ran.on_model(4, of).into_iter().find(|(area, _)| *area == AREA).expect("that area ran");
+    format!("With all waits 256 {name} reach {} of the formula’s speed at {AREA} pixels.", percent(ran.1 / formula))
+}
+
+/// What the shortest and the deepest queues of packets lose.
+fn lost(coupled: &Coupled, form: &str, name: &str) -> String {
+    let all = coupled.loss(4, form, AREA);
+    let [(shallow, one), (deep, other)] = [all[0], all[all.len() - 1]];
+    let (one, other) = (percent(one), percent(other));
+    format!(
+        "At {AREA} pixels 256 {name} lose {one} with queues of {shallow} packet, and {other} with queues of {deep}."
+    )
+}
+
+/// What the deepest queues leave, by area.
+fn lost_by_area(coupled: &Coupled) -> String {
+    let of = |area: f64| coupled.loss(4, "stack", area).last().map(|(depth, loss)| (area, *depth, *loss));
+    let all: Vec<(f64, f64, f64)> = coupled.areas().into_iter().filter_map(of).collect();
+    let [least, most] = [all[0], all[all.len() - 1]];
+    format!(
+        "Queues of {} packets leave 256 stacks a loss of {} at S = {}, and of {} at S = {}.",
+        least.1,
+        percent(least.2),
+        short(least.0),
+        percent(most.2),
+        short(most.0)
+    )
+}
+
+/// What the shortest and the deepest queues of windows leave idle.
+fn idle(coupled: &Coupled) -> String {
+    let all = coupled.idling(4);
+    let [(shallow, one), (deep, other)] = [all[0], all[all.len() - 1]];
+    format!(
+        "The slowest level of 256 pipelines idles {} of the clocks with queues of {shallow} window, and {} with queues of {deep}.",
+        percent(one),
+        percent(other)
+    )
 }
 
 /// The area at which matrices are compared.

@@ -2,6 +2,7 @@
 
 use super::found::Found;
 use super::{SIZES, areas, by_formula, matrix, shape};
+use crate::reproduce::words::{percent, short};
 use tilewright_machines::quadtree::Figures;
 use tilewright_machines::quadtree::model::Measured;
 use tilewright_report::{Axis, Chart, Origin, Section, Series};
@@ -20,12 +21,20 @@ pub fn windows(found: &Found) -> Section {
         let matrix = matrix(k);
         let title = format!("Windows per polygon in each of {} processors (k = {k})", matrix.processors());
         let chart = Chart::new(format!("windows-{k}"), title, Axis::log(AREA), Axis::log("windows per polygon"));
-        section.part((1..=matrix.levels).fold(chart, |chart, number| {
+        let chart = (1..=matrix.levels).fold(chart, |chart, number| {
             let (name, level) = (format!("level {number}"), number as usize);
             let counted = found.counted.of(k).map(|point| (point.sample.area, point.windows[level].mean)).collect();
             let bound = |area| matrix.windows_of(shape(area), number);
             measured(found, chart, k, &name, bound, Some(counted), |it| it.windows[level])
-        }))
+        });
+        let last = |area| short(found.counted.at(k, area).windows[matrix.levels as usize].mean);
+        let claim = format!(
+            "On the last level each of {} processors has {} windows for a polygon of one pixel, and {} for one of 1000.",
+            matrix.processors(),
+            last(1.0),
+            last(1000.0)
+        );
+        section.figure(claim, chart)
     })
 }
 
@@ -49,22 +58,52 @@ pub fn window_sizes(found: &Found) -> Section {
              them. The points are measured: a square of a quarter of a pixel walks along a line, and the counters say how many windows it \
              is in.",
         )
-        .part(chart)
+        .figure("With more than four processors windows are smaller than their spacing, the least on the last level.", chart)
 }
 
 /// Figure 5: the matrix of processors with stacks.
 pub fn stacks(found: &Found) -> Section {
+    let at = |k, area, of: fn(&Figures) -> f64| percent(of(&found.counted.at(k, area).figures));
+    let speed = format!(
+        "256 stacks reach {} of P_max for polygons of one pixel, and one stack {}.",
+        at(4, 1.0, |it| it.p_s),
+        at(0, 1.0, |it| it.p_s)
+    );
+    let efficiency = format!(
+        "A large matrix of stacks wastes most of its work: at 100 pixels 4 of them are {} efficient, and 256 are {}.",
+        at(1, 100.0, |it| it.q_a),
+        at(4, 100.0, |it| it.q_a)
+    );
     Section::new("Figure 5: processors with stacks")
-        .part(of_clocks(found, "stack-performance", "Performance p_s, in parts of P_max", true, |it| it.p_s))
-        .part(of_clocks(found, "stack-efficiency", "Efficiency Q_a", false, |it| it.q_a))
+        .figure(speed, of_clocks(found, "stack-performance", "Performance p_s, in parts of P_max", true, |it| it.p_s))
+        .figure(efficiency, of_clocks(found, "stack-efficiency", "Efficiency Q_a", false, |it| it.q_a))
 }
 
 /// Figure 6: the matrix of pipelines.
 pub fn pipelines(found: &Found) -> Section {
+    let at = |k, area, of: fn(&Figures) -> f64| of(&found.counted.at(k, area).figures);
+    let faster = |area| short(at(4, area, |it| it.p_p) / at(0, area, |it| it.p_p));
+    let speed = format!(
+        "256 pipelines are {} times as fast as one at 1000 pixels, and {} times at 100\u{202f}000.",
+        faster(1000.0),
+        faster(1e5)
+    );
+    let loads = found.counted.of(4).map(|point| (point.figures.r_p, point.sample.area));
+    let greatest = loads.max_by(|one, other| one.0.total_cmp(&other.0));
+    let (load, area) = greatest.expect("areas are counted");
+    let load = format!("256 pipelines are loaded best, to {}, near {} pixels.", percent(load), short(area));
+    let efficiency = format!(
+        "At 100 pixels 256 pipelines are {} efficient, and 256 stacks {}.",
+        percent(at(4, 100.0, |it| it.q_p)),
+        percent(at(4, 100.0, |it| it.q_a))
+    );
     Section::new("Figure 6: pipelines")
-        .part(of_clocks(found, "pipeline-performance", "Performance p_p, in parts of P_max", true, |it| it.p_p))
-        .part(of_clocks(found, "pipeline-load", "Load R_p", false, |it| it.r_p))
-        .part(of_clocks(found, "pipeline-efficiency", "Efficiency Q_p", false, |it| it.q_p))
+        .figure(
+            speed,
+            of_clocks(found, "pipeline-performance", "Performance p_p, in parts of P_max", true, |it| it.p_p),
+        )
+        .figure(load, of_clocks(found, "pipeline-load", "Load R_p", false, |it| it.r_p))
+        .figure(efficiency, of_clocks(found, "pipeline-efficiency", "Efficiency Q_p", false, |it| it.q_p))
 }
 
 /// What follows of the busy clocks of the levels, whoever has counted them.

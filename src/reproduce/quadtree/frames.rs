@@ -4,6 +4,7 @@ use super::plan::config;
 use crate::pictures::owners;
 use crate::reproduce::effort::Effort;
 use crate::reproduce::right;
+use crate::reproduce::words::{percent, short};
 use crate::scene::polygons;
 use crate::shell::Failure;
 use tilewright_machines::Watch;
@@ -84,17 +85,46 @@ pub fn section(frames: &[Drawn]) -> Section {
          clocks is counted by the hardware itself.",
     );
     frames.iter().enumerate().fold(section, |section, (number, drawn)| {
-        let section = section.part(picture(drawn));
+        let section = section.figure(speed(drawn), picture(drawn));
         // The pattern and the levels of 256 processors are no picture.
         match number {
-            0 => section.part(who(drawn)).part(busy(drawn)).part(stages(drawn, "busy", |it| it.busy)).part(stages(
-                drawn,
-                "stalled",
-                |it| it.stalled,
-            )),
-            _ => section.part(busy(drawn)),
+            0 => section
+                .figure("Neighbouring pixels belong to different video processors.", who(drawn))
+                .figure(balance(drawn), busy(drawn))
+                .figure(busiest(drawn, "works", |it| it.busy), stages(drawn, "busy", |it| it.busy))
+                .figure(busiest(drawn, "is stalled", |it| it.stalled), stages(drawn, "stalled", |it| it.stalled)),
+            _ => section.figure(balance(drawn), busy(drawn)),
         }
     })
+}
+
+/// What the frame took.
+fn speed(Drawn { report, .. }: &Drawn) -> String {
+    let clocks = short(report.drawing_clocks() as f64);
+    let (polygons, each) = (report.packets, short(report.clocks_per_packet()));
+    format!("{polygons} polygons take {clocks} clocks, {each} for each.")
+}
+
+/// How much more the busiest video processor has to do.
+fn balance(drawn: &Drawn) -> String {
+    let all: Vec<u64> = drawn.report.processors.iter().map(clocks).collect();
+    let most = all.iter().max().copied().unwrap_or_default() as f64 * all.len() as f64;
+    let more = most / (all.iter().sum::<u64>().max(1) as f64) - 1.0;
+    format!("The busiest of {} video processors works {} longer than the mean.", all.len(), percent(more))
+}
+
+/// The stage of which a number is greatest, over all video processors.
+fn busiest(drawn: &Drawn, does: &str, of: fn(&UnitReport) -> u64) -> String {
+    let sum = |level: &usize| drawn.report.processors.iter().map(|it| of(&it.units[*level])).sum::<u64>();
+    match (0..=drawn.report.machine.levels as usize).rev().max_by_key(sum) {
+        Some(level @ 1..) => format!("Of all stages level {level} {does} longest."),
+        _ => format!("Of all stages the set-up {does} longest."),
+    }
+}
+
+/// Clocks in which the levels of a video processor work.
+fn clocks(it: &ProcessorReport) -> u64 {
+    it.units.iter().skip(1).map(|unit| unit.busy).sum()
 }
 
 fn picture(drawn: &Drawn) -> Picture {
@@ -102,13 +132,8 @@ fn picture(drawn: &Drawn) -> Picture {
     let verdict = right::in_words(*differing);
     let title = format!("{scene}, drawn by {}x{} processors", report.machine.p, report.machine.q);
     let alt = format!("the scene {scene}, {} pixels", drawn.frame.size());
-    Picture::new(drawn.id("frame"), title, alt, drawn.frame.to_png()).note(format!(
-        "{verdict} {} polygons in {} clocks, {:.1} for each; the load of the processors is {:.1} % balanced.",
-        report.packets,
-        report.drawing_clocks(),
-        report.clocks_per_packet(),
-        100.0 * report.balance()
-    ))
+    Picture::new(drawn.id("frame"), title, alt, drawn.frame.to_png())
+        .note(format!("{verdict} The load of the processors is balanced to {:.1} %.", 100.0 * report.balance()))
 }
 
 /// How large the part of a frame is that shows who drew which pixel.
@@ -138,9 +163,8 @@ fn who(drawn: &Drawn) -> Picture {
 
 /// Busy clocks of each video processor, as they stand in the matrix.
 fn busy(drawn: &Drawn) -> HeatMap {
-    let clocks = |it: &ProcessorReport| it.units.iter().skip(1).map(|unit| unit.busy).sum::<u64>() as f64;
     let rows = drawn.report.processors.chunks(drawn.report.machine.p as usize);
-    let rows = rows.map(|row| row.iter().map(clocks).collect());
+    let rows = rows.map(|row| row.iter().map(|it| clocks(it) as f64).collect());
     let title = format!("Busy clocks of each video processor: {}", drawn.place());
     HeatMap::new(drawn.id("load"), title, "clocks", Origin::rtl([]), rows)
         .note("All levels together, as the processors stand in the matrix.")

@@ -42,20 +42,20 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              RTL is the circuit itself, simulated clock by clock, with the transaction model’s rectangles. The formulas are those of the \
              paper, restored where the print is damaged.",
         )
-        .section(
-            Section::new("Statements")
-                .paragraph(
-                    "What is said of windows and of the clocks of work is judged by the plain count, which has most rectangles; the checks \
-                     at the end have that the circuit’s counters are the same.",
-                )
-                .part(statements::verdicts(&found)),
-        )
         .section(curves::windows(&found))
         .section(curves::window_sizes(&found))
         .section(curves::stacks(&found))
         .section(curves::pipelines(&found))
         .section(coupling::section(&found))
         .section(frames::section(&found.frames))
+        .section(
+            Section::new("Statements")
+                .paragraph(
+                    "Statements of windows and of clocks of work are judged by the plain count, which has the most rectangles. The checks \
+                     below show that the circuit’s counters are the same.",
+                )
+                .part(statements::verdicts(&found).note(effort.note())),
+        )
         .section(checks::section(&found));
     Ok(Some(page))
 }

@@ -1,11 +1,12 @@
 //! The paper's figures, each as time T and as drawing D, and where the clocks go.
 
-use super::estimate;
 use super::found::Found;
 use super::frames::Drawn;
 use super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, SPLITS, THRESHOLD, split};
 use super::run::Timed;
 use super::statements::derived;
+use super::words;
+use super::{claims, estimate};
 use tilewright_machines::vc1::Clocks;
 use tilewright_report::{Axis, Chart, Lane, Origin, Section, Series, Timeline};
 use tilewright_rtl::gfb::Blanking;
@@ -19,7 +20,9 @@ const DRAWING: Quantity = ("-drawing", "D, ms", |it| it.drawing);
 
 /// Figure 7.
 pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
+    let terrain = if found.plan.is_quick() { "ter1k" } else { "ter250" };
     Section::new("Figure 7: time by the number of processing elements")
+        .paragraph(words::TIMES)
         .paragraph(
             "An interval between two swaps is a number of refreshes, and two of them at least, 33.3 ms. So with 35 ms of drawing some frames take two and some take three. Below 33.3 ms T shows \
              nothing, and D goes on.",
@@ -27,15 +30,15 @@ pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
         .paragraph(
             "Crosses are the numbers that the text gives; the line is what follows for ter250 from its rates and its speed-up.",
         )
-        .part(by_processors(found, frames, TIME))
-        .part(by_processors(found, frames, DRAWING))
-        .part(estimate::chart(found))
+        .figure(claims::time(found), by_processors(found, frames, TIME))
+        .figure(claims::drawing(found), by_processors(found, frames, DRAWING))
+        .figure(claims::estimate(found), estimate::chart(found))
         .paragraph(
             "Where the clocks of a processing element go, in percent of the time from frame to frame, as a mean over all of them. Stalled is an access that waits for its local frame buffer, bus a \
              word that waits for the bus; overflow, sync and swap are waiting for the swap of an overflow, for the others, and for the swap at the end of a frame.",
         )
-        .part(classes(found, "table"))
-        .part(classes(found, if found.plan.is_quick() { "ter1k" } else { "ter250" }))
+        .figure(claims::waiting(found, "table"), classes(found, "table"))
+        .figure(claims::waiting(found, terrain), classes(found, terrain))
 }
 
 fn by_processors(found: &Found, frames: &[Drawn], (id, label, of): Quantity) -> Chart {
@@ -92,7 +95,9 @@ pub fn figure_8(found: &Found) -> Section {
         "With a capacity c each of the two buffers of a processing element has floor(19,200 c) pages of 4x4 pixels. The threshold is 500 pixels with 16 processing elements and 31 with 256.",
     );
     ["figure-8a", "figure-8b"].into_iter().zip(found.plan.figure_8()).fold(section, |section, (id, n)| {
-        section.part(by_memory(found, id, *n, TIME)).part(by_memory(found, id, *n, DRAWING))
+        [TIME, DRAWING].into_iter().fold(section, |section, quantity| {
+            section.figure(claims::memory(found, *n, &quantity.1[..1], quantity.2), by_memory(found, id, *n, quantity))
+        })
     })
 }
 
@@ -128,16 +133,19 @@ pub fn figure_9(found: &Found) -> Section {
             "The table with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps: so there are two \
              capacities and two ways to swap, and one machine with pages for all, on which nothing overflows. The rightmost points, at the pixels of the whole screen, are those without a threshold. The cross is the paper’s 75 %.",
         )
-        .part(relative(found))
-        .part(by_threshold(found, "figure-9-times", "T and D by the threshold, 1/4.7 of the screen", &[
-            ("T", TIME.2, &paper),
-            ("D", DRAWING.2, &paper),
-        ]))
+        .figure(claims::saved(found), relative(found))
+        .figure(
+            claims::least(found),
+            by_threshold(found, "figure-9-times", "T and D by the threshold, 1/4.7 of the screen", &[
+                ("T", TIME.2, &paper),
+                ("D", DRAWING.2, &paper),
+            ]),
+        )
         .paragraph(
             "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. Three ways to split it, with 500, 300 and 100 clocks for the set-up of a packet, and what \
              then is left for a row:",
         )
-        .part(splits(found))
+        .figure(claims::splits(found), splits(found))
 }
 
 /// T in parts of that without a threshold.

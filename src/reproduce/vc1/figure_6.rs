@@ -3,7 +3,7 @@
 use super::observed::observed;
 use tilewright_machines::vc1::{Assign, Config, CostTable, Machine};
 use tilewright_machines::{Error, Watch};
-use tilewright_report::{Lane, Origin, Rule, Section, Statement, Timeline};
+use tilewright_report::{Lane, Origin, Rule, Section, Statement, Timeline, Verdict};
 use tilewright_rtl::swap::SwapState;
 use tilewright_scenes::{Projection, ScreenVertex, Size};
 
@@ -159,7 +159,13 @@ impl Figure6 {
                 "Three frames of {PROCESSORS} processing elements on a screen of {size} pixels, with T_m in the paper’s ratio to a refresh. Each draws on {PATCHES} patches and has \
                  {PAGES} pages, but that the first one draws on {TOO_MANY} in the last frame. The times are those of signals of the circuit."
             ))
-            .part(self.chart())
+            .figure(
+                match self.statement().verdict() {
+                    Verdict::Holds => "The eight events come in the paper’s order.",
+                    _ => "The events do not come in the paper’s order.",
+                },
+                self.chart(),
+            )
     }
 
     fn chart(&self) -> Timeline {

@@ -5,6 +5,7 @@ use super::plan::{Capacity, Case, Plan, THRESHOLD};
 use super::run::CLOCK;
 use crate::golden;
 use crate::reproduce::right;
+use crate::reproduce::words::short;
 use crate::shell::Failure;
 use tilewright_machines::Watch;
 use tilewright_machines::vc1::{FrameReport, Machine, ProcessorReport, Report, Shown};
@@ -147,9 +148,21 @@ pub fn checks(frames: &[Drawn]) -> Vec<Statement> {
 /// The frames of Figure 13, and what all frames took.
 pub fn section(section: Section, frames: &[Drawn]) -> Section {
     let pictures = frames.iter().filter(|it| it.spec.name == it.spec.case.scene);
-    let section = pictures.fold(section, |section, drawn| section.part(picture(drawn)));
+    let section = pictures.fold(section, |section, drawn| section.figure(took(drawn), picture(drawn)));
     let overflowing = frames.iter().filter(|it| it.report.frames.iter().any(|frame| frame.overflows() > 0));
-    overflowing.fold(section, |section, drawn| section.part(overflows(drawn))).part(table(frames))
+    overflowing.fold(section, |section, drawn| section.figure(overflowed(drawn), overflows(drawn))).part(table(frames))
+}
+
+/// What the scene takes.
+fn took(drawn: &Drawn) -> String {
+    let polygons = drawn.report.polygons;
+    format!("{polygons} polygons keep the busiest processing element busy for {} ms.", short(drawn.drawing()))
+}
+
+fn overflowed(drawn: &Drawn) -> String {
+    let frames = &drawn.report.frames;
+    let overflows: u64 = frames.iter().map(|frame| frame.overflows()).sum();
+    format!("{} frames have {overflows} overflows.", frames.len())
 }
 
 fn picture(drawn: &Drawn) -> Picture {

@@ -3,6 +3,7 @@
 mod beside;
 mod charts;
 mod circuit;
+mod claims;
 mod counted;
 mod estimate;
 mod figure_6;
@@ -42,12 +43,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
     let plan = Plan::new(effort);
     let Some(drawings) = Drawings::all(&plan, watch)? else { return Ok(None) };
     let Some(found) = Found::all(&plan, watch)? else { return Ok(None) };
-    let verdicts = statements::verdicts(&found);
-    let differences = words::differences(&plan, &verdicts);
     let page = words::introduction(Page::new("VC-1: virtual local frame buffers", words::provenance(&plan)), &plan)
-        .section(Section::new("Statements").part(verdicts))
-        .section(differences)
-        .section(words::definitions(&plan))
         .section(charts::figure_7(&found, &drawings.frames))
         .section(charts::figure_8(&found))
         .section(charts::figure_9(&found).part(tables::effects(&found)))
@@ -56,7 +52,9 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(tables::section_6(&found))
         .section(found.figure_6.section())
         .section(drawings.section())
+        .section(Section::new("Statements").part(statements::verdicts(&found).note(effort.note())))
         .section(Section::new("Checks").part(drawings.checks(effort.seed)).part(drawings.random.table()))
+        .section(words::definitions(&plan))
         .section(tables::not_compared());
     Ok(Some(page))
 }

@@ -4,6 +4,7 @@ use super::frames::background;
 use super::observed::observed;
 use super::plan::Plan;
 use crate::pictures::owners;
+use crate::reproduce::words::short;
 use std::collections::BTreeSet;
 use tilewright_machines::vc1::{Machine, Shown};
 use tilewright_machines::{Error, Recorder, Watch};
@@ -124,7 +125,12 @@ impl Owners {
     }
 
     pub fn section(&self, section: Section) -> Section {
-        section.part(self.picture()).part(self.pages())
+        let all = &self.taken.pages;
+        let mean = all.iter().map(BTreeSet::len).sum::<usize>() as f64 / all.len() as f64;
+        section.figure("All processing elements draw a large polygon, each its own lines.", self.picture()).figure(
+            format!("On the mean {} of {PROCESSORS} local frame buffers hold a patch.", short(mean)),
+            self.pages(),
+        )
     }
 
     /// A colour for each processing element, as light as the frame is there.

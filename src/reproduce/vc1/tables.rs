@@ -1,5 +1,6 @@
 //! What is better read as a table: clusters, the thresholds' effects, section 6, and what cannot be asked.
 
+use super::claims;
 use super::found::Found;
 use super::plan::Capacity;
 use super::statements::{best, named};
@@ -65,7 +66,7 @@ pub fn section_6(found: &Found) -> Section {
             "As the number of processing elements grows, each has fewer pixels to draw and can do with less memory; but the large polygons are too large for it, and so more of them are sent to all.",
         )
         .part(table)
-        .part(chart)
+        .figure(claims::best(found), chart)
 }
 
 /// What nothing here has a number of.

@@ -1,8 +1,8 @@
-//! What the page says in words: what it is of, what its words mean, and why some statements differ.
+//! What the page says in words: what it is of, and what its words mean.
 
 use super::plan::{Plan, SPLITS, split};
 use tilewright_machines::vc1::CostTable;
-use tilewright_report::{Page, Provenance, Section, Verdicts};
+use tilewright_report::{Page, Provenance, Section};
 
 pub fn introduction(page: Page, plan: &Plan) -> Page {
     let page = page
@@ -57,66 +57,22 @@ pub fn provenance(plan: &Plan) -> Provenance {
         )
 }
 
+/// The two times of the figures.
+pub const TIMES: &str = "T is the rendering time: the mean of the 12 intervals between the swaps 3 to 15 of the global frame buffer. D is the time for which the busiest processing element clears and draws. \
+     Waiting is left out of D, but an access’s fourth clock, in which it takes a page, is not.";
+
 pub fn definitions(plan: &Plan) -> Section {
     let rows: Vec<String> = SPLITS.iter().map(|set_up| split(*set_up).row.to_string()).collect();
     let views = plan.views().count();
     Section::new("What the words mean")
-        .paragraph(
-            "T is the rendering time: the mean of the 12 intervals between the swaps 3 to 15 of the global frame buffer. The view is still. D is the time for which the busiest processing element clears \
-             and draws; waiting is left out, but an access’s fourth clock, in which it takes a page, is not. The best threshold has the least T, and of equal ones the least D.",
-        )
         .paragraph(format!(
-            "A capacity c is floor(19,200 c) pages in each of the two buffers; 1/4.7 is the paper’s machine with its 4096. Table 1 has means over {views} still views, 7.5 degrees apart, for which clusters are dealt once, \
-             in the first. Thresholds are 500 pixels with 16 processing elements and 500 · 16 / n with n, where nothing else is said.",
+            "The view is still. A capacity c is floor(19,200 c) pages in each of the two buffers; 1/4.7 is the paper’s machine with its 4096. Thresholds are 500 pixels with 16 processing elements and 500 · 16 / n \
+             with n, where nothing else is said. The best threshold has the least T, and of equal ones the least D. Table 1 has means over {views} still views, 7.5 degrees apart, for which clusters are dealt once, in \
+             the first.",
         ))
         .paragraph(format!(
             "Two of Table 1’s numbers are fitted, and have no verdict: 12.3 ms of geometry and 14.7 ms of rasterization, 631 and 754 clocks a polygon. All else is prediction: no cost was moved for it. \
              The splits of the 754 clocks have {} clocks a row.",
             rows.join(", ")
         ))
-}
-
-/// The statements that differ, and why where a count shows why.
-pub fn differences(plan: &Plan, verdicts: &Verdicts) -> Section {
-    let section = Section::new("What differs, and why");
-    if plan.is_quick() {
-        return section.paragraph("On a small screen more differs than on the paper’s: a page is a larger part of it, and a polygon has few pixels.");
-    }
-    let mut reasons: Vec<(Option<&str>, Vec<&str>)> = Vec::new();
-    for (statement, reason) in verdicts.differing() {
-        match reasons.iter_mut().find(|(other, _)| *other == reason) {
-            Some((_, statements)) => statements.push(statement),
-            None => reasons.push((reason, vec![statement])),
-        }
-    }
-    reasons.into_iter().fold(section, |section, (reason, statements)| {
-        let reason = reason.unwrap_or("No count shows why.");
-        section.paragraph(format!("“{}” {reason}", statements.join("” “")))
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::reproduce::effort::Effort;
-    use tilewright_report::{Origin, Rule, Statement};
-
-    #[test]
-    fn statements_that_differ_for_one_reason_stand_together() {
-        let of = |text: &str, found: f64| {
-            Statement::new("VC1-33", text, Rule::Equals).paper([33.3]).found(Origin::model([]), [found])
-        };
-        let all = [
-            of("One.", 50.0).because("A page is lacking."),
-            of("Two.", 33.3).because("It holds."),
-            of("Three.", 1.0),
-            of("Four.", 67.0).because("A page is lacking."),
-        ];
-        let plan = Plan::new(Effort { seed: 1, most: None });
-        let section = differences(&plan, &Verdicts::new("statements", "Statements").states(all));
-        let expected = Section::new("What differs, and why")
-            .paragraph("“One.” “Four.” A page is lacking.")
-            .paragraph("“Three.” No count shows why.");
-        assert_eq!(section, expected);
-    }
 }

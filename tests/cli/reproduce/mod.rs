@@ -25,6 +25,28 @@ fn is_whole(made: &Made, parts: &[&str]) {
     }
     let all: Value = serde_json::from_str(&made.read("report.json")).unwrap();
     assert_eq!(made.counts(), ["holds", "differs", "cannot_be_compared"].map(|count| all[count].as_u64().unwrap()));
+    each_figure_makes_a_claim(&all);
+}
+
+/// A figure stands under a short sentence that says what it shows, and statements come after the figures.
+fn each_figure_makes_a_claim(report: &Value) {
+    let mut claims = 0;
+    for part in parts(report) {
+        match part["kind"].as_str().unwrap() {
+            "chart" | "timeline" | "picture" | "heat-map" => {
+                let claim = part["claim"].as_str().unwrap_or_else(|| panic!("{} claims nothing", part["part"]["id"]));
+                assert!(claim.ends_with('.') && claim.chars().count() < 170, "{claim}");
+                claims += 1;
+            }
+            "verdicts" => assert!(claims > 2, "statements stand before the figures"),
+            _ => (),
+        }
+    }
+}
+
+/// All parts of a page, in order.
+fn parts(report: &Value) -> impl Iterator<Item = &Value> {
+    report["sections"].as_array().unwrap().iter().flat_map(|section| section["parts"].as_array().unwrap())
 }
 
 /// That all who measure agree and frames are golden images: so many checks at least, with a line that says so of one.
