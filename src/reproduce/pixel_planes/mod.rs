@@ -7,6 +7,7 @@ mod load_charts;
 mod loads;
 mod owners;
 mod plan;
+mod reasons;
 mod scenes;
 mod statements;
 mod time_charts;

@@ -5,6 +5,7 @@ use super::found::Found;
 use super::frames::Drawn;
 use super::loads::{Load, Loads, renderers};
 use super::plan::{RENDERERS, SIDE};
+use super::reasons::{FALLEN_OUT, FULLEST, LARGE, LINES, RING, SENDING, WHOLE};
 use super::time_charts::ring_in_words;
 use super::times::{Run, Times, Took};
 use super::{PRINTED, UPDATE_TIME};
@@ -60,7 +61,8 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         )
         .unit("times each polygon")
         .paper([1.0])
-        .found(Origin::count([]), of_surfaces(Load::regions)),
+        .found(Origin::count([]), of_surfaces(Load::regions))
+        .because(LARGE),
         Statement::new(
             "PP5-ARCH",
             format!("Regions are given to renderers so that these process nearly equal numbers of primitives: {RENDERERS} renderers that wait for nothing."),
@@ -68,7 +70,8 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         )
         .unit("worst load, in parts of the mean")
         .paper([1.0])
-        .found(loads.origin(), loads.scenes.iter().map(|load| (load.name, load.imbalance(RENDERERS)))),
+        .found(loads.origin(), loads.scenes.iter().map(|load| (load.name, load.imbalance(RENDERERS))))
+        .because(FULLEST),
         Statement::new(
             "PP5-ARCH",
             format!("Likewise, with a ring of {}: frames of the circuit.", ring_in_words()),
@@ -76,7 +79,8 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         )
         .unit("worst load, in parts of the mean")
         .paper([1.0])
-        .found(Origin::rtl(seeds(frames)), natural(frames, loads).map(|drawn| (drawn.load.name, drawn.imbalance()))),
+        .found(Origin::rtl(seeds(frames)), natural(frames, loads).map(|drawn| (drawn.load.name, drawn.imbalance())))
+        .because(SENDING),
     ]
 }
 
@@ -159,7 +163,8 @@ fn extremes(frames: &[Drawn]) -> Vec<Statement> {
         )
         .unit("primitives")
         .formula(by_formula(&|b| greatest_load(primitives as f64, regions, b)))
-        .found(Origin::count([]), undivided().map(all_cover)),
+        .found(Origin::count([]), undivided().map(all_cover))
+        .because(WHOLE),
         Statement::new("PP5-PW", "There P_w is at most P ⌈R/B⌉, as regions are whole.", Rule::AtMost)
             .unit("primitives")
             .formula(by_formula(&|b| greatest_load_of_whole_regions(primitives, regions, b) as f64))
@@ -254,7 +259,7 @@ fn of_example(counted: &Counted) -> Vec<Statement> {
     };
     let mean = counted.example(SIDE).counted;
     vec![
-        state("by the formula that is printed", Origin::Formula, EXAMPLE.by_columns(SIDE)),
+        state("by the formula that is printed", Origin::Formula, EXAMPLE.by_columns(SIDE)).because(FALLEN_OUT),
         state("by that of the bounding box", Origin::Formula, EXAMPLE.by_box(SIDE)),
         state("counted by bounding boxes", counted.origin(), mean.by_box.mean),
     ]
@@ -298,11 +303,9 @@ fn update_times(times: &Times) -> Vec<Statement> {
             runs.iter().filter_map(|run| Some((at(run), milliseconds(of(run)?.drawn as f64)))).collect::<Vec<_>>();
         let formula = runs.iter().filter(|run| of(run).is_some());
         let formula = formula.map(|run| (at(run), milliseconds(run.cycles * run.worst as f64))).collect::<Vec<_>>();
-        let text = format!(
-            "The update time is N P_w T, if renderers never wait: {} random vectors, by {by}.",
-            usual.spec.vectors
-        );
-        Statement::new("PP5-UT", text, Rule::Within { percent: 5.0 }).unit("ms").formula(formula).found(origin, found)
+        let text = format!("The update time is N P_w T, if renderers never wait: random vectors, by {by}.");
+        let statement = Statement::new("PP5-UT", text, Rule::Within { percent: 5.0 });
+        statement.unit("ms").formula(formula).found(origin, found).because(LINES)
     };
     vec![
         is_explained(&ample(), times.model(), &|run| Some(run.model), "the model"),
@@ -320,7 +323,8 @@ fn update_times(times: &Times) -> Vec<Statement> {
                 .iter()
                 .rev()
                 .map(|run| (format!("B = {}", run.spec.renderers), run.model.starved)),
-        ),
+        )
+        .because(RING),
         Statement::new("PP5-UTV", format!("{example}: by the formula, with N = {VECTOR_CYCLES}."), WITHIN)
             .unit("ns a vector")
             .paper([UPDATE_TIME])

@@ -4,6 +4,7 @@ mod charts;
 mod found;
 mod frames;
 mod plan;
+mod reasons;
 mod statements;
 mod stereo;
 

@@ -3,6 +3,7 @@
 use super::found::{Composed, Curve, Found};
 use super::frames;
 use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
+use super::reasons::{self, SECOND_PASS, SEVEN};
 use super::stereo;
 use tilewright_machines::pixelflow::{Costs, Nodes, Samples, Shades, Software, System, Workload, crossover, overlap};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
@@ -64,13 +65,8 @@ fn constants(found: &Found) -> Vec<Statement> {
         360.0,
         frame,
     ));
-    statements.push(state(
-        "PFL-COL",
-        "Likewise, if it were colour alone, 3 bytes",
-        "µs",
-        360.0,
-        120.0 * costs.composed_byte,
-    ));
+    let alone = 120.0 * costs.composed_byte;
+    statements.push(state("PFL-COL", "Likewise, if it were colour alone, 3 bytes", "µs", 360.0, alone).because(SEVEN));
     statements
 }
 
@@ -141,6 +137,13 @@ impl Versus<'_> {
     }
 }
 
+fn explained(statement: Statement, why: Option<reasons::Why>) -> Statement {
+    match why {
+        Some(why) => statement.because(why),
+        None => statement,
+    }
+}
+
 /// The two ways to shade eight samples.
 const WAYS: [(Shades, &str); 2] =
     [(Shades::OncePerPixel, "model that shades a pixel once"), (Shades::EverySample, "model that shades every sample")];
@@ -155,12 +158,9 @@ fn conclusions(found: &Found) -> Vec<Statement> {
         let formula = of(one, Shades::OncePerPixel).0 / of(other, Shades::OncePerPixel).0;
         let mut state = |how: &str, origin: Origin, value: f64| {
             let text = format!("{text}: {how}.");
-            statements.push(
-                Statement::new(fact, text, rule.clone())
-                    .unit("least latency, in parts of the other’s")
-                    .paper([1.0])
-                    .found(origin, [value]),
-            );
+            let why = reasons::of_comparison(fact, &text);
+            let statement = Statement::new(fact, text, rule.clone()).unit("least latency, in parts of the other’s");
+            statements.push(explained(statement.paper([1.0]).found(origin, [value]), why));
         };
         state("formula", Origin::Formula, formula);
         for (shades, how) in WAYS {
@@ -184,12 +184,9 @@ fn conclusions(found: &Found) -> Vec<Statement> {
         };
         let mut state = |how: &str, origin: Origin, values: Vec<(String, f64)>| {
             let text = format!("{text}: {how}.");
-            statements.push(
-                Statement::new(fact, text, rule.clone())
-                    .unit("times the primitives")
-                    .paper([paper])
-                    .found(origin, values),
-            );
+            let why = reasons::of_comparison(fact, &text);
+            let statement = Statement::new(fact, text, rule.clone()).unit("times the primitives");
+            statements.push(explained(statement.paper([paper]).found(origin, values), why));
         };
         state("formula", Origin::Formula, versus(Shades::OncePerPixel).by_formula(&GOAL));
         for (shades, how) in WAYS {
@@ -251,10 +248,9 @@ fn without_samples(found: &Found) -> Vec<Statement> {
         let versus = Versus { found, one, other };
         [("formula", Origin::Formula, versus.by_formula(&GOAL)), ("model", found.origin(), versus.by_model(&GOAL))].map(
             |(how, origin, values)| {
-                Statement::new(fact, format!("{text}: {how}."), rule.clone())
-                    .unit("times the primitives")
-                    .paper([1.0])
-                    .found(origin, values)
+                let statement = Statement::new(fact, format!("{text}: {how}."), rule.clone());
+                let statement = statement.unit("times the primitives").paper([1.0]).found(origin, values);
+                explained(statement, (fact == "PFL D1").then_some(SECOND_PASS))
             },
         )
     };

@@ -6,6 +6,7 @@ mod curves;
 mod found;
 mod frames;
 mod plan;
+mod reasons;
 mod statements;
 
 use super::effort::Effort;

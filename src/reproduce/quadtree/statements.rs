@@ -1,6 +1,7 @@
 //! What the paper states of its machine, each with the rule by which it is judged.
 
 use super::found::{Counted, Coupled, Found, Ran};
+use super::reasons::{BELOW, BORDER, COARSE, SHORT, SMALL};
 use super::{SIZES, TURNING, by_formula, matrix, shape};
 use tilewright_machines::quadtree::model::WindowSizes;
 use tilewright_machines::quadtree::{Figures, Point, full_tree};
@@ -58,7 +59,8 @@ fn windows(counted: &Counted) -> Vec<Statement> {
         )
         .unit("windows")
         .formula(everywhere(|point, level| point.bounds[level]))
-        .found(counted.origin(), everywhere(|point, level| point.windows[level].mean)),
+        .found(counted.origin(), everywhere(|point, level| point.windows[level].mean))
+        .because(BORDER),
         Statement::new(
             "MPG-EQ4",
             "At an area S_k there is one window of the last level.",
@@ -197,7 +199,8 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
         Statement::new("MPG-F6A", "At S = 1000 it still grows almost in proportion.", Rule::Within { percent: 10.0 })
             .unit("times one processor")
             .paper(proportional())
-            .found(origin(), growth(1e3)),
+            .found(origin(), growth(1e3))
+            .because(COARSE),
         Statement::new(
             "MPG-CAP",
             "For small polygons it is P_max, one polygon in five tests: S = 1.",
@@ -226,10 +229,8 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
             Rule::Within { percent: 5.0 },
         )
         .paper([1.0])
-        .found(
-            origin(),
-            [2, 3, 4].into_iter().zip(TURNING).map(|(k, area)| (at_k(k), counted.at(k, area).figures.r_p)),
-        ),
+        .found(origin(), [2, 3, 4].into_iter().zip(TURNING).map(|(k, area)| (at_k(k), counted.at(k, area).figures.r_p)))
+        .because(BELOW),
         Statement::new(
             "MPG-F6B",
             "Near S_k the load is almost 100 %: greatest load of all areas.",
@@ -243,7 +244,8 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
         Statement::new("MPG-F6B", "The load grows with the matrix: S = 200.", Rule::Increases { with: with("k") })
             .found(origin(), counted.by_matrix(200.0, |it| it.r_p)),
         Statement::new("MPG-F6B", "The load grows with the matrix: S = 1.", Rule::Increases { with: with("k") })
-            .found(origin(), counted.by_matrix(1.0, |it| it.r_p)),
+            .found(origin(), counted.by_matrix(1.0, |it| it.r_p))
+            .because(SMALL),
         Statement::new(
             "MPG-F6B",
             "The load of a matrix is above that of one processor, for all areas: k = 4.",
@@ -312,7 +314,7 @@ fn queues(coupled: &Coupled) -> Vec<Statement> {
         loosely("pipe", "pipelines", 64.0, "64 packets"),
         loosely("stack", "stacks", 64.0, "64 packets"),
         loosely("pipe", "pipelines", 1.0, "one packet"),
-        loosely("stack", "stacks", 1.0, "one packet"),
+        loosely("stack", "stacks", 1.0, "one packet").because(SHORT),
         Statement::new(
             "MPG-LIM",
             "Deeper queues lose no more: pipelines, k = 4, S = 100.",

@@ -5,6 +5,7 @@ pub mod made;
 mod pixel_planes;
 mod pixelflow;
 mod quadtree;
+mod reasons;
 mod vc1;
 
 use crate::cli::harness::Folder;
