@@ -1,8 +1,8 @@
-//! Prints a circuit as Verilog with a self-checking testbench.
+//! Prints a circuit: as Verilog with a self-checking testbench, and as a block diagram.
 //!
 //! [`verilog`] turns a [`Design`](tilewright_hdl::ir::Design) into one file a module, in the Verilog-2001 subset that
 //! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
-//! external programs that check both.
+//! external programs that check both. [`diagram()`] draws the boxes and arrows that a paper would show.
 //!
 //! ```
 //! use tilewright_gen::verilog;
@@ -29,12 +29,16 @@
 //! ```
 
 mod bench;
+mod diagram;
 #[doc(hidden)]
 pub mod for_examples;
 pub mod tools;
 mod verilog;
 
 pub use bench::testbench;
+pub use diagram::{
+    Around, Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, DiagramError, DiagramOptions, Frame, diagram,
+};
 pub use verilog::verilog;
 
 /// A file of the printed design: Verilog, or the data that a memory is loaded with.

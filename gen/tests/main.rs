@@ -1,7 +1,8 @@
-//! The Verilog, its testbenches and the programs that read it.
+//! The Verilog, its testbenches, the programs that read it, and block diagrams.
 
 mod asserts;
 mod blocks;
+mod diagrams;
 mod golden;
 mod kinds;
 mod lanes;

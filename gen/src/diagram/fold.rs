@@ -1,0 +1,208 @@
+//! What belongs together in one box, so that a diagram can be read.
+
+use super::items::{Items, What};
+use super::wires::Wire;
+use std::collections::{BTreeMap, BTreeSet};
+use tilewright_hdl::ir::ClockId;
+
+/// How much of a design is shown, from all to little.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Detail {
+    /// Each register and port, and everything that leads from one to another.
+    All,
+    /// Paths of control only where a box would have no arrow in or out.
+    Data,
+    /// What has the same neighbours is one box.
+    Neighbours,
+    /// Registers that depend on each other are one box.
+    Cycles,
+    /// Registers of one stage are one box: those that data has come to through equally many.
+    Stages,
+    /// Those of two stages, and of four.
+    PairsOfStages,
+    FoursOfStages,
+    /// Registers that lead to each other are one box.
+    Connected,
+    /// All registers of a clock are one box.
+    Clocks,
+}
+
+impl Detail {
+    pub const ALL: [Detail; 9] = [
+        Detail::All,
+        Detail::Data,
+        Detail::Neighbours,
+        Detail::Cycles,
+        Detail::Stages,
+        Detail::PairsOfStages,
+        Detail::FoursOfStages,
+        Detail::Connected,
+        Detail::Clocks,
+    ];
+}
+
+/// For each item the first of those that it is one box with.
+pub(super) struct Groups(Vec<usize>);
+
+impl Groups {
+    /// Of the items that are shown.
+    pub fn of(items: &Items, wires: &[Wire], shown: &[bool], detail: Detail) -> Groups {
+        let wires: Vec<Wire> = wires.iter().filter(|wire| shown[wire.from] && shown[wire.to]).cloned().collect();
+        let wires = &wires[..];
+        let mut groups = Groups((0..items.list.len()).collect());
+        let registers = Registers::of(items, shown);
+        match detail {
+            Detail::Clocks => registers.all(&mut groups),
+            Detail::Connected => registers.connected(wires, &mut groups),
+            Detail::Cycles => registers.cycles(wires, &mut groups),
+            Detail::Stages => registers.stages(wires, 1, &mut groups),
+            Detail::PairsOfStages => registers.stages(wires, 2, &mut groups),
+            Detail::FoursOfStages => registers.stages(wires, 4, &mut groups),
+            _ => {}
+        }
+        if detail >= Detail::Neighbours {
+            // What is joined may make others equal.
+            for _ in 0..3 {
+                groups.join_equal(items, wires);
+            }
+        }
+        groups
+    }
+
+    pub fn of_item(&self, item: usize) -> usize {
+        self.0[item]
+    }
+
+    /// The items of each group, the groups in order of their first items.
+    pub fn members(&self) -> BTreeMap<usize, Vec<usize>> {
+        let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        self.0.iter().enumerate().for_each(|(item, group)| members.entry(*group).or_default().push(item));
+        members
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (to, from) = (self.0[a].min(self.0[b]), self.0[a].max(self.0[b]));
+        self.0.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
+    }
+
+    /// Joins what is of one kind and clock, and has the same neighbours on both sides.
+    fn join_equal(&mut self, items: &Items, wires: &[Wire]) {
+        let (mut before, mut behind) = (BTreeMap::new(), BTreeMap::new());
+        for wire in wires.iter().filter(|wire| wire.is_data) {
+            let [from, to] = [wire.from, wire.to].map(|item| self.0[item]);
+            if from != to {
+                before.entry(to).or_insert_with(BTreeSet::new).insert((from, wire.leaves));
+                behind.entry(from).or_insert_with(BTreeSet::new).insert((to, wire.enters));
+            }
+        }
+        let mut first = BTreeMap::new();
+        for group in self.members().into_keys() {
+            let Some(kind) = kind(items, group) else { continue };
+            // What has no neighbours stays apart.
+            if !before.contains_key(&group) && !behind.contains_key(&group) {
+                continue;
+            }
+            let key = (kind, before.get(&group).cloned(), behind.get(&group).cloned());
+            let of = *first.entry(key).or_insert(group);
+            self.join(of, group);
+        }
+    }
+}
+
+/// What can be one box with others of the same: its kind, scope and clock. Streams, instances and what was asked for stay apart.
+fn kind(items: &Items, item: usize) -> Option<(u8, usize, Option<ClockId>)> {
+    let (scope, what) = items.list[item];
+    let module = items.scopes[scope].module;
+    match what {
+        _ if items.focus == Some(item) => None,
+        What::Port(bundle) => {
+            let bundle = &items.top_ports().bundles[bundle];
+            (!bundle.is_stream).then_some((bundle.comes_in.into(), scope, None))
+        }
+        What::Register(id) => Some((2, scope, Some(module.registers[id.0 as usize].clock))),
+        What::Memory(_) => Some((3, scope, None)),
+        What::Instance(_) | What::Net(_) => None,
+    }
+}
+
+/// The registers, with their scope and clock.
+struct Registers(BTreeMap<usize, (u8, usize, Option<ClockId>)>);
+
+impl Registers {
+    fn of(items: &Items, shown: &[bool]) -> Registers {
+        let all = (0..items.list.len()).filter(|item| shown[*item]);
+        let registers = all.filter(|item| matches!(items.list[*item].1, What::Register(_)));
+        Registers(registers.filter_map(|item| Some((item, kind(items, item)?))).collect())
+    }
+
+    fn all(&self, groups: &mut Groups) {
+        let mut first = BTreeMap::new();
+        for (item, kind) in &self.0 {
+            let of = *first.entry(kind).or_insert(*item);
+            groups.join(of, *item);
+        }
+    }
+
+    /// The wires between registers of one scope and clock.
+    fn wires<'a>(&'a self, wires: &'a [Wire]) -> impl Iterator<Item = &'a Wire> {
+        let kind = |item: usize| self.0.get(&item);
+        wires.iter().filter(move |wire| kind(wire.from).is_some() && kind(wire.from) == kind(wire.to))
+    }
+
+    fn connected(&self, wires: &[Wire], groups: &mut Groups) {
+        for wire in self.wires(wires) {
+            groups.join(wire.from, wire.to);
+        }
+    }
+
+    fn cycles(&self, wires: &[Wire], groups: &mut Groups) {
+        let mut behind: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+        for wire in self.wires(wires) {
+            behind.entry(wire.from).or_default().insert(wire.to);
+        }
+        let reached = |from: usize| {
+            let (mut seen, mut next) = (BTreeSet::new(), vec![from]);
+            while let Some(item) = next.pop() {
+                let more = behind.get(&item).into_iter().flatten().copied();
+                next.extend(more.filter(|item| seen.insert(*item)));
+            }
+            seen
+        };
+        let reached: BTreeMap<usize, BTreeSet<usize>> = behind.keys().map(|item| (*item, reached(*item))).collect();
+        for (item, others) in &reached {
+            let back = others.iter().filter(|other| reached.get(other).is_some_and(|it| it.contains(item)));
+            back.for_each(|other| groups.join(*item, *other));
+        }
+    }
+
+    /// The registers of each connected part by the longest way to them, where those of a cycle are at one place; of so many stages together.
+    fn stages(&self, wires: &[Wire], together: usize, groups: &mut Groups) {
+        self.cycles(wires, groups);
+        let steps: BTreeSet<(usize, usize)> = self
+            .wires(wires)
+            .filter(|wire| wire.is_data)
+            .map(|wire| (groups.of_item(wire.from), groups.of_item(wire.to)))
+            .filter(|(from, to)| from != to)
+            .collect();
+        let mut stage: BTreeMap<usize, usize> = self.0.keys().map(|item| (groups.of_item(*item), 0)).collect();
+        // Without cycles, no way is longer than there are groups.
+        for _ in 0..stage.len() {
+            let before = stage.clone();
+            for (from, to) in &steps {
+                let after = stage[from] + 1;
+                stage.entry(*to).and_modify(|it| *it = after.max(*it));
+            }
+            if stage == before {
+                break;
+            }
+        }
+        let mut parts = Groups((0..groups.0.len()).collect());
+        self.connected(wires, &mut parts);
+        let mut first = BTreeMap::new();
+        let cycles = Groups(groups.0.clone());
+        for item in self.0.keys() {
+            let of = *first.entry((parts.of_item(*item), stage[&cycles.of_item(*item)] / together)).or_insert(*item);
+            groups.join(of, *item);
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Where lines leave and enter boxes.
+
+use super::super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox};
+use super::Measure;
+use super::layers::Layers;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The way of an arrow through the columns.
+pub(super) struct Stops {
+    /// The columns that it passes, its ends included, and how far down.
+    pub at: Vec<(usize, f64)>,
+    /// Arrows of one number leave a box together.
+    pub exit: usize,
+}
+
+/// What leaves a box at one place: arrows of one kind, and from an instance of the same ports.
+type Exit<'a> = (ArrowKind, &'a [String]);
+
+pub(super) fn is_port(it: &DiagramBox) -> bool {
+    matches!(it.kind, BoxKind::Input | BoxKind::Output)
+}
+
+/// How many places a side of a box has at which arrows leave or enter it.
+pub(super) fn count(diagram: &Diagram, forward: &[bool], (index, is_right): Side) -> usize {
+    let all = || diagram.arrows.iter().zip(forward);
+    let leaving = all().filter(|(arrow, forward)| arrow.from == index && **forward == is_right);
+    let exits: BTreeSet<Exit> = leaving.map(|(arrow, _)| exit(diagram, arrow)).collect();
+    exits.len() + all().filter(|(arrow, forward)| arrow.to == index && **forward != is_right).count()
+}
+
+fn exit<'a>(diagram: &Diagram, arrow: &'a Arrow) -> Exit<'a> {
+    let is_instance = diagram.boxes[arrow.from].kind == BoxKind::Instance;
+    (arrow.kind, if is_instance { &arrow.signals[..] } else { &[] })
+}
+
+/// A side of a box: its index, and whether it is the right one.
+pub(super) type Side = (usize, bool);
+
+/// The ways of all arrows.
+pub(super) fn stops(diagram: &Diagram, layers: &Layers, measure: &Measure) -> Vec<Stops> {
+    let mut exits: BTreeMap<(Side, Exit), usize> = BTreeMap::new();
+    let mut found: Vec<Stops> = Vec::new();
+    // Of each side the heights at which what leaves or enters there would be straight, by exit or arrow.
+    let mut wishes: BTreeMap<Side, BTreeMap<Place, Vec<f64>>> = BTreeMap::new();
+    for (index, arrow) in diagram.arrows.iter().enumerate() {
+        let middle = |of: usize| (layers.boxes[of].0, layers.boxes[of].1.middle()[1]);
+        let mut at = vec![middle(arrow.from)];
+        at.extend(&layers.passes[index]);
+        at.push(middle(arrow.to));
+        let last = at.len() - 1;
+        let (leaves, enters) = ((arrow.from, at[1].0 > at[0].0), (arrow.to, at[last - 1].0 > at[last].0));
+        let next = exits.len();
+        let exit = *exits.entry((leaves, exit(diagram, arrow))).or_insert(next);
+        wishes.entry(leaves).or_default().entry(Place::Exit(exit)).or_default().push(at[1].1);
+        wishes.entry(enters).or_default().entry(Place::Entry(index)).or_default().push(at[last - 1].1);
+        found.push(Stops { at, exit });
+    }
+    let mut heights = BTreeMap::new();
+    for ((of, _), places) in &wishes {
+        let rect = layers.boxes[*of].1;
+        let mut wished: Vec<(f64, Place)> = places.iter().map(|(place, ys)| (median(ys), *place)).collect();
+        wished.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let ys = spread(&wished.iter().map(|it| it.0).collect::<Vec<_>>(), rect.y, rect.bottom(), measure);
+        heights.extend(wished.iter().map(|it| it.1).zip(ys));
+    }
+    for (index, stops) in found.iter_mut().enumerate() {
+        let last = stops.at.len() - 1;
+        stops.at[0].1 = heights[&Place::Exit(stops.exit)];
+        stops.at[last].1 = heights[&Place::Entry(index)];
+    }
+    found
+}
+
+/// What has a place at the side of a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    Exit(usize),
+    Entry(usize),
+}
+
+fn median(ys: &[f64]) -> f64 {
+    let mut ys = ys.to_vec();
+    ys.sort_by(f64::total_cmp);
+    ys[ys.len() / 2]
+}
+
+/// Places from top to bottom, near to what is wished but apart from each other.
+fn spread(wished: &[f64], top: f64, bottom: f64, measure: &Measure) -> Vec<f64> {
+    // In characters the lines of a box's frame are no places.
+    let (first, last) = if measure.is_whole { (top + 1.0, bottom - 2.0) } else { (top, bottom) };
+    let room = last - first;
+    let count = wished.len() as f64;
+    let apart = if measure.is_whole { 1.0 } else { measure.line_gap.min(room / (count + 1.0)) };
+    let edge = if measure.is_whole { 0.0 } else { (apart / 2.0).min(room / 4.0) };
+    let mut ys: Vec<f64> = wished.iter().map(|y| y.clamp(first + edge, (last - edge).max(first + edge))).collect();
+    for i in 1..ys.len() {
+        ys[i] = ys[i].max(ys[i - 1] + apart);
+    }
+    let mut limit = last - edge;
+    for y in ys.iter_mut().rev() {
+        *y = y.min(limit);
+        limit = *y - apart;
+    }
+    if measure.is_whole { ys.into_iter().map(f64::round).collect() } else { ys }
+}
