@@ -1,0 +1,108 @@
+//! What is where in a picture of a diagram, read from its text.
+
+/// Left, top, right and bottom.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rect(pub [f64; 4]);
+
+/// A box.
+#[derive(Debug, PartialEq)]
+pub struct Shape {
+    pub rect: Rect,
+    /// Without the point of a port.
+    pub core: Rect,
+    /// The room that its texts take.
+    pub texts: Vec<Rect>,
+}
+
+/// A picture, in the coordinates of its drawing.
+pub struct Picture {
+    pub page: Rect,
+    pub boxes: Vec<Shape>,
+    pub frames: Vec<Rect>,
+    /// The pieces of each line.
+    pub lines: Vec<Vec<Rect>>,
+    pub labels: Vec<Rect>,
+}
+
+/// The height of capital letters above the line, and what goes below it, of a font of 12 pixels and of one of 10.
+const HEIGHTS: [[f64; 2]; 2] = [[9.0, 2.5], [7.5, 2.0]];
+
+impl Picture {
+    pub fn read(svg: &str) -> Picture {
+        let at = numbers(svg.lines().find(|line| line.starts_with("<g transform=")).unwrap());
+        let size = numbers(attribute(svg.lines().next().unwrap(), "viewBox"));
+        let page = Rect([-at[0], -at[1], size[2] - at[0], size[3] - at[1]]);
+        let mut picture = Picture { page, boxes: vec![], frames: vec![], lines: vec![], labels: vec![] };
+        for line in svg.lines() {
+            // A line stands behind its title.
+            let element = line.rfind("<path class=\"line").map_or(line, |at| &line[at..]);
+            picture.add(element);
+        }
+        picture
+    }
+
+    fn add(&mut self, element: &str) {
+        if !element.contains(" class=\"") {
+            return;
+        }
+        let classes: Vec<&str> = attribute(element, "class").split(' ').collect();
+        let number = |name: &str| attribute(element, name).parse::<f64>().unwrap();
+        let rect = || {
+            let [x, y, width, height] = ["x", "y", "width", "height"].map(number);
+            Rect([x, y, x + width, y + height])
+        };
+        match classes[..] {
+            [.., "inner"] | ["box", "inner", ..] => {}
+            ["box", "port", ..] => {
+                let ns = numbers(attribute(element, "d"));
+                let [rect, core] = [ns[3], ns[2]].map(|right| Rect([ns[0], ns[1], right, ns[6]]));
+                self.boxes.push(Shape { rect, core, texts: vec![] });
+            }
+            ["box", ..] => self.boxes.push(Shape { rect: rect(), core: rect(), texts: vec![] }),
+            ["frame"] => self.frames.push(rect()),
+            // Those of the key are drawn otherwise.
+            ["line", ..] => self.lines.extend(pieces(attribute(element, "d"))),
+            ["label", "middle"] => self.labels.push(text(element, 6.02, HEIGHTS[1])),
+            [kind @ ("name" | "note"), "middle"] => {
+                // The widths of DejaVu Sans Mono, and of DejaVu Sans where it is wide.
+                let (width, heights) = if kind == "name" { (7.23, HEIGHTS[0]) } else { (6.0, HEIGHTS[1]) };
+                self.boxes.last_mut().unwrap().texts.push(text(element, width, heights));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The room of a text whose middle is given.
+fn text(element: &str, width: f64, [above, below]: [f64; 2]) -> Rect {
+    let [x, y] = ["x", "y"].map(|name| attribute(element, name).parse::<f64>().unwrap());
+    let words = element.split(['>', '<']).nth(2).unwrap();
+    let half = words.chars().count() as f64 * width / 2.0;
+    Rect([x - half, y - above, x + half, y + below])
+}
+
+fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
+    let (_, rest) = element.split_once(&format!(" {name}=\"")).unwrap_or_else(|| panic!("{element} has no {name}"));
+    rest.split('"').next().unwrap()
+}
+
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-').filter_map(|it| it.parse().ok()).collect()
+}
+
+/// The pieces of `M1 2 H3 V4`; none of what is drawn otherwise, as in the key.
+fn pieces(path: &str) -> Option<Vec<Rect>> {
+    let mut words = path.strip_prefix('M')?.split(' ');
+    let [mut x, mut y] = [words.next()?.parse::<f64>().ok()?, words.next()?.parse().ok()?];
+    let mut pieces = Vec::new();
+    for word in words {
+        let before = [x, y];
+        match word.split_at(1) {
+            ("H", to) => x = to.parse().ok()?,
+            ("V", to) => y = to.parse().ok()?,
+            _ => return None,
+        }
+        pieces.push(Rect([x.min(before[0]), y.min(before[1]), x.max(before[0]), y.max(before[1])]));
+    }
+    Some(pieces)
+}
