@@ -4,6 +4,7 @@ mod bench;
 mod block;
 mod compare;
 mod completions;
+mod diagram;
 mod engine;
 mod explain;
 mod golden;
@@ -68,6 +69,7 @@ enum Command {
     Golden(golden::Golden),
     Wave(wave::Wave),
     Verilog(verilog::Verilog),
+    Diagram(diagram::Diagram),
     Reproduce(reproduce::Reproduce),
     Bench(bench::Bench),
     Explain(explain::Explain),
@@ -85,6 +87,7 @@ impl Command {
             Command::Golden(it) => it.run(),
             Command::Wave(it) => it.run(),
             Command::Verilog(it) => it.run(),
+            Command::Diagram(it) => it.run(),
             Command::Reproduce(it) => it.run(),
             Command::Bench(it) => it.run(),
             Command::Explain(it) => it.run(),

@@ -5,6 +5,7 @@ mod bench;
 mod compare;
 mod deferred;
 mod determinism;
+mod diagram;
 mod documentation;
 mod engine;
 mod explain;
