@@ -70,12 +70,13 @@ impl Diagram {
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let (entry, values) = self.block.find()?;
+        let output = self.output.as_deref().map(Output::at).transpose()?;
         let design = entry.design(&values)?;
         let around = self.around.map(|net| Around { net, steps: self.steps });
         let drawn = diagram(&design, &DiagramOptions { depth: self.depth, around })?;
-        if let Some(path) = &self.output {
+        if let (Some(output), Some(path)) = (output, &self.output) {
             let text = if is_graph(path) { drawn.dot() } else { drawn.svg() };
-            Output::at(path)?.write(text.as_bytes())?;
+            output.write(text.as_bytes())?;
         }
         if self.ascii {
             terminal::print(&drawn.ascii())?;

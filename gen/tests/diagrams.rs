@@ -199,6 +199,38 @@ fn long_pipelines_are_a_box_a_stage() {
     assert_eq!(folded.boxes[1].members.len(), 8);
 }
 
+block! {
+    /// Slots one behind another.
+    struct Row { count: u32 }
+    in RowIn { jobs: stream(8) }
+    out(self) RowOut { held: stream(8), busy: bits(self.count) }
+}
+
+impl Row {
+    fn build(&self, m: Module, i: RowIn) -> RowOut {
+        let (mut held, mut busy) = (i.jobs, Vec::new());
+        for number in 0..self.count {
+            let slot = m.instance(&format!("u_slot{number}"), &Slot, SlotIn { jobs: held });
+            held = slot.held;
+            busy.push(slot.busy);
+        }
+        RowOut { held, busy: concat(&busy) }
+    }
+}
+
+#[test]
+fn numbered_instances_are_one_box_where_they_are_too_many() {
+    let instances = |diagram: &Diagram| {
+        let all = diagram.boxes.iter().filter(|it| it.kind == BoxKind::Instance);
+        all.map(|it| (it.names[0].clone(), it.count.clone())).collect::<Vec<_>>()
+    };
+    assert_eq!(instances(&shown(&Row { count: 5 })).len(), 5);
+    let many = shown(&Row { count: 40 });
+    assert_eq!(instances(&many), [("u_slot[*]".to_owned(), "40".to_owned())]);
+    assert_eq!(arrows(&many), ["jobs => u_slot[*]", "u_slot[*] => held", "u_slot[*] -> busy"]);
+    assert!(many.boxes[1].members.contains(&"u_slot39".to_owned()));
+}
+
 #[test]
 fn graphviz_is_told_of_frames_and_arrows() {
     let design = elaborate(&Squares).unwrap();

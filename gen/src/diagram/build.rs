@@ -1,6 +1,6 @@
 //! A diagram of items and wires: words for boxes, and one arrow where many wires lead the same way.
 
-use super::fold::{Detail, Groups};
+use super::fold::{Detail, Groups, numbered};
 use super::items::{Items, What};
 use super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox, Frame};
 use super::wires::Wire;
@@ -115,7 +115,8 @@ impl Words<'_> {
             What::Instance(id) => {
                 let instance = items.instance(scope, id);
                 let block = block_name(&items.design.module(instance.module).parameters);
-                (BoxKind::Instance, block, lanes(instance.shape), false, instance.clocks.clone())
+                let count = if members.len() == 1 { lanes(instance.shape) } else { members.len().to_string() };
+                (BoxKind::Instance, block, count, false, instance.clocks.clone())
             }
             What::Net(id) => (BoxKind::Net, bits(module.width(id).into()), lanes(module.shape(id)), false, vec![]),
         };
@@ -133,6 +134,11 @@ impl Words<'_> {
     }
 
     fn names(&self, members: &[usize]) -> Vec<String> {
+        let is_instance = matches!(self.items.list[members[0]].1, What::Instance(_));
+        // Those that are one box are numbered.
+        if let Some((stem, _)) = numbered(self.items.name(members[0])).filter(|_| is_instance && members.len() > 1) {
+            return vec![format!("{stem}[*]")];
+        }
         let mut names: Vec<String> = members.iter().map(|item| self.items.name(*item).to_owned()).collect();
         if names.len() > MOST_NAMES {
             let more = names.len() + 1 - MOST_NAMES;

@@ -61,6 +61,7 @@ impl Groups {
             _ => {}
         }
         if detail >= Detail::Neighbours {
+            groups.join_numbered(items, shown);
             // What is joined may make others equal.
             for _ in 0..3 {
                 groups.join_equal(items, wires);
@@ -85,6 +86,23 @@ impl Groups {
         self.0.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
     }
 
+    /// Joins instances of one block whose names differ in their numbers alone, where there are many.
+    fn join_numbered(&mut self, items: &Items, shown: &[bool]) {
+        let mut families: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        for (item, (scope, what)) in items.list.iter().enumerate().filter(|(item, _)| shown[*item]) {
+            if let (What::Instance(id), Some((stem, _))) = (*what, numbered(items.name(item))) {
+                let module = items.instance(*scope, id).module;
+                families.entry((*scope, module, stem)).or_default().push(item);
+            }
+        }
+        for family in families
+            .values()
+            .filter(|family| family.len() >= MANY && items.focus.is_none_or(|item| !family.contains(&item)))
+        {
+            family.iter().for_each(|item| self.join(family[0], *item));
+        }
+    }
+
     /// Joins what is of one kind and clock, and has the same neighbours on both sides.
     fn join_equal(&mut self, items: &Items, wires: &[Wire]) {
         let (mut before, mut behind) = (BTreeMap::new(), BTreeMap::new());
@@ -107,6 +125,15 @@ impl Groups {
             self.join(of, group);
         }
     }
+}
+
+/// So many instances whose names are numbered can be one box.
+const MANY: usize = 4;
+
+/// A name without the number at its end, and that number.
+pub(super) fn numbered(name: &str) -> Option<(&str, &str)> {
+    let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    (stem.len() < name.len() && !stem.is_empty()).then(|| name.split_at(stem.len()))
 }
 
 /// What can be one box with others of the same: its kind, scope and clock. Streams, instances and what was asked for stay apart.

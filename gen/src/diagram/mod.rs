@@ -82,8 +82,8 @@ const EASY_WITH_CONTROL: usize = 18;
 /// The block diagram of a design.
 ///
 /// Logic is an arrow from where its values come from to what takes them, at each end an instance, a register, a memory or a port. Where that would
-/// be too much to read, less is shown: first no control, then as one box what has the same neighbours, registers in a cycle, those of a stage.
-/// Every instance and every stream stays. What only statements read is not drawn.
+/// be too much to read, less is shown: first no control, then as one box what has the same neighbours, registers in a cycle, those of a stage,
+/// and instances whose names differ in their numbers alone. Every stream stays. What only statements read is not drawn.
 ///
 /// # Errors
 ///

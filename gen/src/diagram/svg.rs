@@ -87,7 +87,7 @@ impl Picture {
         }
         for (arrow, route) in diagram.arrows.iter().zip(&layout.routes) {
             if let Some(rect) = route.label {
-                self.words("label middle", rect.middle()[0], rect.bottom() - 4.5, &arrow.label())?;
+                self.words("label middle", rect.middle()[0], rect.bottom() - 5.5, &arrow.label())?;
             }
         }
         writeln!(self.text, "</g>")?;
