@@ -1,4 +1,4 @@
-//! `tilewright diagram`: the block diagram of a block, as a picture, as a graph or in characters.
+//! `tilewright diagram`: the block diagram of a block, as a picture, a graph or text.
 
 use crate::block::BlockArguments;
 use crate::number::number;
@@ -21,25 +21,25 @@ Examples:
   tilewright diagram patch-table --around stage1 -o stage1.svg
   tilewright diagram image-merger --set units=8 --ascii
 
-Boxes are instances (stacked, with their count, where they are an array), memories, registers and ports. An arrow leads through any logic from what
-a value comes from to what takes it: thick for streams, dashed where it only decides something. Where there would be too many, arrows of control are
-left out, and registers that belong together are one box; the key below says so. In a browser the full names show where the mouse rests.")]
+Boxes are ports, instances, memories and registers. An array is a stack with its count. An arrow is any path through logic: thick for a stream,
+dashed for control, which selects or enables. A large diagram leaves out control and draws related registers as one box; the key says how many
+arrows are missing. A browser shows full names where the mouse rests.")]
 pub struct Diagram {
     #[command(flatten)]
     block: BlockArguments,
-    /// The picture, an .svg file, or the graph for Graphviz, a .dot file; `-` is standard output, for the picture
+    /// The picture (.svg) or the graph for Graphviz (.dot); `-` prints the picture on standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(drawing))]
     output: Option<PathBuf>,
     /// Print the diagram in characters
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
-    /// How many levels are shown: 1 is the block alone, 2 opens its instances, and so on
+    /// Levels of instances to show: 1 is the block alone, 2 opens its instances, and so on
     #[arg(long, value_name = "N", default_value = "1", value_parser = number(1..=MOST_LEVELS))]
     depth: u32,
-    /// Only what leads to this port, register, memory, instance or named net, and what it leads to; one of an opened instance is `u_merger.count`
+    /// Show only what feeds this port, register, memory, instance or named net, and what it feeds; one in an opened instance is `u_merger.count`
     #[arg(long, value_name = "NET")]
     around: Option<String>,
-    /// How many arrows are followed from the net of --around, in both directions
+    /// Arrows to follow from the net of --around, forwards and backwards
     #[arg(long, value_name = "N", default_value = "1", requires = "around", value_parser = number(1..=MOST_LEVELS))]
     steps: u32,
     /// Print the report as JSON
@@ -47,7 +47,7 @@ pub struct Diagram {
     json: bool,
 }
 
-/// The most levels, and the most steps; no block has as many.
+/// The most levels and steps; no block has that many.
 const MOST_LEVELS: u32 = 100;
 
 #[derive(Serialize)]
@@ -57,7 +57,7 @@ struct Report<'a> {
     parameters: BTreeMap<&'a str, u64>,
     boxes: usize,
     arrows: usize,
-    /// Arrows of control that are left out.
+    /// Control arrows that are left out.
     hidden: usize,
     files: Vec<String>,
 }
@@ -106,7 +106,7 @@ fn is_graph(path: &Path) -> bool {
     path.extension().is_some_and(|it| it == "dot")
 }
 
-/// The name of a file that can be drawn; devices and pipes take pictures.
+/// A file name with a known extension. Devices and pipes have none and take pictures.
 fn drawing(path: PathBuf) -> Result<PathBuf, &'static str> {
     match path.extension().and_then(|it| it.to_str()) {
         Some("svg" | "dot") | None => Ok(path),

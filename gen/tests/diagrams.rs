@@ -1,4 +1,4 @@
-//! What is a box and what is an arrow, in blocks made for it.
+//! The boxes and arrows of small blocks.
 
 use crate::blocks::Counter;
 use tilewright_gen::{Around, ArrowKind, BoxKind, Diagram, DiagramError, DiagramOptions, diagram};
@@ -145,7 +145,7 @@ fn around_a_net_is_what_leads_there_and_what_it_leads_to() {
     assert_eq!((near.boxes.len(), focus.iter().filter(|it| **it).count()), (4, 1));
     let far = around(&Squares, "masked", 2).unwrap();
     assert_eq!(far.boxes.len(), 7);
-    // Not what else that leads to.
+    // Nor what else its sources feed.
     assert!(!boxes(&far).iter().any(|it| it.1 == "busy"));
     // A port is found by its name in Verilog, too.
     assert_eq!(around(&Squares, "jobs_payload", 1).unwrap().boxes.len(), 2);
@@ -157,15 +157,15 @@ fn a_net_that_is_not_there_is_named_with_the_nearest() {
     assert_eq!(sentence("mask", 1), "there is no net `mask`: did you mean `masked`?");
     assert_eq!(
         sentence("frequency", 1),
-        "there is no net `frequency`: name one of the diagram or of the block's description, or open more levels"
+        "there is no net `frequency`: name a port, register, memory, instance or named net of the levels shown, or show more levels"
     );
-    assert_eq!(sentence("masked", 0), "depth and steps are at least 1: less shows nothing");
+    assert_eq!(sentence("masked", 0), "depth and steps have to be at least 1: with less there is nothing to show");
     let design = elaborate(&Squares).unwrap();
     assert_eq!(diagram(&design, &DiagramOptions { depth: 0, around: None }), Err(DiagramError::Nothing));
 }
 
 block! {
-    /// A shift register of so many stages, each of two words that are mixed with the first.
+    /// A pipeline of `count` stages with two words each.
     struct Stages { count: u32 }
     in StagesIn { left: bits(8), right: bits(8) }
     out StagesOut { mixed: bits(8) }
@@ -192,7 +192,7 @@ fn long_pipelines_are_a_box_a_stage() {
         boxes(&many).into_iter().filter(|it| it.0 == BoxKind::Register).map(|it| it.1).collect();
     let expected: Vec<String> = (0..12).map(|stage| format!("left{stage},right{stage}")).collect();
     assert_eq!(registers, expected);
-    // Of very many stages some are one box, with the first names and how many more.
+    // Of very many stages, several share a box.
     let folded = shown(&Stages { count: 60 });
     assert!(folded.boxes.len() <= 24);
     assert_eq!(folded.boxes[1].names.last().unwrap(), "and 3 more");

@@ -2,15 +2,15 @@
 //!
 //! # Block diagrams
 //!
-//! Each block of the [`catalog`] draws its own diagram, from the circuit:
+//! The command line draws each block of the [`catalog`] from its circuit:
 //!
 //! ```text
 //! tilewright diagram vc1 -o vc1.svg                           # boxes, memories, registers, streams as thick arrows, clocks by colour
 //! tilewright diagram quadtree-generator --depth 2 -o qt.svg   # with its instances opened
-//! tilewright diagram patch-table --around stage1 --ascii      # what leads to one register, and what it leads to
+//! tilewright diagram patch-table --around stage1 --ascii      # what feeds one register, and what it feeds
 //! ```
 //!
-//! Those of the whole machines are in `docs/diagrams`. A program draws them by `tilewright_gen::diagram`.
+//! Those of the four machines are in `docs/diagrams`. Programs call `tilewright_gen::diagram`.
 
 pub mod bus;
 pub mod catalog;

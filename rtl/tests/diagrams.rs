@@ -1,4 +1,4 @@
-//! The block diagrams of every block: what is in them, and that they can be read.
+//! The block diagrams of all blocks: complete, and readable.
 
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
@@ -40,7 +40,7 @@ fn drawn(entry: &Entry, options: &DiagramOptions) -> Diagram {
     diagram(&design(entry), options).unwrap()
 }
 
-/// Their files are what `tilewright diagram BLOCK --ascii` prints.
+/// `tilewright diagram BLOCK --ascii` prints these files.
 #[test]
 fn small_blocks_are_drawn_as_a_paper_would() {
     let golden = [
@@ -55,7 +55,7 @@ fn small_blocks_are_drawn_as_a_paper_would() {
     }
 }
 
-/// The paths of the streams of a module: those that come in, or those that go out.
+/// The paths of streams, given those of the ports that can be their `valid` and `ready`.
 fn streams(valid: &[&str], ready: &[&str]) -> BTreeSet<String> {
     let names = valid.iter().filter_map(|path| path.strip_suffix(".valid"));
     let names = names.filter(|name| ready.contains(&format!("{name}.ready").as_str()));
@@ -98,7 +98,6 @@ fn streams_of(module: &tilewright_hdl::ir::Module, comes_in: bool) -> BTreeSet<S
     if comes_in { streams(&inputs, &outputs) } else { streams(&outputs, &inputs) }
 }
 
-/// Whatever an output depends on has an arrow to it, and nothing is drawn twice.
 #[test]
 fn no_box_and_no_arrow_is_drawn_twice() {
     for Drawn { name, diagram, .. } in DRAWN.iter() {
@@ -191,14 +190,13 @@ fn the_same_block_gives_the_same_bytes() {
     }
 }
 
-/// What an area has in it.
 impl Rect {
     fn holds(&self, other: &Rect) -> bool {
         let [left, top, right, bottom] = other.0;
         self.0[0] <= left && self.0[1] <= top && right <= self.0[2] && bottom <= self.0[3]
     }
 
-    /// Whether pieces of lines go the same way, less than a pixel beside each other, and meet for more than that.
+    /// Whether two pieces of lines are parallel, less than a pixel apart, and overlap by more than that.
     fn lies_on(&self, other: &Rect) -> bool {
         let [left, top, right, bottom] = other.0;
         let width = self.0[2].min(right) - self.0[0].max(left);

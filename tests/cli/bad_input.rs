@@ -42,7 +42,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("diagram vc1 --depth 0 -o x.svg", &["'0' for '--depth <N>': give a whole number from 1 to 100"]),
     ("diagram vc2 -o x.svg", &["there is no block `vc2`: did you mean `vc1`?"]),
     ("diagram vc1 --around u_gbf -o x.svg", &["error: there is no net `u_gbf`: did you mean `u_gfb`?\n"]),
-    ("diagram vc1 --around u_gfb.banks -o x.svg", &["there is no net `u_gfb.banks`", "open more levels"]),
+    ("diagram vc1 --around u_gfb.banks -o x.svg", &["there is no net `u_gfb.banks`", "or show more levels"]),
     ("diagram vc1 --around u_gfb --steps 0 -o x.svg", &["'0' for '--steps <N>': give a whole number from 1 to 100"]),
     ("diagram vc1 --set processors=0 -o x.svg", &["processors = 0 is out of range"]),
     ("bench --rounds 0", &["'0' for '--rounds <N>': give a whole number from 1 to 1000"]),

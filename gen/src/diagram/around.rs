@@ -1,11 +1,11 @@
-//! What leads to one net within some steps, and what it leads to.
+//! The surroundings of one net: what feeds it and what it feeds, within some steps.
 
 use super::items::{Items, What};
 use super::wires::Wire;
 use super::{Around, DiagramError};
 use tilewright_hdl::ir::{NodeId, Op};
 
-/// Gives the net a box of its own, if it has none, and gives its item.
+/// The item of a net. A net of logic becomes an item.
 pub(super) fn focus(items: &mut Items, around: &Around) -> Result<usize, DiagramError> {
     let name = around.net.as_str();
     if let Some(item) = (0..items.list.len()).find(|item| names(items, *item).iter().any(|it| it == name)) {
@@ -18,7 +18,7 @@ pub(super) fn focus(items: &mut Items, around: &Around) -> Result<usize, Diagram
     Ok(items.list.len() - 1)
 }
 
-/// The names by which an item is asked for: its own, and those of the ports that it stands for.
+/// The names of an item: its own, and those of the ports it stands for.
 fn names(items: &Items, item: usize) -> Vec<String> {
     let (scope, what) = items.list[item];
     let mut names = vec![format!("{}{}", items.scopes[scope].path, items.name(item))];
@@ -28,7 +28,7 @@ fn names(items: &Items, item: usize) -> Vec<String> {
     names
 }
 
-/// The named nets of all that is opened.
+/// The named nets of logic in all scopes.
 fn nets(items: &Items) -> Vec<(String, (usize, NodeId))> {
     let mut nets = Vec::new();
     for (index, scope) in items.scopes.iter().enumerate() {
@@ -41,7 +41,7 @@ fn nets(items: &Items) -> Vec<(String, (usize, NodeId))> {
     nets
 }
 
-/// That there is no such net, with the nearest name that there is.
+/// The error for an unknown net, with the most similar name.
 fn unknown(items: &Items, name: &str) -> DiagramError {
     let known = (0..items.list.len()).flat_map(|item| names(items, item));
     let known = known.chain(nets(items).into_iter().map(|it| it.0));
@@ -50,7 +50,7 @@ fn unknown(items: &Items, name: &str) -> DiagramError {
     DiagramError::UnknownNet { net: name.to_owned(), similar }
 }
 
-/// The items from which so many steps lead to one, or to which they lead from it; and the wires of these steps.
+/// The items within `steps` of one, forwards and backwards, and the wires between them on these paths.
 pub(super) fn within(items: &Items, wires: &[Wire], item: usize, steps: u32) -> (Vec<bool>, Vec<Wire>) {
     let mut shown = vec![false; items.list.len()];
     shown[item] = true;

@@ -4,7 +4,7 @@ use super::layout::{Layout, Measure, Rect, layout, lines};
 use super::model::{ArrowKind, BoxKind, Diagram, DiagramBox};
 use std::collections::BTreeMap;
 
-/// Sizes in characters. A box has its frame and a blank beside its text.
+/// Sizes in characters. The padding of a box is its outline and a blank.
 const CHARACTERS: Measure = Measure {
     name: 1.0,
     note: 1.0,
@@ -40,7 +40,7 @@ pub(super) fn ascii(diagram: &Diagram) -> String {
     format!("{}\n\n{}{}", diagram.title, page.text(), key(&diagram))
 }
 
-/// The diagram without frames and colours: instances that are opened stand before the names of what is inside, and clocks below them.
+/// The diagram without frames and colours. Paths stand before names instead, and clocks in the notes.
 fn flat(diagram: &Diagram) -> Diagram {
     let mut flat = diagram.clone();
     for it in &mut flat.boxes {
@@ -59,7 +59,7 @@ fn flat(diagram: &Diagram) -> Diagram {
     flat
 }
 
-/// How the two directions of a kind are drawn.
+/// The characters of horizontal and vertical pieces.
 fn strokes(kind: ArrowKind) -> [char; 2] {
     match kind {
         ArrowKind::Stream => ['=', '#'],
@@ -80,13 +80,13 @@ fn key(diagram: &Diagram) -> String {
     if key.is_empty() { String::new() } else { format!("\n{}\n", key.join("   ")) }
 }
 
-/// A character's place: line and column.
+/// The line and column of a character.
 type Cell = (i64, i64);
 
 #[derive(Default)]
 struct Page(BTreeMap<Cell, char>);
 
-/// What passes a cell: to the left and right, and up and down.
+/// Whether lines pass a cell horizontally and vertically.
 #[derive(Clone, Copy, Default)]
 struct Passing {
     flat: bool,
@@ -103,7 +103,7 @@ impl Page {
     }
 
     fn draw_lines(&mut self, diagram: &Diagram, layout: &Layout) {
-        // Of each cell what passes it of which lines, and how the last of them is drawn.
+        // For each cell, the lines that pass it by their exits.
         let mut cells: BTreeMap<Cell, BTreeMap<usize, (Passing, ArrowKind)>> = BTreeMap::new();
         let mut heads = Vec::new();
         for (arrow, route) in diagram.arrows.iter().zip(&layout.routes) {
@@ -178,16 +178,16 @@ impl Page {
             text.push(*what);
             at.1 = x + 1;
         }
-        // A cross of signs that all terminals have.
+        // ASCII has no multiplication sign.
         text.trim_end_matches(' ').replace('×', "x") + "\n"
     }
 }
 
-/// The cells of corners; those of the ends are beside the boxes.
+/// The cells of the corners; those of the ends lie beside the boxes.
 fn cells_of(points: &[[f64; 2]]) -> Vec<Cell> {
     let mut cells: Vec<Cell> = points.iter().map(|[x, y]| (*y as i64, *x as i64)).collect();
     let last = cells.len() - 1;
-    // A place right of a box is the first cell outside, one at its left the first inside.
+    // The right edge of a box is the first cell outside, its left edge the first inside.
     if points[1][0] < points[0][0] {
         cells[0].1 -= 1;
     }
@@ -197,7 +197,7 @@ fn cells_of(points: &[[f64; 2]]) -> Vec<Cell> {
     cells
 }
 
-/// All cells from one to another of the same line or column.
+/// All cells between two on one line or column.
 fn between(from: Cell, to: Cell) -> impl Iterator<Item = Cell> {
     let (rows, columns) = (from.0.min(to.0)..=from.0.max(to.0), from.1.min(to.1)..=from.1.max(to.1));
     rows.flat_map(move |y| columns.clone().map(move |x| (y, x)))

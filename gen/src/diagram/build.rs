@@ -1,4 +1,4 @@
-//! A diagram of items and wires: words for boxes, and one arrow where many wires lead the same way.
+//! Makes the diagram of items and wires: the words in boxes, and one arrow for all wires between two boxes.
 
 use super::fold::{Detail, Groups, numbered};
 use super::items::{Items, What};
@@ -7,10 +7,10 @@ use super::wires::Wire;
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{ClockId, Contents, Memory, Shape};
 
-/// The most names in a box; where there are more, the last line says how many.
+/// The most lines of names in a box; the last one says how many more there are.
 const MOST_NAMES: usize = 6;
 
-/// The diagram of the items that are shown, in that detail.
+/// The diagram of the items shown, at that detail.
 pub(super) fn build(items: &Items, wires: &[Wire], shown: &[bool], detail: Detail) -> Diagram {
     let groups = Groups::of(items, wires, shown, detail);
     let words = Words { items };
@@ -32,7 +32,7 @@ pub(super) fn build(items: &Items, wires: &[Wire], shown: &[bool], detail: Detai
     Diagram { title: block_name(&items.design.top().parameters), boxes, arrows, frames, clocks, hidden }
 }
 
-/// The frames that have a box inside, numbered anew in the boxes, too.
+/// Drops frames without boxes, and renumbers the others.
 fn without_empty(mut boxes: Vec<DiagramBox>, frames: Vec<Frame>) -> (Vec<DiagramBox>, Vec<Frame>) {
     let mut is_full = vec![false; frames.len()];
     for it in &boxes {
@@ -56,7 +56,7 @@ fn kind(wire: &Wire) -> ArrowKind {
     }
 }
 
-/// The arrows but for control along the way of data, and where control is not shown, that which no box needs; how many of these there were.
+/// Drops control beside data. Where control is not shown, drops that too, except where a box has no other arrow in or out. Returns the number of these.
 fn without_needless(
     drawn: BTreeMap<(usize, usize, ArrowKind), BTreeSet<String>>,
     detail: Detail,
@@ -82,7 +82,7 @@ fn without_needless(
     (arrows, hidden)
 }
 
-/// What is written in boxes and beside arrows.
+/// The words in boxes and beside arrows.
 struct Words<'a> {
     items: &'a Items<'a>,
 }
@@ -135,7 +135,7 @@ impl Words<'_> {
 
     fn names(&self, members: &[usize]) -> Vec<String> {
         let is_instance = matches!(self.items.list[members[0]].1, What::Instance(_));
-        // Those that are one box are numbered.
+        // Instances that share a box have numbered names.
         if let Some((stem, _)) = numbered(self.items.name(members[0])).filter(|_| is_instance && members.len() > 1) {
             return vec![format!("{stem}[*]")];
         }
@@ -156,7 +156,7 @@ impl Words<'_> {
         }
     }
 
-    /// The clocks of the top module that those of a scope are, in order and once each; none where there is one alone.
+    /// The clocks of the top module that drive those of a scope, sorted; none if the top has one.
     fn clocks(&self, scope: usize, clocks: &[ClockId]) -> Vec<usize> {
         if self.items.design.top().clocks.len() < 2 {
             return Vec::new();
@@ -172,7 +172,7 @@ impl Words<'_> {
         clocks.iter().map(top).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The ports of instances at the ends of a wire; a port that is called as the box at the other end says nothing.
+    /// The instance port at the end of a wire, unless the box at the other end has the same name.
     fn of_wire(&self, wire: &Wire) -> Option<String> {
         let port = |item: usize, bundle: Option<usize>| {
             let (scope, what) = self.items.list[item];

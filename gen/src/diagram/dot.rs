@@ -1,4 +1,4 @@
-//! A diagram as a graph in the language of Graphviz.
+//! A diagram in Graphviz's language.
 
 use super::layout::lines;
 use super::model::{ArrowKind, BoxKind, Diagram, DiagramBox};
@@ -32,7 +32,7 @@ fn write_graph(text: &mut String, diagram: &Diagram) -> std::fmt::Result {
     writeln!(text, "}}")
 }
 
-/// What is in a frame, or in none.
+/// The boxes of a frame, or those outside of all frames.
 fn write_level(text: &mut String, diagram: &Diagram, frame: Option<usize>, depth: usize) -> std::fmt::Result {
     let indent = "    ".repeat(depth);
     for (index, it) in diagram.boxes.iter().enumerate().filter(|(_, it)| it.frame == frame) {

@@ -19,10 +19,10 @@ pub enum DiagramError {
     UnknownNet {
         /// The name.
         net: String,
-        /// The one that it may mean.
+        /// The most similar name, if one is close.
         similar: Option<String>,
     },
-    /// A depth of 0, or around a net within no steps.
+    /// The depth or the number of steps is 0.
     Nothing,
 }
 
@@ -35,10 +35,12 @@ impl fmt::Display for DiagramError {
             DiagramError::UnknownNet { net, similar: None } => {
                 write!(
                     f,
-                    "there is no net `{net}`: name one of the diagram or of the block's description, or open more levels"
+                    "there is no net `{net}`: name a port, register, memory, instance or named net of the levels shown, or show more levels"
                 )
             }
-            DiagramError::Nothing => f.write_str("depth and steps are at least 1: less shows nothing"),
+            DiagramError::Nothing => {
+                f.write_str("depth and steps have to be at least 1: with less there is nothing to show")
+            }
         }
     }
 }

@@ -1,29 +1,29 @@
-//! What belongs together in one box, so that a diagram can be read.
+//! Which items share a box, so that a diagram stays readable.
 
 use super::items::{Items, What};
 use super::wires::Wire;
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::ClockId;
 
-/// How much of a design is shown, from all to little.
+/// How much of a design is shown, from everything to least.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Detail {
-    /// Each register and port, and everything that leads from one to another.
+    /// A box for each item, and all arrows.
     All,
-    /// Paths of control only where a box would have no arrow in or out.
+    /// No arrows of control, except where a box has no other in or out.
     Data,
-    /// What has the same neighbours is one box.
+    /// Items with the same neighbours share a box.
     Neighbours,
-    /// Registers that depend on each other are one box.
+    /// Registers in a cycle share a box.
     Cycles,
-    /// Registers of one stage are one box: those that data has come to through equally many.
+    /// Registers of a pipeline stage share a box. The stage is the longest path from the first registers.
     Stages,
-    /// Those of two stages, and of four.
+    /// Two stages share a box, then four.
     PairsOfStages,
     FoursOfStages,
-    /// Registers that lead to each other are one box.
+    /// Connected registers share a box.
     Connected,
-    /// All registers of a clock are one box.
+    /// All registers of a clock share a box.
     Clocks,
 }
 
@@ -41,11 +41,11 @@ impl Detail {
     ];
 }
 
-/// For each item the first of those that it is one box with.
+/// For each item, the first item of its box.
 pub(super) struct Groups(Vec<usize>);
 
 impl Groups {
-    /// Of the items that are shown.
+    /// The groups of the items shown.
     pub fn of(items: &Items, wires: &[Wire], shown: &[bool], detail: Detail) -> Groups {
         let wires: Vec<Wire> = wires.iter().filter(|wire| shown[wire.from] && shown[wire.to]).cloned().collect();
         let wires = &wires[..];
@@ -62,7 +62,7 @@ impl Groups {
         }
         if detail >= Detail::Neighbours {
             groups.join_numbered(items, shown);
-            // What is joined may make others equal.
+            // Joining two groups can make the neighbours of others equal.
             for _ in 0..3 {
                 groups.join_equal(items, wires);
             }
@@ -74,7 +74,7 @@ impl Groups {
         self.0[item]
     }
 
-    /// The items of each group, the groups in order of their first items.
+    /// The items of each group, sorted by their first.
     pub fn members(&self) -> BTreeMap<usize, Vec<usize>> {
         let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         self.0.iter().enumerate().for_each(|(item, group)| members.entry(*group).or_default().push(item));
@@ -86,7 +86,7 @@ impl Groups {
         self.0.iter_mut().filter(|group| **group == from).for_each(|group| *group = to);
     }
 
-    /// Joins instances of one block whose names differ in their numbers alone, where there are many.
+    /// Joins instances of one block whose names differ only in the number at their end.
     fn join_numbered(&mut self, items: &Items, shown: &[bool]) {
         let mut families: BTreeMap<_, Vec<usize>> = BTreeMap::new();
         for (item, (scope, what)) in items.list.iter().enumerate().filter(|(item, _)| shown[*item]) {
@@ -103,7 +103,7 @@ impl Groups {
         }
     }
 
-    /// Joins what is of one kind and clock, and has the same neighbours on both sides.
+    /// Joins groups of one kind and clock with the same neighbours on both sides.
     fn join_equal(&mut self, items: &Items, wires: &[Wire]) {
         let (mut before, mut behind) = (BTreeMap::new(), BTreeMap::new());
         for wire in wires.iter().filter(|wire| wire.is_data) {
@@ -116,7 +116,7 @@ impl Groups {
         let mut first = BTreeMap::new();
         for group in self.members().into_keys() {
             let Some(kind) = kind(items, group) else { continue };
-            // What has no neighbours stays apart.
+            // Groups without neighbours stay apart.
             if !before.contains_key(&group) && !behind.contains_key(&group) {
                 continue;
             }
@@ -127,16 +127,16 @@ impl Groups {
     }
 }
 
-/// So many instances whose names are numbered can be one box.
+/// The fewest numbered instances that can share a box.
 const MANY: usize = 4;
 
-/// A name without the number at its end, and that number.
+/// A name without the number at its end, and the number.
 pub(super) fn numbered(name: &str) -> Option<(&str, &str)> {
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     (stem.len() < name.len() && !stem.is_empty()).then(|| name.split_at(stem.len()))
 }
 
-/// What can be one box with others of the same: its kind, scope and clock. Streams, instances and what was asked for stay apart.
+/// The kind, scope and clock of an item; items that agree in it can share a box. Streams, instances and the focus have boxes of their own.
 fn kind(items: &Items, item: usize) -> Option<(u8, usize, Option<ClockId>)> {
     let (scope, what) = items.list[item];
     let module = items.scopes[scope].module;
@@ -202,7 +202,7 @@ impl Registers {
         }
     }
 
-    /// The registers of each connected part by the longest way to them, where those of a cycle are at one place; of so many stages together.
+    /// Joins the registers of a stage in each connected part; `together` stages share a box. A cycle is in one stage.
     fn stages(&self, wires: &[Wire], together: usize, groups: &mut Groups) {
         self.cycles(wires, groups);
         let steps: BTreeSet<(usize, usize)> = self
@@ -212,7 +212,7 @@ impl Registers {
             .filter(|(from, to)| from != to)
             .collect();
         let mut stage: BTreeMap<usize, usize> = self.0.keys().map(|item| (groups.of_item(*item), 0)).collect();
-        // Without cycles, no way is longer than there are groups.
+        // Without cycles, no path is longer than the number of groups.
         for _ in 0..stage.len() {
             let before = stage.clone();
             for (from, to) in &steps {

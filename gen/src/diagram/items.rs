@@ -1,10 +1,10 @@
-//! What a diagram can have boxes of: the ports of a block, and the registers, memories, instances and named nets of the modules that are opened.
+//! What a box can stand for: ports of the top, and registers, memories, instances and nets of the modules shown.
 
 use super::ports::Ports;
 use std::collections::BTreeMap;
 use tilewright_hdl::ir::{Design, Instance, InstanceId, MemoryId, Module, ModuleId, NodeId, RegisterId};
 
-/// Something that a box can stand for, in one of the scopes.
+/// Something that a box can stand for, in a scope.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum What {
     /// A bundle of ports of the top module.
@@ -13,36 +13,36 @@ pub(super) enum What {
     Memory(MemoryId),
     /// An instance that is not opened.
     Instance(InstanceId),
-    /// A net that is shown though it is logic.
+    /// A net of logic that the diagram is drawn around.
     Net(NodeId),
 }
 
-/// A module whose contents are shown: that at the top, or of an instance that is opened.
+/// A module whose contents are shown: the top, or that of an opened instance.
 pub(super) struct Scope<'a> {
     pub module: &'a Module,
-    /// The scope and the instance that it is the inside of.
+    /// The scope around it and its instance there.
     pub outside: Option<(usize, InstanceId)>,
-    /// The scopes of its instances that are opened.
+    /// The scopes of its opened instances.
     pub opened: BTreeMap<InstanceId, usize>,
-    /// The names of the instances down to here, each with a point behind it.
+    /// The path of instances, each followed by a point.
     pub path: String,
 }
 
-/// A design with the levels of it that are shown.
+/// The items of a design down to some level.
 pub(super) struct Items<'a> {
     pub design: &'a Design,
-    /// The top first, and each before what it has inside.
+    /// The top first, each scope before those inside it.
     pub scopes: Vec<Scope<'a>>,
     pub list: Vec<(usize, What)>,
     index: BTreeMap<(usize, What), usize>,
     /// The ports of each module.
     pub ports: Vec<Ports>,
-    /// The item that was asked for.
+    /// The item that the diagram is drawn around.
     pub focus: Option<usize>,
 }
 
 impl<'a> Items<'a> {
-    /// All that has a box at that depth, where 1 is the top module alone.
+    /// The items at that depth; 1 is the top module alone.
     pub fn of(design: &'a Design, depth: u32) -> Items<'a> {
         let ports = design.modules().iter().map(Ports::of).collect();
         let mut items =
@@ -63,7 +63,7 @@ impl<'a> Items<'a> {
         self.scopes.push(Scope { module, outside, opened: BTreeMap::new(), path });
         for (i, instance) in module.instances.iter().enumerate().filter(|_| depth > 1) {
             let inside = self.design.module(instance.module);
-            // There is nothing to see in what is logic alone.
+            // A module of logic alone has nothing to show.
             if inside.registers.is_empty() && inside.memories.is_empty() && inside.instances.is_empty() {
                 continue;
             }
@@ -84,7 +84,7 @@ impl<'a> Items<'a> {
         found.into_iter().for_each(|what| self.add(scope, what));
     }
 
-    /// Gives something a box.
+    /// Adds an item.
     pub fn add(&mut self, scope: usize, what: What) {
         self.index.insert((scope, what), self.list.len());
         self.list.push((scope, what));

@@ -1,7 +1,7 @@
-//! Block diagrams: the boxes and arrows that a paper about the hardware would show, drawn from the circuit.
+//! Block diagrams, drawn from the circuit as a paper about the hardware would.
 //!
-//! [`items`] lists what a box can stand for, [`wires`] finds the paths through logic between these, [`fold`] says what is one box, and [`build`]
-//! makes a [`Diagram`] of it. [`layout`] says where everything is, once in pixels and once in characters.
+//! [`items`] lists what a box can stand for. [`wires`] finds the paths through logic between items. [`fold`] decides which items share a box, and
+//! [`build`] makes a [`Diagram`] of them. [`layout`] places everything, in pixels or in characters.
 
 mod around;
 mod ascii;
@@ -24,12 +24,12 @@ use fold::Detail;
 use items::Items;
 use tilewright_hdl::ir::Design;
 
-/// What is shown of a design.
+/// What to show of a design.
 ///
 /// ```
 /// use tilewright_gen::{Around, DiagramOptions};
 ///
-/// // What feeds `count` and what `count` feeds, also inside of the instances of the top module.
+/// // What feeds `count` and what `count` feeds, also inside the instances of the top module.
 /// let around = Around { net: "count".to_owned(), steps: 1 };
 /// let options = DiagramOptions { depth: 2, around: Some(around) };
 /// assert_eq!(DiagramOptions::default(), DiagramOptions { depth: 1, around: None });
@@ -37,9 +37,9 @@ use tilewright_hdl::ir::Design;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DiagramOptions {
-    /// How many levels are shown, at least 1: the top module, then its instances opened, then theirs.
+    /// The number of levels shown, at least 1: the top module, then the contents of its instances, and so on.
     pub depth: u32,
-    /// Only what leads to one net, or it leads to; all without.
+    /// Show only what feeds one net and what it feeds.
     pub around: Option<Around>,
 }
 
@@ -49,7 +49,7 @@ impl Default for DiagramOptions {
     }
 }
 
-/// What leads to a net, and what it leads to.
+/// The surroundings of a net.
 ///
 /// ```
 /// # use tilewright_hdl::elaborate;
@@ -62,32 +62,32 @@ impl Default for DiagramOptions {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Around {
-    /// The name of a port, register, memory, instance or named net, with those of the instances that it is in, as `u_merger.count`.
+    /// A port, register, memory, instance or named net, with the path of instances before its name: `u_merger.count`.
     pub net: String,
-    /// How many arrows are followed in both directions, at least 1.
+    /// The number of arrows followed forwards and backwards, at least 1.
     pub steps: u32,
 }
 
-/// The most boxes and arrows that are read with ease, and the most arrows a box.
+/// The most boxes, arrows, and arrows per box of a readable diagram.
 const BOXES: f64 = 24.0;
 const ARROWS: f64 = 42.0;
 const ARROWS_A_BOX: f64 = 3.0;
 
-/// How many others an arrow of control is to read, as it says less.
+/// The weight of a control arrow: it says less than others.
 const CONTROL: f64 = 1.5;
 
-/// The most arrows where those of control are drawn, too.
+/// The most arrows of a diagram that shows all control.
 const EASY_WITH_CONTROL: usize = 18;
 
 /// The block diagram of a design.
 ///
-/// Logic is an arrow from where its values come from to what takes them, at each end an instance, a register, a memory or a port. Where that would
-/// be too much to read, less is shown: first no control, then as one box what has the same neighbours, registers in a cycle, those of a stage,
-/// and instances whose names differ in their numbers alone. Every stream stays. What only statements read is not drawn.
+/// Boxes are ports, instances, registers and memories. An arrow is any path through logic between two of them. A diagram with too much to read shows
+/// less. First it leaves out control. Then items with the same neighbours share a box, then registers in a cycle, then those of a pipeline stage.
+/// Many instances whose names differ only in a number share a box, too. Registers that feed assertions alone are not drawn.
 ///
 /// # Errors
 ///
-/// There is no such net, or nothing is to be shown.
+/// There is no such net, or the options ask for no level or no step.
 ///
 /// ```
 /// # use tilewright_hdl::elaborate;
@@ -111,7 +111,7 @@ pub fn diagram(design: &Design, options: &DiagramOptions) -> Result<Diagram, Dia
     Ok(readable(|detail| build(&items, &wires, &shown, detail)))
 }
 
-/// The first of the diagrams, from the one with all detail to that with least, that is read with ease; or that which comes nearest to it.
+/// The most detailed diagram that is readable, or else the one nearest to that.
 fn readable(build: impl Fn(Detail) -> Diagram) -> Diagram {
     let mut best: Option<Diagram> = None;
     for detail in Detail::ALL {
@@ -126,18 +126,18 @@ fn readable(build: impl Fn(Detail) -> Diagram) -> Diagram {
     best.expect("there are details")
 }
 
-/// How much there is to read; 1 is the most that is read with ease.
+/// How much there is to read; up to 1 is readable.
 fn load(diagram: &Diagram) -> f64 {
     let weight = |arrow: &Arrow| if arrow.kind == ArrowKind::Control { CONTROL } else { 1.0 };
     let arrows: f64 = diagram.arrows.iter().map(weight).sum();
     let boxes = diagram.boxes.len() as f64;
     let a_box = diagram.arrows.len() as f64 / boxes.max(1.0);
     let most = (boxes / BOXES).max(arrows / ARROWS).max(a_box / ARROWS_A_BOX);
-    // Frames are read one by one.
+    // A reader takes frames one by one.
     most / (1.0 + diagram.frames.len().saturating_sub(1) as f64 / 4.0)
 }
 
-/// What the key says of what is left out.
+/// The words of the key about what is left out.
 fn left_out(diagram: &Diagram) -> Option<String> {
     match diagram.hidden {
         0 => None,
@@ -147,7 +147,7 @@ fn left_out(diagram: &Diagram) -> Option<String> {
 }
 
 impl Diagram {
-    /// As a picture: SVG that suits light and dark pages and paper, without scripts, and with the full names where the mouse rests.
+    /// The diagram as SVG, for light and dark pages and for paper. Full names appear where the mouse rests. It has no scripts.
     ///
     /// ```
     /// # use tilewright_hdl::elaborate;
@@ -161,7 +161,7 @@ impl Diagram {
         svg::svg(self)
     }
 
-    /// As a graph for Graphviz.
+    /// The diagram as a graph for Graphviz.
     ///
     /// ```
     /// # use tilewright_hdl::elaborate;
@@ -175,7 +175,7 @@ impl Diagram {
         dot::dot(self)
     }
 
-    /// In characters, for a terminal.
+    /// The diagram in characters, for a terminal.
     ///
     /// ```
     /// # use tilewright_hdl::elaborate;

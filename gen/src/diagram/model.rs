@@ -1,4 +1,4 @@
-//! What is drawn: boxes, the arrows between them, and the frames of instances that are opened.
+//! What is drawn: boxes, arrows between them, and frames around opened instances.
 
 /// A block diagram of a circuit.
 ///
@@ -16,15 +16,15 @@
 pub struct Diagram {
     /// The name of the top module.
     pub title: String,
-    /// The boxes: ports that come in first, those that go out last.
+    /// The boxes: input ports first, output ports last.
     pub boxes: Vec<DiagramBox>,
-    /// The arrows, in the order of the boxes that they leave and enter; one a kind between any two boxes.
+    /// The arrows, sorted by source and target; at most one of a kind between two boxes.
     pub arrows: Vec<Arrow>,
-    /// The instances that are opened, each before those inside of it.
+    /// The opened instances, each before those inside it.
     pub frames: Vec<Frame>,
-    /// The clocks of the top module, if there are several.
+    /// The clocks of the top module; empty if there is one.
     pub clocks: Vec<String>,
-    /// How many arrows of control are left out, as there are too many to be read.
+    /// The number of control arrows left out to keep the diagram readable.
     pub hidden: usize,
 }
 
@@ -40,17 +40,17 @@ pub struct Diagram {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BoxKind {
-    /// Ports that come in.
+    /// Input ports.
     Input,
-    /// An instance that is not opened, or an array of them.
+    /// An instance or an array of instances that is not opened.
     Instance,
     /// A memory, or several with the same neighbours.
     Memory,
     /// A register, or several that belong together.
     Register,
-    /// A net that was asked for, though it is logic.
+    /// A named net of logic that the diagram is drawn around.
     Net,
-    /// Ports that go out.
+    /// Output ports.
     Output,
 }
 
@@ -68,21 +68,21 @@ pub enum BoxKind {
 pub struct DiagramBox {
     /// What it stands for.
     pub kind: BoxKind,
-    /// The names in it, each a line: more than one if several things are one box, and of many the first.
+    /// The lines of names in it. Where several things share a box, the first names, and how many more there are.
     pub names: Vec<String>,
-    /// What is said below the names: the block of an instance, the size of a memory, the width of a register or a port.
+    /// The line below the names: an instance's block, a memory's size, or a width.
     pub note: String,
-    /// How many there are, such as `16` or `4 × 8`; empty for one.
+    /// The size of an array, such as `16` or `4 × 8`; empty for a single one.
     pub count: String,
     /// It is a port that is a stream.
     pub is_stream: bool,
-    /// It is what the diagram is around.
+    /// The diagram is drawn around it.
     pub is_focus: bool,
-    /// Its clocks, as indices of [`Diagram::clocks`]; none where that is empty.
+    /// Its clocks, as indices into [`Diagram::clocks`]; empty if the design has one clock.
     pub clocks: Vec<usize>,
     /// The index of the frame that it is in.
     pub frame: Option<usize>,
-    /// Everything that it stands for, by its full name.
+    /// The full names of everything it stands for.
     pub members: Vec<String>,
 }
 
@@ -98,15 +98,15 @@ pub struct DiagramBox {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ArrowKind {
-    /// What a stream carries, with its handshake.
+    /// The payload of a stream, with its handshake.
     Stream,
     /// Values.
     Data,
-    /// What decides when something changes, and which value is chosen.
+    /// Conditions: enables, and selects of multiplexers.
     Control,
 }
 
-/// An arrow between two boxes: all signals of one kind that lead from the one to the other, through any logic.
+/// An arrow between two boxes: all signals of one kind from one to the other, through any logic.
 ///
 /// ```
 /// # use tilewright_hdl::elaborate;
@@ -124,11 +124,11 @@ pub struct Arrow {
     pub to: usize,
     /// How it is drawn.
     pub kind: ArrowKind,
-    /// The ports of instances that it leaves or enters, where they are called otherwise than the boxes.
+    /// The instance ports at its ends, where their names differ from the box at the other end.
     pub signals: Vec<String>,
 }
 
-/// An instance that is opened: a frame around what is inside.
+/// An opened instance: a frame around its contents.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -155,14 +155,14 @@ pub struct Arrow {
 pub struct Frame {
     /// The instance's name.
     pub name: String,
-    /// How many there are, such as `16`; empty for one.
+    /// The size of an array, such as `16`; empty for a single one.
     pub count: String,
     /// The index of the frame that it is in.
     pub frame: Option<usize>,
 }
 
 impl Arrow {
-    /// What is written beside it: the signals, or the first and how many others; empty where the boxes say it all.
+    /// The text beside it: the signals, or the first and the number of others.
     ///
     /// ```
     /// use tilewright_gen::{Arrow, ArrowKind};
@@ -184,5 +184,5 @@ impl Arrow {
     }
 }
 
-/// The longest list of signals that is written out, in characters.
+/// The longest list of signals written out, in characters.
 const LONGEST_LABEL: usize = 18;

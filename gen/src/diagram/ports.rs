@@ -1,16 +1,16 @@
-//! The ports of a module as a reader sees them: a stream, a record or a list in place of each of its signals.
+//! The ports of a module as a reader sees them: streams, records and lists in place of single signals.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Module, NodeId};
 
-/// What a port is of the bundle that it belongs to.
+/// The part that a port has in its bundle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
-    /// A signal without a handshake, or what a stream carries.
+    /// A signal without a handshake, or the payload of a stream.
     Payload,
-    /// The sender of a stream has something.
+    /// The `valid` of a stream.
     Valid,
-    /// The receiver of a stream takes it.
+    /// The `ready` of a stream.
     Ready,
 }
 
@@ -21,15 +21,15 @@ pub(super) struct Bundle {
     pub name: String,
     pub is_stream: bool,
     pub comes_in: bool,
-    /// How many elements of lists it stands for.
+    /// The number of list elements.
     pub elements: usize,
-    /// Of one element, without the handshake of a stream.
+    /// The width of one element, without the handshake.
     pub bits: u64,
     /// The names of the ports.
     pub members: Vec<String>,
 }
 
-/// The bundles of a module, and for each port its bundle and what it is of that.
+/// The bundles of a module, and for each port its bundle and role.
 pub(super) struct Ports {
     pub bundles: Vec<Bundle>,
     pub inputs: Vec<(usize, Role)>,
@@ -71,12 +71,12 @@ struct Collector {
     out: BTreeSet<String>,
     found: BTreeMap<(bool, String), usize>,
     bundles: Vec<Bundle>,
-    /// Of each bundle, the numbers in the paths of its ports.
+    /// For each bundle, the list indices in the paths of its ports.
     elements: Vec<BTreeSet<Vec<String>>>,
 }
 
 impl Collector {
-    /// Adds a port; gives its bundle and what it is of it.
+    /// Adds a port. Returns its bundle and role.
     fn add(&mut self, is_input: bool, path: &str, port: &str, bits: u64) -> (usize, Role) {
         let stream = prefixes(path).find(|it| self.into.contains(*it) || self.out.contains(*it));
         let comes_in = stream.map_or(is_input, |stream| self.into.contains(stream));
@@ -110,7 +110,7 @@ fn is_number(segment: &str) -> bool {
     segment.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// The first field of a path, with the numbers behind it.
+/// The first field of a path, with the list indices that follow.
 fn record(path: &str) -> &str {
     let ends = path.match_indices('.').map(|(at, _)| at).chain([path.len()]);
     let of_numbers = ends.zip(path.split('.')).take_while(|(_, segment)| is_number(segment)).count();
@@ -118,7 +118,7 @@ fn record(path: &str) -> &str {
     prefixes(path).nth(after.max(of_numbers)).unwrap_or(path)
 }
 
-/// A path with `[*]` for each of its numbers, and the numbers.
+/// A path with `[*]` in place of each list index, and the indices.
 fn without_numbers(path: &str) -> (String, Vec<String>) {
     let (mut name, mut numbers) = (String::new(), Vec::new());
     for segment in path.split('.') {

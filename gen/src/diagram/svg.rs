@@ -1,10 +1,10 @@
-//! A diagram as a picture.
+//! A diagram as SVG.
 
 use super::layout::{Layout, Measure, Rect, layout, lines};
 use super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox};
 use std::fmt::Write;
 
-/// Sizes in pixels, for fonts of 12 and of 10 pixels: characters of the widest usual fonts have six tenths of that.
+/// Sizes in pixels, for fonts of 12 and 10 pixels. Characters of common fonts are at most 0.61 of that wide.
 const PIXELS: Measure = Measure {
     name: 7.3,
     note: 6.2,
@@ -24,17 +24,17 @@ const PIXELS: Measure = Measure {
     is_whole: false,
 };
 
-/// Around the drawing, and the lines of text above and below it.
+/// The margin, and the height of the title and of the key.
 const MARGIN: f64 = 16.0;
 const TITLE: f64 = 24.0;
 const KEY: f64 = 20.0;
 
-/// How far the boxes of an array stand behind each other.
+/// The offset of the boxes stacked behind an array.
 const STACK: f64 = 4.0;
 
 const STYLE: &str = include_str!("style.css");
 
-/// The clocks that have a colour of their own.
+/// The number of clock colours.
 const COLOURS: usize = 6;
 
 pub(super) fn svg(diagram: &Diagram) -> String {
@@ -140,7 +140,7 @@ impl Picture {
         writeln!(self.text, "</g>")
     }
 
-    /// The shape of a box; ports have a point where their values go.
+    /// The shape of a box. Ports point in the direction of their data.
     fn outline(&mut self, it: &DiagramBox, class: &str, rect: &Rect) -> std::fmt::Result {
         match it.kind {
             BoxKind::Input | BoxKind::Output => {
@@ -203,7 +203,7 @@ impl Picture {
         )
     }
 
-    /// What colours and dashes mean.
+    /// The key of colours and line styles.
     fn draw_key(&mut self, key: &[(String, String)], y: f64) -> std::fmt::Result {
         let mut x = MARGIN;
         for (class, words) in key {
@@ -246,7 +246,7 @@ fn class(it: &DiagramBox) -> String {
     }
 }
 
-/// The lines that need a word, each with its class: clocks, and arrows that are not plain.
+/// The entries of the key, each with the class of its sample.
 fn key(diagram: &Diagram) -> Vec<(String, String)> {
     let clocks = diagram.clocks.iter().enumerate();
     let mut key: Vec<(String, String)> =
@@ -258,7 +258,7 @@ fn key(diagram: &Diagram) -> Vec<(String, String)> {
     key
 }
 
-/// A number with at most one digit behind the point.
+/// A number with at most one decimal.
 fn number(number: f64) -> String {
     let rounded = (number * 10.0).round() / 10.0;
     // Not `-0`.

@@ -1,4 +1,4 @@
-//! Which box feeds which: every path through logic from what keeps or computes a value to what takes it.
+//! Which item feeds which: every path through logic between two items.
 
 use super::items::{Items, What};
 use super::ports::Role;
@@ -13,11 +13,11 @@ pub(super) struct Wire {
     /// The bundle of the instance that it leaves, and of the one that it enters.
     pub leaves: Option<usize>,
     pub enters: Option<usize>,
-    /// Values go along it; otherwise it only decides what becomes of others.
+    /// It carries a value. A path of control only selects among values or enables a change.
     pub is_data: bool,
-    /// It is what a stream carries, at one of its ends.
+    /// One of its ends is the payload of a stream.
     pub is_stream: bool,
-    /// It begins or ends where the receiver of a stream says that it is ready.
+    /// One of its ends is the `ready` of a stream.
     pub is_ready: bool,
 }
 
@@ -28,7 +28,7 @@ type Place = (usize, NodeId);
 struct Source {
     item: usize,
     bundle: Option<usize>,
-    /// It is what a stream carries.
+    /// It is the payload of a stream.
     is_stream: bool,
     is_data: bool,
     is_ready: bool,
@@ -42,7 +42,7 @@ struct Sink {
     is_ready: bool,
 }
 
-/// All wires between items. The arrow of a stream stands for its handshake, too: what is said back is only there if a box has nothing else.
+/// All wires between items. A stream's arrow stands for its handshake too, so a wire from or to `ready` stays only where an item has no other.
 pub(super) fn wires(items: &Items) -> Vec<Wire> {
     let mut tracer = Tracer { items, found: BTreeSet::new() };
     (0..items.list.len()).for_each(|item| tracer.trace(item));
@@ -58,7 +58,7 @@ pub(super) fn wires(items: &Items) -> Vec<Wire> {
     tracer.found.iter().filter(kept).cloned().collect()
 }
 
-/// The items that an instance or a port depends on, and these; what is left is read by statements alone.
+/// Whether a port or an instance depends on each item. The others feed assertions alone.
 pub(super) fn live(items: &Items, wires: &[Wire]) -> Vec<bool> {
     let is_end = |item: &(usize, What)| !matches!(item.1, What::Register(_) | What::Memory(_));
     let mut live: Vec<bool> = items.list.iter().map(is_end).collect();
@@ -137,13 +137,13 @@ impl Tracer<'_> {
         }
         for (bundle, role, node) in ports.iter().filter(|it| it.1 != Role::Payload) {
             let is_ready = *role == Role::Ready;
-            // A stream of constants begins where it is said to be valid.
+            // A stream of constants has no source but that of its `valid`.
             let is_all = !is_ready && !carries.contains(bundle);
             self.add(&Sink { item, bundle: Some(*bundle), is_stream: is_all, is_ready }, (scope, *node), is_all);
         }
     }
 
-    /// Adds the wires to a sink from what a node is computed from; whether there are any of values.
+    /// Adds the wires from the sources of a node to a sink. Returns whether any carries a value.
     fn add(&mut self, sink: &Sink, node: Place, is_data: bool) -> bool {
         let sources = self.sources(node, is_data, sink.item);
         let any = sources.iter().any(|source| source.is_data);
@@ -161,7 +161,7 @@ impl Tracer<'_> {
         any
     }
 
-    /// What a node is computed from: first where its value comes from, then what else decides it. A net that is the sink itself is no source.
+    /// The sources of a node: those of its value first, then those of control. The sink itself is not one.
     fn sources(&self, node: Place, is_data: bool, sink: usize) -> Vec<Source> {
         let (mut seen, mut sources) = (BTreeSet::new(), Vec::new());
         let (mut data, mut control) = if is_data { (vec![node], vec![]) } else { (vec![], vec![node]) };
@@ -225,7 +225,7 @@ impl Tracer<'_> {
     }
 }
 
-/// Where a path goes on.
+/// What lies behind a node.
 enum Step {
     Source(Source),
     /// The same value in another scope.
@@ -234,7 +234,7 @@ enum Step {
 }
 
 impl Step {
-    /// A path that begins at a port.
+    /// A source that is a port of the top or of an instance.
     fn of_port(source: Option<Source>, bundle: Option<usize>, role: Role, is_stream: bool) -> Step {
         let Some(source) = source else { return Step::Logic };
         let is_data = source.is_data && role == Role::Payload;
@@ -248,7 +248,7 @@ impl Step {
     }
 }
 
-/// The operands of a node, each with whether its value goes on, or only chooses among others.
+/// The operands of a node, each with whether it passes a value on. The others select.
 fn operands(module: &Module, id: NodeId) -> Vec<(NodeId, bool)> {
     let op = &module.node(id).op;
     let chooses: Vec<NodeId> = match op {
@@ -260,7 +260,7 @@ fn operands(module: &Module, id: NodeId) -> Vec<(NodeId, bool)> {
     };
     let mut operands = Vec::new();
     op.for_each_operand(|operand| operands.push(operand));
-    // A value that chooses and is chosen goes on.
+    // An operand that selects and is selected appears as both.
     let mut left = chooses.clone();
     operands.retain(|operand| match left.iter().position(|it| it == operand) {
         Some(at) => {

@@ -1,4 +1,4 @@
-//! What is where in a picture of a diagram, read from its text.
+//! The geometry of a diagram's SVG, read from its text.
 
 /// Left, top, right and bottom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,11 +10,11 @@ pub struct Shape {
     pub rect: Rect,
     /// Without the point of a port.
     pub core: Rect,
-    /// The room that its texts take.
+    /// The extents of its texts.
     pub texts: Vec<Rect>,
 }
 
-/// A picture, in the coordinates of its drawing.
+/// A picture in the coordinates of its main group.
 pub struct Picture {
     pub page: Rect,
     pub boxes: Vec<Shape>,
@@ -24,7 +24,7 @@ pub struct Picture {
     pub labels: Vec<Rect>,
 }
 
-/// The height of capital letters above the line, and what goes below it, of a font of 12 pixels and of one of 10.
+/// The ascent and descent of fonts of 12 and 10 pixels.
 const HEIGHTS: [[f64; 2]; 2] = [[9.0, 2.5], [7.5, 2.0]];
 
 impl Picture {
@@ -34,7 +34,7 @@ impl Picture {
         let page = Rect([-at[0], -at[1], size[2] - at[0], size[3] - at[1]]);
         let mut picture = Picture { page, boxes: vec![], frames: vec![], lines: vec![], labels: vec![] };
         for line in svg.lines() {
-            // A line stands behind its title.
+            // The path of a line follows its title.
             let element = line.rfind("<path class=\"line").map_or(line, |at| &line[at..]);
             picture.add(element);
         }
@@ -60,7 +60,7 @@ impl Picture {
             }
             ["box", ..] => self.boxes.push(Shape { rect: rect(), core: rect(), texts: vec![] }),
             ["frame"] => self.frames.push(rect()),
-            // Those of the key are drawn otherwise.
+            // The samples of the key are drawn with relative commands.
             ["line", ..] => self.lines.extend(pieces(attribute(element, "d"))),
             ["label", "middle"] => self.labels.push(text(element, 6.02, HEIGHTS[1])),
             [kind @ ("name" | "note"), "middle"] => {
@@ -73,7 +73,7 @@ impl Picture {
     }
 }
 
-/// The room of a text whose middle is given.
+/// The extent of a centred text.
 fn text(element: &str, width: f64, [above, below]: [f64; 2]) -> Rect {
     let [x, y] = ["x", "y"].map(|name| attribute(element, name).parse::<f64>().unwrap());
     let words = element.split(['>', '<']).nth(2).unwrap();
@@ -90,7 +90,7 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-').filter_map(|it| it.parse().ok()).collect()
 }
 
-/// The pieces of `M1 2 H3 V4`; none of what is drawn otherwise, as in the key.
+/// The pieces of a path such as `M1 2 H3 V4`; none if it has other commands.
 fn pieces(path: &str) -> Option<Vec<Rect>> {
     let mut words = path.strip_prefix('M')?.split(' ');
     let [mut x, mut y] = [words.next()?.parse::<f64>().ok()?, words.next()?.parse().ok()?];

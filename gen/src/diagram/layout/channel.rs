@@ -1,22 +1,22 @@
-//! The vertical pieces of lines, in the room between two columns.
+//! The vertical pieces of lines in the channels between columns.
 
 use super::layers::Layers;
 use super::slots::Stops;
 use std::collections::BTreeMap;
 
-/// What has one vertical piece: all arrows that leave a box together, or one arrow further on, by its number and that of the step.
+/// Lines that share a vertical piece: all arrows from one exit, or a later step of one arrow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Net {
     Exit(usize),
     Step(usize, usize),
 }
 
-/// The room between two columns.
+/// The space between two columns.
 #[derive(Default)]
 pub(super) struct Channel {
-    /// For each net with a vertical piece which of the tracks it is in, from the left.
+    /// The track of each net with a vertical piece, counted from the left.
     pub tracks: BTreeMap<Net, usize>,
-    /// How many there are.
+    /// The number of tracks.
     pub count: usize,
 }
 
@@ -25,7 +25,7 @@ pub(super) fn net(stops: &[Stops], arrow: usize, step: usize) -> Net {
     if step == 0 { Net::Exit(stops[arrow].exit) } else { Net::Step(arrow, step) }
 }
 
-/// The heights of a net at both sides of a channel.
+/// The heights of a net on both sides of a channel.
 #[derive(Default)]
 struct Heights {
     left: Vec<f64>,
@@ -61,19 +61,19 @@ impl Piece<'_> {
         self.top < other.bottom + NEAR && other.top < self.bottom + NEAR
     }
 
-    /// Whether the other has to be left of this one, as it leaves where this one arrives.
+    /// Whether the other has to be further left: it starts at the height where this one ends, and would lie on it.
     fn is_behind(&self, other: &Piece) -> bool {
         let near = |y: &f64| other.heights.left.iter().any(|it| (it - y).abs() < 1.0);
         self.heights.right.iter().any(near)
     }
 }
 
-/// Pieces closer than this do not share a track.
+/// The least gap between pieces of one track.
 const NEAR: f64 = 4.0;
 
 fn channel(nets: &BTreeMap<Net, Heights>) -> Channel {
     let mut pieces: Vec<Piece> = nets.iter().filter_map(|(net, heights)| piece(*net, heights)).collect();
-    // Of those that go down the lowest is the first from the left, of those that go up the highest: so they do not cross.
+    // Pieces that go down do not cross if the lowest is leftmost; those that go up, if the highest is.
     pieces.sort_by(|a, b| {
         let key = |it: &Piece| {
             let first = it.heights.left.iter().copied().fold(f64::INFINITY, f64::min);

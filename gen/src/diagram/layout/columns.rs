@@ -1,4 +1,4 @@
-//! How wide the columns and the room between them are, and with that where everything is.
+//! The width of columns and channels, which gives everything its place.
 
 use super::super::model::{Arrow, BoxKind, Diagram};
 use super::channel::{Channel, net};
@@ -8,7 +8,7 @@ use super::slots::{Stops, is_port};
 use super::{Layout, Measure, Rect, Route};
 use std::collections::BTreeSet;
 
-/// The places of all.
+/// Places everything.
 pub(super) fn place(
     diagram: &Diagram,
     layers: &Layers,
@@ -57,10 +57,10 @@ fn frame_columns(diagram: &Diagram, layers: &Layers) -> Vec<Option<[usize; 2]>> 
     spans
 }
 
-/// The rectangles of frames: around what is inside.
+/// The rectangles of frames, around their contents.
 fn frames(diagram: &Diagram, boxes: &[Rect], measure: &Measure) -> Vec<Rect> {
     let mut found: Vec<Option<Rect>> = vec![None; diagram.frames.len()];
-    // Those inside come later.
+    // Inner frames come later.
     for index in (0..diagram.frames.len()).rev() {
         let own = diagram.boxes.iter().zip(boxes).filter(|(it, _)| it.frame == Some(index)).map(|(_, rect)| *rect);
         let inner = (index + 1..diagram.frames.len()).filter(|it| diagram.frames[*it].frame == Some(index));
@@ -87,7 +87,7 @@ fn around(rects: &[Rect]) -> Option<Rect> {
 struct Columns {
     lefts: Vec<f64>,
     widths: Vec<f64>,
-    /// Where the vertical pieces right of each column begin.
+    /// The x of the first track right of each column.
     tracks: Vec<f64>,
 }
 
@@ -132,7 +132,7 @@ impl Columns {
     ) -> Route {
         let at = &stops[arrow].at;
         let last = at.len() - 1;
-        // A port is narrower above and below its point.
+        // The side of a port slopes towards its point.
         let side = |end: usize, is_right: bool, y: f64| {
             let (rect, is_port) = ends[end];
             let off = (y - rect.middle()[1]).abs() / (rect.height / 2.0);
@@ -164,7 +164,7 @@ impl Columns {
 }
 
 impl Layout {
-    /// Moves all so that it begins at zero, and says how large it is.
+    /// Moves everything to start at zero, and measures it.
     fn normalize(&mut self) {
         let lines = self.routes.iter().flat_map(|route| {
             let points = route.points.iter().map(|[x, y]| Rect { x: *x, y: *y, width: 0.0, height: 0.0 });

@@ -1,9 +1,9 @@
-//! Where a line parts into several.
+//! Dots where a line splits.
 
 use super::Route;
 use std::collections::BTreeMap;
 
-/// The dots of all lines, each with one of the arrows that part there.
+/// The dots of all lines, each with one of its arrows.
 pub(super) fn dots(routes: &[Route]) -> Vec<([f64; 2], usize)> {
     let mut together: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for (arrow, route) in routes.iter().enumerate() {
@@ -16,7 +16,7 @@ pub(super) fn dots(routes: &[Route]) -> Vec<([f64; 2], usize)> {
     dots.collect()
 }
 
-/// Where lines part that leave a box together: all have their first vertical piece at one place, or go straight on there.
+/// Where the lines of one exit split: they share their first vertical piece, or go straight on there.
 fn parts(lines: &[&[[f64; 2]]]) -> Vec<[f64; 2]> {
     let is_bent = |line: &&&[[f64; 2]]| line.len() > 2;
     let nearest = |a: f64, b: f64| if (a - lines[0][0][0]).abs() < (b - lines[0][0][0]).abs() { a } else { b };
@@ -38,7 +38,7 @@ fn parts(lines: &[&[[f64; 2]]]) -> Vec<[f64; 2]> {
 mod tests {
     use super::parts;
 
-    /// A line from the left end at height 5 that turns at 10, or goes straight on.
+    /// A line that starts at height 5 and bends at 10, or goes straight on.
     fn line(to: f64) -> Vec<[f64; 2]> {
         if to == 5.0 { vec![[0.0, 5.0], [20.0, 5.0]] } else { vec![[0.0, 5.0], [10.0, 5.0], [10.0, to], [20.0, to]] }
     }

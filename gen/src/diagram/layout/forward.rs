@@ -1,8 +1,8 @@
-//! Which arrows are drawn from left to right: with the others turned round there are no cycles.
+//! Which arrows point from left to right. With the others reversed, there are no cycles.
 
 use super::super::model::Diagram;
 
-/// Of each arrow whether it leads from left to right.
+/// For each arrow, whether it points from left to right.
 pub(super) fn forward(diagram: &Diagram) -> Vec<bool> {
     let mut search = Search {
         diagram,
@@ -13,7 +13,7 @@ pub(super) fn forward(diagram: &Diagram) -> Vec<bool> {
     for (index, arrow) in diagram.arrows.iter().enumerate() {
         search.leaving[arrow.from].push(index);
     }
-    // Streams and data are followed first, so that control is what leads back.
+    // Streams and data are followed first, so that control points back rather than they.
     search.leaving.iter_mut().for_each(|arrows| arrows.sort_by_key(|index| (diagram.arrows[*index].kind, *index)));
     (0..diagram.boxes.len()).for_each(|index| search.visit(index));
     search.forward
@@ -22,7 +22,7 @@ pub(super) fn forward(diagram: &Diagram) -> Vec<bool> {
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
-    /// It is on the way from where the search began.
+    /// It is on the path from the start of the search.
     OnTheWay,
     Done,
 }
@@ -35,7 +35,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Visits a box and all that it leads to; what leads back to the way here is turned round.
+    /// Visits a box and all that it reaches. An arrow back to the path is reversed.
     fn visit(&mut self, from: usize) {
         if self.state[from] != State::New {
             return;

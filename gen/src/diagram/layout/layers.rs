@@ -5,14 +5,14 @@ use super::{Measure, Rect};
 use dagre::graph::{Graph, GraphOptions};
 use dagre::{EdgeLabel, LayoutOptions, NodeLabel, RankDir, layout};
 
-/// What is in which column, and how far down.
+/// The column and height of boxes and lines.
 pub(super) struct Layers {
     pub columns: usize,
-    /// Of each box its column, and its rectangle but for where it is from left to right.
+    /// The column of each box and its rectangle, whose `x` is not known yet.
     pub boxes: Vec<(usize, Rect)>,
-    /// Of each arrow the columns between its ends, with the height at which it passes them.
+    /// For each arrow, the columns between its ends and the height at which it passes them.
     pub passes: Vec<Vec<(usize, f64)>>,
-    /// Which of these has the label, and its width.
+    /// Which of these passes has the label, and the label's width.
     pub labels: Vec<Option<(usize, f64)>>,
 }
 
@@ -31,7 +31,7 @@ pub(super) fn layers(diagram: &Diagram, forward: &[bool], sizes: &[[f64; 2]], me
             edge.expect("every arrow is in the graph")
         })
         .collect();
-    // The first and the last point are at the boxes.
+    // The first and the last point lie on the boxes.
     let between = |(edge, forward): (&&EdgeLabel, &bool)| {
         let points = edge.points.get(1..edge.points.len().saturating_sub(1)).unwrap_or_default();
         let mut points: Vec<[f64; 2]> = points.iter().map(|point| [point.x, point.y]).collect();
@@ -66,7 +66,7 @@ pub(super) fn layers(diagram: &Diagram, forward: &[bool], sizes: &[[f64; 2]], me
     layers
 }
 
-/// Differences below this are none.
+/// Smaller differences are rounding errors.
 const SAME: f64 = 0.01;
 
 fn box_name(index: usize) -> String {
@@ -77,7 +77,7 @@ fn frame_name(index: usize) -> String {
     format!("f{index}")
 }
 
-/// The boxes at the ends of an arrow, the left one first.
+/// The boxes at the ends of an arrow, left one first.
 fn ends(diagram: &Diagram, forward: &[bool], index: usize) -> [String; 2] {
     let arrow = &diagram.arrows[index];
     let [from, to] = [arrow.from, arrow.to].map(box_name);
@@ -116,7 +116,7 @@ fn laid_out(diagram: &Diagram, forward: &[bool], sizes: &[[f64; 2]], measure: &M
     }
     let level = |index: usize| std::iter::successors(Some(index), |index| diagram.frames[*index].frame).count();
     let levels = (0..diagram.frames.len()).map(level).max().unwrap_or(0);
-    // The borders of frames are apart as lines are, which is room for one level.
+    // `dagre` keeps room between the borders of frames that is enough for one level.
     let room = levels.saturating_sub(1) as f64 * measure.frame_title + if compound { measure.frame } else { 0.0 };
     let options = LayoutOptions {
         rankdir: RankDir::LR,
@@ -129,7 +129,7 @@ fn laid_out(diagram: &Diagram, forward: &[bool], sizes: &[[f64; 2]], measure: &M
     graph
 }
 
-/// The middles of the columns, from left to right.
+/// The x of the columns' middles, from left to right.
 fn columns(middles: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut columns: Vec<f64> = middles.collect();
     columns.sort_by(f64::total_cmp);
@@ -138,7 +138,7 @@ fn columns(middles: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 impl Layers {
-    /// Moves all to whole numbers, so that nothing of a column meets.
+    /// Rounds heights to whole numbers without overlaps in a column.
     fn round(&mut self, measure: &Measure) {
         for column in 0..self.columns {
             let mut parts: Vec<(f64, f64, &mut f64, bool)> = Vec::new();
@@ -147,7 +147,7 @@ impl Layers {
             }
             for (passes, label) in self.passes.iter_mut().zip(&self.labels) {
                 for (at, (_, y)) in passes.iter_mut().enumerate().filter(|(_, it)| it.0 == column) {
-                    // A label is in the line above.
+                    // A label takes the line above.
                     let above = if label.is_some_and(|it| it.0 == at) { measure.label_line - 1.0 } else { 0.0 };
                     parts.push((*y - above, above + 1.0, y, false));
                 }

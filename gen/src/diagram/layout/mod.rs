@@ -1,7 +1,7 @@
-//! Where everything is drawn: boxes in columns, and lines of horizontal and vertical pieces between them.
+//! Where everything is drawn: boxes in columns, and lines of horizontal and vertical pieces.
 //!
-//! `dagre` says in which column a box is, how far down, and where each line passes the columns between its ends. The width of the columns, the
-//! places where lines leave and enter boxes, and the vertical pieces of lines are decided here.
+//! `dagre` chooses the column and height of each box, and the height at which a line passes the columns between its ends. The rest is decided
+//! here: the width of columns, the points where lines leave and enter boxes, and the vertical pieces of lines.
 
 mod channel;
 mod columns;
@@ -12,33 +12,33 @@ mod slots;
 
 use super::model::{Diagram, DiagramBox};
 
-/// The sizes of what is drawn, in pixels or in characters.
+/// Sizes, in pixels or in characters.
 #[derive(Debug, Clone)]
 pub(super) struct Measure {
-    /// The width of a character of a name, of a note and of a label.
+    /// The width of a character of names, notes and labels.
     pub name: f64,
     pub note: f64,
     pub label: f64,
-    /// The height of a line of names, of a note, and of a label with the line below it.
+    /// The height of a line of names, of a note, and of a label together with the room below its line.
     pub name_line: f64,
     pub note_line: f64,
     pub label_line: f64,
-    /// Around the text of a box, at each side and above and below.
+    /// Around the text of a box: left and right, and above and below.
     pub pad: [f64; 2],
-    /// What the point of a port adds to its width.
+    /// The width of a port's point.
     pub point: f64,
-    /// Between boxes of a column, and between lines.
+    /// Between boxes of a column, and between lines of a column.
     pub box_gap: f64,
     pub line_gap: f64,
     /// Between lines at the side of a box.
     pub side: f64,
-    /// Between vertical pieces of lines, and at both ends of the room for them.
+    /// Between vertical pieces of lines, and between a box and the nearest piece.
     pub track: f64,
     pub channel: f64,
-    /// Around what a frame has inside, and above it for its name.
+    /// Around the contents of a frame, and above them for its name.
     pub frame: f64,
     pub frame_title: f64,
-    /// Everything is at whole numbers.
+    /// All coordinates are whole numbers.
     pub is_whole: bool,
 }
 
@@ -54,15 +54,15 @@ pub(super) struct Rect {
 /// A line from box to box.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Route {
-    /// Its corners, from the box that it leaves to the one that it enters.
+    /// Its corners, from source to target.
     pub points: Vec<[f64; 2]>,
-    /// Lines of one number leave a box together.
+    /// Its exit; lines of one exit leave a box at one point.
     pub exit: usize,
     /// The room for its label, above the line.
     pub label: Option<Rect>,
 }
 
-/// A diagram with places.
+/// The place of everything.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Layout {
     pub width: f64,
@@ -70,7 +70,7 @@ pub(super) struct Layout {
     pub boxes: Vec<Rect>,
     pub frames: Vec<Rect>,
     pub routes: Vec<Route>,
-    /// Where a line parts into several, with one of the arrows that it is of.
+    /// Where a line splits, with one of its arrows.
     pub dots: Vec<([f64; 2], usize)>,
 }
 
@@ -88,7 +88,7 @@ impl Rect {
     }
 }
 
-/// The lines of text in a box: its names, the first with the count.
+/// The lines of names in a box, the first with the count.
 pub(super) fn lines(it: &DiagramBox) -> Vec<String> {
     let mut names = it.names.clone();
     if !it.count.is_empty() {
@@ -97,7 +97,7 @@ pub(super) fn lines(it: &DiagramBox) -> Vec<String> {
     names
 }
 
-/// The place of everything.
+/// Lays a diagram out.
 pub(super) fn layout(diagram: &Diagram, measure: &Measure) -> Layout {
     let forward = forward::forward(diagram);
     let sizes: Vec<[f64; 2]> = (0..diagram.boxes.len()).map(|index| size(diagram, &forward, index, measure)).collect();
@@ -107,7 +107,7 @@ pub(super) fn layout(diagram: &Diagram, measure: &Measure) -> Layout {
     columns::place(diagram, &layers, &stops, &channels, measure)
 }
 
-/// Width and height of a box, which has room for all lines at its sides.
+/// Width and height of a box with room for its text, and for the lines at its sides.
 fn size(diagram: &Diagram, forward: &[bool], index: usize, measure: &Measure) -> [f64; 2] {
     let it = &diagram.boxes[index];
     let widest = lines(it).iter().map(|line| line.chars().count()).max().unwrap_or(0) as f64 * measure.name;

@@ -5,22 +5,22 @@ use super::Measure;
 use super::layers::Layers;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The way of an arrow through the columns.
+/// The path of an arrow through the columns.
 pub(super) struct Stops {
-    /// The columns that it passes, its ends included, and how far down.
+    /// The columns from its source to its target, and its height in each.
     pub at: Vec<(usize, f64)>,
-    /// Arrows of one number leave a box together.
+    /// Its exit; arrows of one exit leave a box at one point.
     pub exit: usize,
 }
 
-/// What leaves a box at one place: arrows of one kind, and from an instance of the same ports.
+/// What leaves a box at one point: arrows of one kind, and from an instance of the same ports.
 type Exit<'a> = (ArrowKind, &'a [String]);
 
 pub(super) fn is_port(it: &DiagramBox) -> bool {
     matches!(it.kind, BoxKind::Input | BoxKind::Output)
 }
 
-/// How many places a side of a box has at which arrows leave or enter it.
+/// The number of points at a side of a box where arrows leave or enter.
 pub(super) fn count(diagram: &Diagram, forward: &[bool], (index, is_right): Side) -> usize {
     let all = || diagram.arrows.iter().zip(forward);
     let leaving = all().filter(|(arrow, forward)| arrow.from == index && **forward == is_right);
@@ -33,14 +33,14 @@ fn exit<'a>(diagram: &Diagram, arrow: &'a Arrow) -> Exit<'a> {
     (arrow.kind, if is_instance { &arrow.signals[..] } else { &[] })
 }
 
-/// A side of a box: its index, and whether it is the right one.
+/// A side of a box: the box's index, and whether it is the right side.
 pub(super) type Side = (usize, bool);
 
-/// The ways of all arrows.
+/// The paths of all arrows.
 pub(super) fn stops(diagram: &Diagram, layers: &Layers, measure: &Measure) -> Vec<Stops> {
     let mut exits: BTreeMap<(Side, Exit), usize> = BTreeMap::new();
     let mut found: Vec<Stops> = Vec::new();
-    // Of each side the heights at which what leaves or enters there would be straight, by exit or arrow.
+    // For each side and point, the heights that would make its lines straight.
     let mut wishes: BTreeMap<Side, BTreeMap<Place, Vec<f64>>> = BTreeMap::new();
     for (index, arrow) in diagram.arrows.iter().enumerate() {
         let middle = |of: usize| (layers.boxes[of].0, layers.boxes[of].1.middle()[1]);
@@ -71,7 +71,7 @@ pub(super) fn stops(diagram: &Diagram, layers: &Layers, measure: &Measure) -> Ve
     found
 }
 
-/// What has a place at the side of a box.
+/// What has a point at a side of a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Place {
     Exit(usize),
@@ -84,9 +84,9 @@ fn median(ys: &[f64]) -> f64 {
     ys[ys.len() / 2]
 }
 
-/// Places from top to bottom, near to what is wished but apart from each other.
+/// Heights near the wishes, which are sorted, with gaps between them.
 fn spread(wished: &[f64], top: f64, bottom: f64, measure: &Measure) -> Vec<f64> {
-    // In characters the lines of a box's frame are no places.
+    // In characters, a box's outline takes its first and last line.
     let (first, last) = if measure.is_whole { (top + 1.0, bottom - 2.0) } else { (top, bottom) };
     let room = last - first;
     let count = wished.len() as f64;
