@@ -1,5 +1,4 @@
-//! A counter: described, tested, shown as a wave, printed as Verilog.
-//! `cargo run -p tilewright-hdl --example counter`
+//! A counter: described, tested, drawn as a wave, printed as Verilog. `cargo run -p tilewright-hdl --example counter`
 
 use tilewright_hdl::*;
 use tilewright_sim::{Simulation, Vcd};

@@ -1,4 +1,4 @@
-//! A pedestrian crossing: a small state machine over an enum, whose state shows by name in waves and Verilog.
+//! A pedestrian crossing: a small state machine over an enum. Waves and Verilog show its states by name.
 //! `cargo run -p tilewright-hdl --example crossing`
 
 use tilewright_hdl::*;
@@ -7,7 +7,8 @@ use tilewright_sim::{Simulation, Vcd};
 codes! { enum Light { Green, Amber, Red } }
 
 block! {
-    /// Cars have green until somebody presses the button, but for `clocks[0]` clocks; then amber and red for the others.
+    /// Cars have green until somebody presses the button, but for at least `clocks[0]` clocks; then amber and red
+    /// last for the other two numbers.
     struct Crossing {
         clocks: [u64; 3],
     }

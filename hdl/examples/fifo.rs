@@ -1,11 +1,12 @@
-//! A first-in first-out queue: a memory, two pointers, and flags that never lie.
+//! A first-in first-out queue: a memory, two pointers, and flags that are always correct.
 //! `cargo run -p tilewright-hdl --example fifo`
 
 use tilewright_hdl::*;
 use tilewright_sim::{Simulation, Vcd};
 
 block! {
-    /// Holds up to `depth` words, a power of two; the oldest is at the head. A push when full and a pop when empty do nothing.
+    /// Stores up to `depth` words, a power of two; the oldest is at the head. A push when full and a pop when empty
+    /// have no effect.
     struct Fifo {
         depth: u32,
         width: u32,

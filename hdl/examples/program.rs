@@ -1,20 +1,20 @@
-//! A sequencer whose program is a memory of records: one record is assembler, decoder and wave.
+//! A sequencer whose program is a memory of records: one record type serves the assembler, the decoder and the wave.
 //! `cargo run -p tilewright-hdl --example program`
 
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
 codes! {
-    /// What an instruction does with the sum.
+    /// The effect of an instruction on the sum.
     enum Alu { Load, Add, Double }
 }
 
 bundle! {
-    /// An instruction; it is done once and then so many times more.
+    /// An instruction; it is executed once and then `more` times again.
     struct Step<T> { alu: T, operand: T, more: T, ends: T }
 }
 
-/// The assembler: a function that makes a record of numbers.
+/// The assembler: a function that returns a record of numbers.
 fn step(alu: Alu, operand: u64) -> Step<u64> {
     Step { alu: alu.code(), operand, more: 0, ends: 0 }
 }

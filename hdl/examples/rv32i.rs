@@ -1,14 +1,15 @@
-//! A processor of the RV32I instruction set, one instruction a clock, without interrupts; words and halves may lie at any address. It runs a flat
-//! binary that is loaded at address 0, until it comes to a stop address, decimal or with `0x`:
-//! `cargo run -p tilewright-hdl --example rv32i -- program.bin 0x80`; without arguments, a program of its own. A third argument is how many
-//! instructions it may take, in place of a thousand million; where it takes more, the exit code is 1.
+//! A processor of the RV32I instruction set, one instruction a clock, without interrupts; words and halves may be at
+//! any address. It loads a flat binary at address 0 and runs it until a stop address, decimal or with `0x`:
+//! `cargo run -p tilewright-hdl --example rv32i -- program.bin 0x80`. Without arguments, it runs a program of its
+//! own. A third argument limits the number of instructions; the default is a thousand million. If the program exceeds
+//! it, the exit code is 1.
 
 use std::process::ExitCode;
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
 codes! {
-    /// What an instruction is, by bits 2 to 6 of it.
+    /// The kind of an instruction, by its bits 2 to 6.
     enum Opcode {
         Load, LoadFloat, Custom0, Fence, Immediate, AddToPc, Word32, Long48,
         Store, StoreFloat, Custom1, Atomic, Register, LoadUpper, Word64, Long64,
@@ -16,14 +17,14 @@ codes! {
         Branch, JumpRegister, Reserved, Jump, System, Reserved1, Custom3, Longer,
     }
 
-    /// What the arithmetic unit does, by `funct3`.
+    /// The operation of the arithmetic unit, by `funct3`.
     enum Operation { Add, ShiftLeft, Less, LessUnsigned, Xor, ShiftRight, Or, And }
 }
 
 bundle! {
     struct CoreOut<T> { pc: T, stopped: T }
 
-    /// The immediate operands that an instruction may have.
+    /// The immediate operands of the instruction formats.
     struct Immediates<T> { i: T, s: T, b: T, u: T, j: T }
 }
 
@@ -57,7 +58,8 @@ impl Block for Core {
         def!(pc = m.reg(32).reset(0));
         def!(stopped = pc.eq(self.stop));
 
-        // Four bytes side by side, each at an address of its own: those from an address on stand in two words, if it is no multiple of 4.
+        // Four bytes side by side, each with an address of its own: an access that is not aligned to 4 bytes is
+        // spread over two words.
         def!(memory = m.memory(self.words, bits(8).of(4), ReadUnderWrite::Any));
         let place = |address: Signal| address.part(2, memory.address_width());
         let places = |address: Signal| place(address.of(4) + constants(bits(32).of(4), |lane| 3 - lane));
@@ -133,7 +135,7 @@ impl Block for Core {
     }
 }
 
-/// The sum of the squares from 1 to 10, by addition alone, and a byte stored and loaded again.
+/// The sum of the squares from 1 to 10, by additions only, and a byte stored and loaded again.
 const PROGRAM: [u32; 14] = [
     0x00a0_0593, // li   a1, 10
     0x0000_0513, // li   a0, 0
@@ -151,11 +153,11 @@ const PROGRAM: [u32; 14] = [
     0x0000_006f, // stop: j stop
 ];
 
-/// What a program left.
+/// The result of a program.
 pub struct Left {
-    /// How many it took.
+    /// The number of instructions executed.
     pub instructions: u64,
-    /// What the registers hold.
+    /// The values of the registers.
     pub registers: Vec<u32>,
 }
 
@@ -175,7 +177,7 @@ pub fn run(arguments: &[String]) -> Result<Left, String> {
     })
 }
 
-/// The instructions that a program may take, unless told otherwise.
+/// The default limit of instructions.
 const MOST: u64 = 1_000_000_000;
 
 fn number(text: &str) -> Result<u64, String> {
@@ -183,7 +185,7 @@ fn number(text: &str) -> Result<u64, String> {
     number.map_err(|_| format!("`{text}` is no number: write it in decimal, or in hexadecimal with 0x before it"))
 }
 
-/// What the program left at its stop address; nothing if it did not come there.
+/// The result of the program at its stop address; `None` if it did not reach that.
 fn execute(bytes: &[u8], stop: u32, limit: u64) -> Result<Option<Left>, Box<dyn std::error::Error>> {
     let words = (bytes.len().div_ceil(4) as u32).next_power_of_two().max(16_384);
     let mut sim = Simulation::of(&Core { words, stop })?;
@@ -199,7 +201,7 @@ fn execute(bytes: &[u8], stop: u32, limit: u64) -> Result<Option<Left>, Box<dyn 
     Ok(Some(Left { instructions, registers }))
 }
 
-/// Says what is left.
+/// Prints the result.
 #[cfg_attr(test, allow(dead_code, reason = "tests look at what `run` gives"))]
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

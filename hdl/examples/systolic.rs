@@ -38,7 +38,7 @@ pub fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut sim = Simulation::of(&array)?;
     let ports = (sim.i, sim.o);
     for clock in 0..3 * N {
-        // What enters row or column `lane` now; nothing before its turn, and nothing after.
+        // The element that enters row or column `lane` now; none before it begins and after it ends.
         let turn = |lane: usize| clock.checked_sub(lane).filter(|k| *k < N);
         sim.set(ports.0.clear, clock == 0);
         sim.set_lanes(ports.0.left, (0..N).map(|row| turn(row).map_or(0u64, |k| a[row][k])));

@@ -30,20 +30,20 @@ impl Transmitter {
 }
 
 block! {
-    /// Receives bytes; looks at the line in the middle of each bit, which it counts from the edge that begins the start bit.
+    /// Receives bytes. It samples the line in the middle of each bit, counted from the falling edge of the start bit.
     struct Receiver {
         clocks_per_bit: u32,
     }
     latency = "3 clocks from the middle of the stop bit";
     in ReceiverIn {
-        /// Of no clock.
+        /// Asynchronous.
         rx: bit(),
     }
     out ReceiverOut {
         bytes: stream(bits(8)),
-        /// The stop bit is low: there is no byte.
+        /// The stop bit is low: the byte is invalid.
         framing_error: bit(),
-        /// A byte is lost, as nobody has taken the one before.
+        /// A byte is lost, because the previous one has not been taken.
         overrun: bit(),
     }
 }
@@ -92,7 +92,7 @@ impl Uart {
     }
 }
 
-/// Somebody at the far end sends a byte, with his own idea of how long a bit is.
+/// The far end sends a byte, with its own bit length.
 async fn far_end_sends(t: &Testbench<'_>, rx: Port, byte: u64, stop: u64, clocks_per_bit: u64) {
     for bit in [0].into_iter().chain((0..8).map(|place| byte >> place & 1)).chain([stop, 1]) {
         t.set(rx, bit);
@@ -100,7 +100,7 @@ async fn far_end_sends(t: &Testbench<'_>, rx: Port, byte: u64, stop: u64, clocks
     }
 }
 
-/// Somebody at the far end receives a byte.
+/// The far end receives a byte.
 async fn far_end_receives(t: &Testbench<'_>, tx: Port, clocks_per_bit: u64) -> u64 {
     t.until(tx.is(0)).await;
     t.wait(clocks_per_bit / 2).await;
@@ -114,7 +114,7 @@ async fn far_end_receives(t: &Testbench<'_>, tx: Port, clocks_per_bit: u64) -> u
     byte
 }
 
-/// Runs it; a test does so too, and has its Verilog do the same.
+/// Runs it; a test does so too, and runs its Verilog against it.
 pub fn run() -> Result<(Design, Recording), Box<dyn std::error::Error>> {
     let uart = Uart { clocks_per_bit: 32 };
     let mut sim = Simulation::of(&uart)?;
@@ -148,7 +148,8 @@ pub fn run() -> Result<(Design, Recording), Box<dyn std::error::Error>> {
         t.run((sends, far_end_hears, far_end_talks, receives, monitor(has_no_errors)));
     }
 
-    // A glitch is no start bit, a byte without its stop bit is none, and of two that nobody takes the second is lost.
+    // A glitch is not a start bit, a byte without its stop bit is invalid, and of two bytes that nobody takes the
+    // second is lost.
     let far_end_talks = async {
         t.set(i.rx, 0);
         t.wait(5).await;

@@ -1,17 +1,17 @@
-//! A coverage test: of each window of the screen it sends the quarters that a triangle may cover. Two of them, one behind the other, are
-//! connected by their streams. `cargo run -p tilewright-hdl --example windows`
+//! A coverage test: for each window of the screen, it sends the quarters that a triangle may cover. Two of them in
+//! sequence are connected by their streams. `cargo run -p tilewright-hdl --example windows`
 
 use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Simulation};
 
 bundle! {
-    /// A square of the screen, and the greatest value in it of each edge function of the triangle.
+    /// A square of the screen, and the largest value in it of each edge function of the triangle.
     struct Window<T> { x: T, y: T, edges: T }
     struct TestIn<T> { windows: Stream<Window<T>, T> }
     struct TestOut<T> { quarters: Stream<Window<T>, T> }
 }
 
-/// The edge functions are `a x + b y + c`; inside of the triangle none is negative. This is `(a, b)` of each.
+/// The edge functions are `a x + b y + c`; inside of the triangle, none is negative. This is `(a, b)` of each.
 const SLOPES: [(i64, i64); 3] = [(1, 0), (0, 1), (-1, -1)];
 
 fn window() -> Window<Width> {
@@ -22,7 +22,7 @@ impl Window {
     /// A quarter of a window that is twice as wide as `half`.
     fn quarter(&self, number: Signal, half: u32) -> Window {
         let place = |upper: Signal| upper.zext(5) << half.ilog2();
-        // An edge function is less in the half that it points away from.
+        // An edge function is smaller in the half that it points away from.
         let less = |quarter: u64| {
             let [right, upper] = [quarter & 1 == 1, quarter >> 1 == 1];
             let along = |slope: i64, upper: bool| if (slope > 0) == upper { 0 } else { slope.unsigned_abs() };
@@ -34,7 +34,7 @@ impl Window {
     }
 }
 
-/// Sends the quarters, a clock each, of windows that are twice as wide as `half`.
+/// Sends the quarters of windows that are twice as wide as `half`, one a clock.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct CoverageTest {
     half: u32,

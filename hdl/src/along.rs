@@ -12,15 +12,15 @@ use crate::problem::Problem;
 use crate::shaping::sound_shape;
 use crate::signal::Signal;
 
-/// The lanes of a row, or the rows or the columns of a grid, one after another: made by [`Signal::rows`] and [`Signal::columns`]. Each of
-/// its lanes is what is left without that axis: of the rows of a grid, a row.
+/// The lanes of a row, or the rows or columns of a grid, as a sequence. Made by [`Signal::rows`] and
+/// [`Signal::columns`]. Each element has the shape that remains without that axis: for the rows of a grid, a row.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-/// m.assert(x.rows().lane(1).pack().eq(0x543), "of the rows one is a row, ..");
-/// m.assert(x.columns().lane(1).pack().eq(0x41), ".. and so is one of the columns");
+/// m.assert(x.rows().lane(1).pack().eq(0x543), "an element of the rows is a row, ..");
+/// m.assert(x.columns().lane(1).pack().eq(0x41), ".. and so is an element of the columns");
 /// # });
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +31,7 @@ pub struct Along {
 }
 
 impl Along {
-    /// How many there are.
+    /// The number of elements.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,7 +54,7 @@ impl Along {
         Signal::make(op, self.of.width, self.inner()).kept_as(self.of.kind)
     }
 
-    /// The signal with the lanes of one of these, as which it stands in `method`; if it has others, that is a problem.
+    /// The signal with the lanes of one of these, for use in `method`; a signal with other lanes is a problem.
     #[track_caller]
     fn one(self, signal: Signal, what: &str, method: &str) -> Signal {
         let (loc, inner) = (Loc::caller(), self.inner());
@@ -81,13 +81,13 @@ impl Along {
         })
     }
 
-    /// The one of that number, counted from 0.
+    /// Element `index`, counted from 0.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.rows().lane(1).lane(2).eq(5), "row 1, and of that column 2");
+    /// m.assert(x.rows().lane(1).lane(2).eq(5), "row 1, and its column 2");
     /// # });
     /// ```
     #[track_caller]
@@ -105,13 +105,13 @@ impl Along {
         self.dropped(Op::Lane { of: self.of.id(), axis: self.axis, index: index as u32 })
     }
 
-    /// The last one.
+    /// The last element.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.columns().last().pack().eq(0x52), "what leaves a grid on its right, a lane for each row");
+    /// m.assert(x.columns().last().pack().eq(0x52), "the right border of a grid, a lane for each row");
     /// # });
     /// ```
     #[track_caller]
@@ -119,7 +119,7 @@ impl Along {
         self.lane(self.count() - 1)
     }
 
-    /// All of them, as signals of their own.
+    /// All elements, as separate signals.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -138,14 +138,14 @@ impl Along {
         signals
     }
 
-    /// What the neighbour of the next lower number has; the first has `edge`.
+    /// Each element takes the value of its lower neighbour; the first takes `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
     /// let left = lit(8, 0xba).unpack(2);
-    /// m.assert(x.columns().previous(left).pack().eq(0x43b_10a), "the edge is plain, or as one column is");
+    /// m.assert(x.columns().previous(left).pack().eq(0x43b_10a), "the edge is plain, or shaped like a column");
     /// # });
     /// ```
     #[track_caller]
@@ -153,13 +153,13 @@ impl Along {
         self.shifted(1, edge)
     }
 
-    /// What the neighbour of the next higher number has; the last has `edge`.
+    /// Each element takes the value of its higher neighbour; the last takes `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.rows().following(15).pack().eq(0xfff_543), "what is below; the last row has the edge there");
+    /// m.assert(x.rows().following(15).pack().eq(0xfff_543), "the row below; the last row takes the edge");
     /// # });
     /// ```
     #[track_caller]
@@ -167,31 +167,32 @@ impl Along {
         self.shifted(-1, edge)
     }
 
-    /// Number `i` has what number `i - by` has; those that have no such neighbour have `edge`.
+    /// Element `i` takes the value of element `i - by`, or `edge` if there is none.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.columns().shifted(2, 0).pack().eq(0x300_000), "column 2 has column 0");
+    /// m.assert(x.columns().shifted(2, 0).pack().eq(0x300_000), "column 2 takes column 0");
     /// # });
     /// ```
     #[track_caller]
     pub fn shifted(self, by: impl Integer, edge: impl Operand) -> Signal {
-        // All are beyond the edge from there on.
+        // From this distance on, every element is beyond the edge.
         let most = i128::from(self.count());
         let by = by.integer().clamp(-most, most);
         self.map(self.count(), |i| i - by, Some(edge), "shifted")
     }
 
-    /// `count` of them: number `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`. There is one for each.
+    /// A sequence of `count` elements: element `i` is element `index(i)` of this one, as in `take(2 * n, |i| i / 2)`.
+    /// No index may be out of range.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 2)), |lane| lane);
     /// let doubled = x.rows().take(4, |i| i / 2).columns().take(4, |i| i / 2);
-    /// m.assert(doubled.rows().last().pack().eq(0x3322), "each lane becomes two by two");
+    /// m.assert(doubled.rows().last().pack().eq(0x3322), "each lane becomes a 2 x 2 square");
     /// # });
     /// ```
     #[track_caller]
@@ -199,7 +200,7 @@ impl Along {
         self.map(integers::count(count), index, None::<u32>, "take")
     }
 
-    /// As [`take`](Along::take); where `index` leads beyond the ends, `edge`.
+    /// Like [`take`](Along::take), but an index out of range gives `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -213,7 +214,7 @@ impl Along {
         self.map(integers::count(count), index, Some(edge), "take_or")
     }
 
-    /// The last first.
+    /// The elements in reverse order.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -245,12 +246,12 @@ impl Along {
         let (axis, has) = (self.axis, self.count());
         let (problem, help) = match index(Index::lane()).affine() {
             None => (
-                format!("the rule of `.{method}` is none that a row of wires can follow"),
-                "a lane's number is multiplied and added to before it is divided, in 32 bits, as in `(2 * i + 1) / 3`",
+                format!("the rule of `.{method}` is one that a row of wires cannot follow"),
+                "a rule multiplies and adds before it divides, in 32 bits, as in `(2 * i + 1) / 3`",
             ),
             Some(index) => match (index.stays_inside(shape.extent(axis), has), edge) {
                 (is_inside, edge) if is_inside || edge.is_some() => {
-                    // Where no lane is beyond the ends, nothing takes the edge.
+                    // If no index is out of range, `edge` is never used.
                     elaboration::draft(|draft| draft.ignored.extend(edge.filter(|_| is_inside)));
                     let op = Op::Map { of: id, axis, index, edge: edge.filter(|_| !is_inside) };
                     return Signal::make(op, self.of.width, shape).kept_as(self.of.kind);
@@ -260,7 +261,7 @@ impl Along {
                     let lane = beyond.unwrap_or(0);
                     let from = index.at(lane);
                     let message = format!("lane {lane} of `.{method}` would be lane {from} of a signal of {has} lanes");
-                    (message, "`.take_or(n, |i| .., edge)` says what lanes beyond the ends have")
+                    (message, "`.take_or(n, |i| .., edge)` gives a value for lanes beyond the ends")
                 }
             },
         };
@@ -270,13 +271,13 @@ impl Along {
         })
     }
 
-    /// The one whose number `index` is; zero beyond the last.
+    /// The element whose number is the value of `index`; zero if there is none.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.rows().pick(lit(1, 1)).pack().eq(0x543), "one row for all; its number is a signal");
+    /// m.assert(x.rows().pick(lit(1, 1)).pack().eq(0x543), "one row, selected by a signal");
     /// # });
     /// ```
     #[track_caller]
@@ -290,7 +291,7 @@ impl Along {
         self.dropped(Op::Reduce { by, of: self.of.id(), axis: self.axis })
     }
 
-    /// Bitwise and of all.
+    /// Bitwise and of all elements.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -304,13 +305,13 @@ impl Along {
         self.reduce(Reduction::And)
     }
 
-    /// Bitwise or of all.
+    /// Bitwise or of all elements.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let wants = constants(bits(1).of(grid(2, 3)), |lane| lane < 2);
-    /// m.assert(wants.columns().or_all().pack().eq(0b01), "a lane for each row: does any of it want something?");
+    /// m.assert(wants.columns().or_all().pack().eq(0b01), "a lane for each row: does any of its lanes request?");
     /// # });
     /// ```
     #[track_caller]
@@ -318,7 +319,7 @@ impl Along {
         self.reduce(Reduction::Or)
     }
 
-    /// Bitwise exclusive or of all.
+    /// Bitwise exclusive or of all elements.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -332,7 +333,7 @@ impl Along {
         self.reduce(Reduction::Xor)
     }
 
-    /// The sum of all, modulo 2 to the width.
+    /// The sum of all elements, modulo 2 to the width.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -346,13 +347,13 @@ impl Along {
         self.reduce(Reduction::Add)
     }
 
-    /// The smallest; of signed ones in two's complement.
+    /// The smallest element; signed elements are compared in two's complement.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| 5 - u64::from(lane));
-    /// m.assert(x.columns().minimum().pack().eq(0x03), "of 5, 4, 3 and of 2, 1, 0");
+    /// m.assert(x.columns().minimum().pack().eq(0x03), "the minima of 5, 4, 3 and of 2, 1, 0");
     /// # });
     /// ```
     #[track_caller]
@@ -360,13 +361,13 @@ impl Along {
         self.extreme(Reduction::Min)
     }
 
-    /// The largest; of signed ones in two's complement.
+    /// The largest element; signed elements are compared in two's complement.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| 5 - u64::from(lane));
-    /// m.assert(x.rows().maximum().pack().eq(0x345), "of each column the largest, in the upper row here");
+    /// m.assert(x.rows().maximum().pack().eq(0x345), "the largest of each column, here in the upper row");
     /// # });
     /// ```
     #[track_caller]
@@ -379,14 +380,14 @@ impl Along {
         if self.of.kind != Kind::Signed {
             return self.reduce(by);
         }
-        // With the sign bit inverted, the order is that of unsigned numbers.
+        // With the sign bit inverted, signed numbers compare as unsigned ones do.
         let places = self.of.width - 1;
         let sign = if places == 0 { Bits::ones(1) } else { Bits::ones(1).concat(&Bits::zero(places)) };
         let of = self.of.bits() ^ sign.clone();
         (Along { of, ..self }.reduce(by) ^ sign).kept_as(Kind::Signed)
     }
 
-    /// Side by side in one word, number 0 in the lowest bits.
+    /// All elements side by side in one word, element 0 in the lowest bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -1,4 +1,4 @@
-//! Attributes: what a description says to synthesizers alone.
+//! Attributes: notes to synthesizers only.
 
 use crate::bundle::Bundle;
 use crate::data::Data;
@@ -13,8 +13,8 @@ use crate::register::Reg;
 use crate::wire::is_here;
 
 impl Reg {
-    /// An attribute for synthesizers, of this register: `.attribute("keep", "true")` is Verilog's `(* keep = "true" *)`. The registers of a synchronizer have
-    /// `ASYNC_REG` by themselves.
+    /// Sets a synthesis attribute of this register: `.attribute("keep", "true")` is Verilog's `(* keep = "true" *)`.
+    /// The registers of a synchronizer have `ASYNC_REG` without it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -36,7 +36,7 @@ impl Reg {
 }
 
 impl<B: Bundle> Reg<B> {
-    /// An attribute for synthesizers, of the register of each field.
+    /// Sets a synthesis attribute of the register of each field.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -59,12 +59,13 @@ impl<B: Bundle> Reg<B> {
 }
 
 impl<V: Data> Mem<V> {
-    /// An attribute for synthesizers, of this memory: what it is made of is `.attribute("ram_style", "block")` to Xilinx' tools.
+    /// Sets a synthesis attribute of this memory. `.attribute("ram_style", "block")`, for example, tells Xilinx'
+    /// tools which kind of memory to use.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
-    ///     /// Keeps lines of a picture.
+    ///     /// Stores lines of a picture.
     ///     pub struct Lines;
     ///     in LinesIn { write: bit(), at: below(1024), pixel: bits(24) }
     ///     out LinesOut { shown: bits(24) }
@@ -93,10 +94,10 @@ fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<At
         let attributes = to(e.draft());
         if !is_legal(name) || is_reserved(name) {
             let problem = Problem::new(loc, format!("`{name}` cannot be the name of an attribute"));
-            e.report(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
+            e.report(problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"));
         } else if value.contains("*)") {
-            let problem = Problem::new(loc, format!("the value of the attribute `{name}` ends it: `{value}`"));
-            e.report(problem.help("Verilog's attributes end with `*)`, also within a string"));
+            let problem = Problem::new(loc, format!("the value of the attribute `{name}` would end it: `{value}`"));
+            e.report(problem.help("an attribute of Verilog ends at `*)`, even within a string"));
         } else if attributes.iter().any(|known| known.name == name) {
             let problem = Problem::new(loc, format!("the attribute `{name}` is given twice"));
             e.report(problem.help("give it once"));

@@ -1,4 +1,4 @@
-//! A value of a known width: what a signal holds at one moment.
+//! A value of a known width: the value of a signal at one moment.
 
 use crate::integers::for_integers;
 use crate::operand::{Literal, Operand, Value};
@@ -7,9 +7,9 @@ use std::cmp::Ordering;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-/// A bit vector of a fixed width, 1 bit to thousands, in two's complement where it stands for a signed number.
+/// A bit vector of a fixed width, from 1 bit to thousands. A signed number is stored in two's complement.
 ///
-/// Bits above the width are always zero, so that two equal values compare equal.
+/// Bits above the width are always zero, so equal values compare equal.
 ///
 /// ```
 /// use tilewright_hdl::Bits;
@@ -39,7 +39,7 @@ impl Hash for Bits {
     }
 }
 
-/// By width, and then by the lowest limb first.
+/// Ordered by width, then by value from the lowest limb up.
 impl Ord for Bits {
     fn cmp(&self, other: &Bits) -> Ordering {
         (self.width, &self.limbs).cmp(&(other.width, &other.limbs))
@@ -52,14 +52,14 @@ impl PartialOrd for Bits {
     }
 }
 
-/// Up to 64 bits live in place, so that a testbench does not allocate for each value.
+/// Up to 64 bits are stored in place, so that a testbench does not allocate for each value.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 enum Limbs {
     One(u64),
     Many(Box<[u64]>),
 }
 
-/// The number of 64-bit limbs that hold `width` bits.
+/// The number of 64-bit limbs that `width` bits need.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -69,12 +69,12 @@ pub const fn limbs_for(width: u32) -> usize {
     width.div_ceil(64) as usize
 }
 
-/// The mask of the bits in use of a value's highest limb.
+/// The mask of the used bits of the highest limb.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// assert_eq!(top_mask(12), 0xfff);
-/// // Of 64 bits all are in use, and of 65 one in the second limb.
+/// // 64 bits use all of one limb; 65 bits use one bit of the second.
 /// assert_eq!((top_mask(64), top_mask(65)), (u64::MAX, 1));
 /// ```
 pub const fn top_mask(width: u32) -> u64 {
@@ -122,7 +122,7 @@ impl Bits {
         Bits::from_limbs(width, &limbs)
     }
 
-    /// The value whose limbs, lowest first, are given; missing limbs are zero, bits above the width are dropped.
+    /// The value with these limbs, lowest first. Missing limbs are zero; bits above the width are dropped.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -176,7 +176,7 @@ impl Bits {
         self.width
     }
 
-    /// The limbs, lowest first; there are [`limbs_for`]`(width)` of them.
+    /// The limbs, lowest first: [`limbs_for`]`(width)` of them.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -270,7 +270,7 @@ impl Bits {
         Bits::from_limbs(width, &(0..limbs_for(width)).map(moved).collect::<Vec<_>>())
     }
 
-    /// `self` above `low`: the width is the sum of both.
+    /// The concatenation of `self` above `low`, as wide as both together.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -290,7 +290,7 @@ impl Bits {
         Bits::from_limbs(width, &limbs)
     }
 
-    /// Cut, or widened with zeros, to `width` bits.
+    /// Truncated, or zero-extended, to `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -301,7 +301,7 @@ impl Bits {
         Bits::from_limbs(width, self.limbs()).shown_in(self.radix)
     }
 
-    /// Cut, or widened with the sign bit, to `width` bits.
+    /// Truncated, or sign-extended, to `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -371,7 +371,7 @@ impl Operand for Bits {
 
 macro_rules! equals_integer {
     ($($ty:ty)*) => {$(
-        /// Equal as an unsigned number; a negative one is compared in two's complement of the width.
+        /// Equal as an unsigned number; a negative number is compared in two's complement of the width.
         impl PartialEq<$ty> for Bits {
             fn eq(&self, other: &$ty) -> bool {
                 let other = *other as i128;

@@ -1,4 +1,4 @@
-//! Blocks: parameters in a plain struct, and a function from an input bundle to an output bundle.
+//! Blocks: a plain struct of parameters, and a function from an input bundle to an output bundle.
 
 use crate::bundle::Bundle;
 use crate::check;
@@ -24,12 +24,13 @@ use std::fmt::Debug;
 use std::hash::Hash;
 use std::rc::Rc;
 
-/// A hardware block: the struct holds its parameters, [`build`](Block::build) describes it. Instances of one type with
-/// equal parameters are one module; what `Debug` prints of them goes into its name and into messages.
+/// A hardware block. The struct holds its parameters; [`build`](Block::build) describes its circuit. Instances of one
+/// type with equal parameters share a module. The `Debug` text of the parameters goes into the module's name and into
+/// messages.
 ///
-/// [`block!`](crate::block!) makes all of it but `build` of one declaration. Without it,
-/// write `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: state
-/// them as integers.
+/// [`block!`](crate::block!) generates everything but `build` from one declaration. Without the macro, write
+/// `#[derive(Debug, Clone, PartialEq, Eq, Hash)]` before the struct. Floating-point parameters have no `Eq`: use
+/// integers instead.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -62,7 +63,7 @@ use std::rc::Rc;
 pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// The input bundle.
     type In: Bundle;
-    /// The output bundle; its widths follow from the description, and can be stated in [`outputs`](Block::outputs).
+    /// The output bundle. Its widths follow from the description and may be stated in [`outputs`](Block::outputs).
     type Out: Bundle;
 
     /// The widths of the inputs.
@@ -84,7 +85,8 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// ```
     fn inputs(&self) -> <Self::In as Bundle>::Of<Width>;
 
-    /// Whether each parameter is in its range: `ranges` of [`block!`](crate::block!). Of a block that is not in them, nothing else is asked.
+    /// Checks that each parameter is in its range: the `ranges` of [`block!`](crate::block!). A block that fails this
+    /// check is not elaborated.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -101,12 +103,12 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     ///
     /// # Errors
     ///
-    /// The first parameter that is out of its range.
+    /// The first parameter that is out of range.
     fn check(&self) -> Result<(), OutOfRange> {
         Ok(())
     }
 
-    /// Describes the block.
+    /// Describes the circuit.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -116,7 +118,7 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// #     out AdderOut { sum: _ }
     /// # }
     /// impl Adder {
-    ///     // Plain Rust: what is asked here is answered once, when the circuit is built.
+    ///     // Plain Rust: this question is answered once, when the circuit is built.
     ///     fn build(&self, m: Module, i: AdderIn) -> AdderOut {
     ///         let sum = i.a + i.b;
     ///         AdderOut { sum: if self.width > 32 { m.pipe("late", sum) } else { sum } }
@@ -129,7 +131,8 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// ```
     fn build(&self, m: Module, i: Self::In) -> Self::Out;
 
-    /// The widths that its outputs are to have, each with the port's path; those that are not said follow from the description.
+    /// The required widths of the outputs, each with the port's path. Other outputs take the width of what drives
+    /// them.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -146,20 +149,20 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
     /// }
     ///
     /// let outputs: Vec<_> = Half.outputs().into_iter().map(|(path, width)| (path, width.bits())).collect();
-    /// assert_eq!(outputs, [("half".to_owned(), 4)]); // of `rest`, nothing is said
+    /// assert_eq!(outputs, [("half".to_owned(), 4)]); // the width of `rest` is not stated
     /// ```
     fn outputs(&self) -> Vec<(String, Width)> {
         Vec::new()
     }
 
-    /// What the block is, for people: the header of its Verilog and its documentation.
+    /// The block's description in words: the header of its Verilog and its documentation.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
     ///     /// The sum of two bytes.
     ///     ///
-    ///     /// What follows the first paragraph is for those who read the source.
+    ///     /// Text after the first paragraph is for readers of the source.
     ///     struct Sum;
     ///     latency = "none";
     ///     in SumIn { a: bits(8), b: bits(8) }
@@ -177,14 +180,15 @@ pub trait Block: Debug + Clone + Eq + Hash + 'static {
         About::default()
     }
 
-    /// Where `block!` declares it; of one that is none, nothing is known.
+    /// The place of the block's `block!` declaration, if it has one.
     #[doc(hidden)]
     fn declared(&self) -> Option<Loc> {
         None
     }
 
-    /// The name of its module in Verilog: by default the type's name in snake case with its type arguments and parameters behind
-    /// it, as `counter_width8`. Blocks that differ have names that differ, and where they would not that is a problem.
+    /// The name of its module in Verilog. By default it is the type's name in snake case, followed by its type
+    /// arguments and parameters, as in `counter_width8`. Different blocks have different names; a clash of names is a
+    /// problem.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -236,13 +240,13 @@ pub const DEFAULT_PERIOD: Period = Period::ns(10);
 ///
 /// # Errors
 ///
-/// Every mistake found in the description, each with the places in the user's source.
+/// Every mistake found in the description, each with its places in the user's source.
 #[track_caller]
 pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
     elaborate_at(block, DEFAULT_PERIOD)
 }
 
-/// As [`elaborate`], with another period of the default clock.
+/// Like [`elaborate`], with another period of the default clock.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -266,7 +270,7 @@ pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Probl
     elaborate_typed(block, period).map(|(design, ..)| design)
 }
 
-/// The circuit, and its ports as bundles of their numbers: the design's inputs from 0, then its outputs.
+/// The elaborated circuit, and the port numbers as bundles: the design's inputs count from 0, its outputs follow.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -282,12 +286,12 @@ pub fn elaborate_at<B: Block>(block: &B, period: Period) -> Result<Design, Probl
 /// # }
 /// let typed: Typed<Sum> = elaborate_typed(&Sum, DEFAULT_PERIOD)?;
 /// let (_, _, SumOut { sum }) = typed;
-/// assert_eq!(sum, 2); // behind the two inputs
+/// assert_eq!(sum, 2); // after the two inputs
 /// # Ok::<(), Problems>(())
 /// ```
 pub type Typed<B> = (Design, <<B as Block>::In as Bundle>::Of<usize>, <<B as Block>::Out as Bundle>::Of<usize>);
 
-/// As [`elaborate_at`], with the ports as bundles: what a typed testbench needs.
+/// Like [`elaborate_at`], with the ports as bundles, as a typed testbench needs them.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -323,8 +327,8 @@ pub fn elaborate_typed<B: Block>(block: &B, period: Period) -> Result<Typed<B>, 
     Ok((Design::new(modules)?, inputs, outputs))
 }
 
-/// The ports of a block as its bundles. A module has the inputs of its input bundle first, then those of its output bundle, and
-/// its outputs the other way round.
+/// The ports of a block as its bundles. A module's inputs are those of its input bundle, then the backward leaves of
+/// its output bundle. Its outputs are those of its output bundle, then the backward leaves of its input bundle.
 fn port_numbers<B: Block>(
     block: &B,
     child: &Elaborated,
@@ -351,13 +355,13 @@ pub(crate) struct Elaborated {
 }
 
 impl Elaborated {
-    /// The output bundle, in the child's own signals: good for its shape.
+    /// The output bundle, made of the child's own signals: only its shape is of use.
     pub fn outputs<B: Block>(&self) -> &B::Out {
         self.outputs.downcast_ref().expect("the shape was stored under its block's type")
     }
 }
 
-/// The module of `block`: the one made before for the same type and parameters, or a new one.
+/// The module of `block`: the existing one for the same type and parameters, or a new one.
 pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     let cached = elaboration::with(|e| e.known.get(block).map(|id| (id, e.shapes[id.0 as usize].clone())));
     if let Some((id, outputs)) = cached {
@@ -407,7 +411,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
     })
 }
 
-/// Instances that nest without end.
+/// The problem of instances that nest without end, if they do.
 fn nested_too_deep(drafts: &[Draft], name: &str, parameters: &str, loc: Loc) -> Option<Problem> {
     if drafts.len() < DEEPEST {
         return None;
@@ -418,10 +422,10 @@ fn nested_too_deep(drafts: &[Draft], name: &str, parameters: &str, loc: Loc) -> 
         Some(draft) => problem.note(format!("the outermost `{}` is instantiated", draft.block), draft.loc),
         None => problem,
     };
-    Some(problem.help("does it instantiate itself? Then a parameter has to become smaller each time, and to end it"))
+    Some(problem.help("if it instantiates itself, a parameter must become smaller each time, and end the recursion"))
 }
 
-/// What says that this module takes from the stream that comes in.
+/// Declares the `ready` with which this module answers an incoming stream.
 fn declare_ready(path: &str, width: Width) -> Signal {
     let stream = path.strip_suffix(".ready").unwrap_or(path);
     elaboration::with(|e| {

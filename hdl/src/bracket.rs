@@ -1,9 +1,9 @@
-//! What to write in place of `signal[3]`.
+//! The message for `signal[3]`.
 
 use crate::signal::Signal;
 use std::ops::Index;
 
-/// Nothing: `[..]` of a signal would have to give a place in memory.
+/// Never implemented: `[..]` of a signal would have to return a reference.
 #[diagnostic::on_unimplemented(
     message = "a signal is not indexed by `[..]`",
     label = "no `[..]` of a signal",

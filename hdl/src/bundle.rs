@@ -1,17 +1,17 @@
-//! Bundles: one record type serves as widths, signals, values and names.
+//! Bundles: one record type for widths, signals, values and names.
 
 use crate::fields::{Fields, Leaf};
 use crate::names::unraw;
 use crate::signal::Signal;
 
-/// A record of signals, with the family of records that it belongs to. [`bundle!`](crate::bundle!) implements it.
+/// A record of signals, one of a family of record types. [`bundle!`](crate::bundle!) implements this trait.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// bundle! { struct Pixel<T> { z: T, rgb: T } }
 ///
-/// /// The one of two records whose first field is less.
+/// /// The record whose first field is less.
 /// fn nearer<B: Bundle + Fits<B>>(a: B, b: B) -> B {
 ///     let depth = |record: &B| record.leaves()[0].1;
 ///     mux(depth(&a).le(depth(&b)), a, b)
@@ -22,14 +22,14 @@ use crate::signal::Signal;
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no record of signals",
+    message = "`{Self}` is not a record of signals",
     note = "a record is a struct that `bundle!` makes"
 )]
 pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
-    /// The same record with other leaves.
+    /// The same record type with other leaves.
     type Of<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
 
-    /// The record of `f` of each signal and its path.
+    /// The record with `f` applied to each signal and its path.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -38,12 +38,12 @@ pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     ///
     /// let pixel = Pixel { z: lit(16, 5), rgb: lit(24, 7) };
     /// let widths: Pixel<u32> = pixel.of(&mut |_, signal| signal.width());
-    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(lit(widths.rgb, 7)), "what is known of each field");
+    /// m.assert(pixel.z.eq(5) & pixel.rgb.eq(lit(widths.rgb, 7)), "each field has its value");
     /// # });
     /// ```
     fn of<U: Leaf>(&self, f: &mut dyn FnMut(&str, &Signal) -> U) -> Self::Of<U>;
 
-    /// The record of signals that `f` makes of each leaf and its path.
+    /// The record of signals with `f` applied to each leaf and its path.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -57,7 +57,7 @@ pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// ```
     fn signals<T: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> Signal) -> Self;
 
-    /// The record of `f` of each leaf and its path.
+    /// The record with `f` applied to each leaf and its path.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -69,13 +69,13 @@ pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// ```
     fn convert<T: Leaf, U: Leaf>(of: &Self::Of<T>, f: &mut dyn FnMut(&str, &T) -> U) -> Self::Of<U>;
 
-    /// As [`Bundle::convert`], without the time that paths take.
+    /// Like [`Bundle::convert`], without the cost of making paths.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// bundle! { struct Pixel<T> { z: T, rgb: T } }
     ///
-    /// /// Twice each number of a record, whatever its type.
+    /// /// Doubles each number of a record of any type.
     /// fn doubled<B: Bundle>(numbers: &B::Of<u64>) -> B::Of<u64> {
     ///     B::convert_leaves(numbers, &mut |number: &u64| 2 * number)
     /// }
@@ -104,8 +104,8 @@ pub fn join(path: &str, field: &str) -> String {
 
 /// Declares records that serve as widths, signals, values and names at once.
 ///
-/// Written as a plain generic struct; the leaf is `Signal` where it is left out. Records nest, and may hold arrays
-/// and `Vec`s of leaves or records.
+/// The declaration is a plain generic struct. The leaf type defaults to `Signal`. Records may nest, and may contain
+/// arrays and `Vec`s of leaves or records.
 ///
 /// ```
 /// use tilewright_hdl::{bundle, bits, Bits, Fields, Width};
@@ -119,7 +119,7 @@ pub fn join(path: &str, field: &str) -> String {
 ///         pub rgb: T,
 ///     }
 ///
-///     /// What a comparison sees.
+///     /// The inputs of a comparison.
 ///     pub struct Pair<T> {
 ///         pub left: Pixel<T>,
 ///         pub right: Pixel<T>,
@@ -132,9 +132,9 @@ pub fn join(path: &str, field: &str) -> String {
 /// # let _ = widths;
 /// ```
 ///
-/// A record of signals is a value: registers, wires and memories hold it ([`Reg`](crate::Reg), [`Mem`](crate::Mem)),
-/// [`mux`](crate::mux()), [`select`](crate::select()) and [`case`](crate::case()) choose it. A word has the fields side by side, the
-/// first most significant:
+/// A record of signals is a value. Registers, wires and memories store it ([`Reg`](crate::Reg), [`Mem`](crate::Mem));
+/// [`mux`](crate::mux()), [`select`](crate::select()) and [`case`](crate::case()) choose between records. Packed into
+/// a word, the fields stand side by side, the first most significant:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -145,7 +145,7 @@ pub fn join(path: &str, field: &str) -> String {
 /// def!(pixel = layout.unpack(lit(48, 0x000005_ff8000)));       // nets `pixel_z` and `pixel_rgb`
 /// let darker = Pixel { rgb: pixel.rgb >> 1, ..pixel };
 /// let word: Signal = darker.pack();
-/// m.assert(word.eq(0x000005_7fc000), "the depth is as it was");
+/// m.assert(word.eq(0x000005_7fc000), "the depth is unchanged");
 /// # });
 /// ```
 #[macro_export]
@@ -245,20 +245,20 @@ macro_rules! bundle {
                 $crate::pack(self)
             }
 
-            /// The same record, each field's net named `NAME_FIELD` in waves and in Verilog.
+            /// Names the net of each field `NAME_FIELD` in waves and in Verilog.
             #[track_caller]
             $vis fn named(&self, name: &str) -> $name {
                 $crate::named(self, name)
             }
 
-            /// The same record, which may meet values of any stage of a pipeline.
+            /// The same record, freed from the pipeline check: it may meet values of any stage.
             #[track_caller]
             $vis fn any_stage(&self) -> $name {
                 $crate::any_stage(self)
             }
 
-            /// What enters a pipeline, with the fields that a reset clears in each stage: as in
-            /// `start.cleared(|start| start.valid)`.
+            /// The input of a pipeline whose registers for the chosen fields are cleared by a reset in each stage, as
+            /// in `start.cleared(|start| start.valid)`.
             $vis fn cleared<WhichFields: $crate::Fields<usize>>(
                 self,
                 which: impl FnOnce($name<usize>) -> WhichFields,
@@ -269,7 +269,7 @@ macro_rules! bundle {
 
         #[allow(dead_code)]
         impl $name<$crate::Width> {
-            /// The same widths, of values that are all synchronous to `clock`.
+            /// The same widths, for values that are all synchronous to `clock`.
             $vis fn on(self, clock: $crate::Clock) -> Self {
                 $crate::Fields::map(&self, |width| width.on(clock))
             }

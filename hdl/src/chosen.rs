@@ -1,11 +1,11 @@
-//! Asserts that what is chosen by holds a code of its enum, where that can be relied on.
+//! Asserts that the subject of a choice is a code of its enum, if that is certain.
 
 use crate::codes::{add_is_code, has_spare_codes};
 use crate::draft::Draft;
 use crate::ir::{ClockId, Contents, Directive, Kind, NodeId, Op, Property};
 use std::collections::BTreeSet;
 
-/// Adds an assertion for each subject that is known from the first edge on and has bits for more than its codes.
+/// Adds an assertion for each subject whose value is known from the first edge on and that has spare values.
 pub(crate) fn assert_codes(draft: &mut Draft) {
     let mut done = BTreeSet::new();
     for (subject, loc) in std::mem::take(&mut draft.chosen) {
@@ -22,8 +22,8 @@ pub(crate) fn assert_codes(draft: &mut Draft) {
     }
 }
 
-/// The clock of the registers that a node's value comes from, if there is one, and none of them, nor anything else on the way, is
-/// unknown at the start.
+/// The clock of the registers that determine a node's value, if they have one clock and nothing on the way is unknown
+/// at the start.
 fn known_on(draft: &Draft, node: NodeId) -> Option<ClockId> {
     let (mut seen, mut open, mut clocks) = (BTreeSet::from([node]), vec![node], BTreeSet::new());
     while let Some(node) = open.pop() {
@@ -37,8 +37,8 @@ fn known_on(draft: &Draft, node: NodeId) -> Option<ClockId> {
     clocks.next().filter(|_| clocks.next().is_none())
 }
 
-/// What a node takes its value from, be it at the edge before; none if it holds anything at the start, or comes from elsewhere. What only chooses between
-/// values makes none.
+/// The nodes that determine a node's value, now or at the previous edge. `None` if the value is unknown at the start
+/// or comes from elsewhere. Select signals are not included.
 fn sources(draft: &Draft, node: NodeId, clocks: &mut BTreeSet<ClockId>) -> Option<Vec<NodeId>> {
     let mut sources = Vec::new();
     match &draft.node(node).op {

@@ -1,4 +1,4 @@
-//! What the walks over a module read: of one under construction and of a finished one alike.
+//! The common interface of a module under construction and a finished one, for walks over the graph.
 
 use crate::draft::Draft;
 use crate::ir::{Input, Instance, MemoryId, Module, Node, NodeId, ReadPort};
@@ -66,7 +66,7 @@ impl Circuit for Module {
         &self.memories[memory.0 as usize].reads[port as usize]
     }
 
-    /// Its name, or its number, as an edited circuit need not come from an expression.
+    /// Its name, or else its number: the nodes of an edited circuit need not come from an expression.
     fn describe(&self, id: NodeId) -> String {
         let name = self.nodes.get(id.0 as usize).and_then(|node| node.name.clone());
         name.unwrap_or_else(|| format!("node {}", id.0))

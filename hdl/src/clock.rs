@@ -13,18 +13,19 @@ use std::fmt;
 pub struct Period(u64);
 
 impl Period {
-    /// A period of so many picoseconds, an even number, since half of it is the clock's high time. A clock's is 2^50 ps at most, 18 minutes.
+    /// A period in picoseconds. It must be even, because the clock is high for half of it. A clock's period is at
+    /// most 2^50 ps, 18 minutes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // A pixel clock of 25.175 MHz, to a thousandth of a percent.
+    /// // A pixel clock of 25.175 MHz, exact to a thousandth of a percent.
     /// const PIXEL: Period = Period::ps(39_722);
     /// assert_eq!(PIXEL.picoseconds(), 39_722);
     /// ```
     ///
     /// # Panics
     ///
-    /// It is 0 or odd.
+    /// The period is 0 or odd.
     #[track_caller]
     pub const fn ps(picoseconds: u64) -> Period {
         assert!(
@@ -34,7 +35,7 @@ impl Period {
         Period(picoseconds)
     }
 
-    /// A period of so many nanoseconds.
+    /// A period in nanoseconds.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -43,10 +44,10 @@ impl Period {
     ///
     /// # Panics
     ///
-    /// It is 0.
+    /// The period is 0.
     #[track_caller]
     pub const fn ns(nanoseconds: u64) -> Period {
-        // What is too long for a clock is told where a clock has it.
+        // A period that is too long is reported where a clock uses it.
         Period::ps(nanoseconds.saturating_mul(1000) & !1)
     }
 
@@ -71,10 +72,10 @@ impl fmt::Display for Period {
     }
 }
 
-/// A named clock of a design. Its name is the same in every module that uses it.
+/// A named clock of a design. The name is the same in every module that uses the clock.
 ///
-/// A block with one clock does not mention any: it takes the clock of the place where it is instantiated. A block
-/// with more has its clocks among its parameters, and says [`Module::on`](crate::Module::on).
+/// A block with one clock never mentions it: the block runs on the clock of the place where it is instantiated. A
+/// block with several clocks has them among its parameters and uses [`Module::on`](crate::Module::on).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -100,13 +101,13 @@ impl fmt::Display for Period {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Clock {
-    /// The name; the ports in Verilog are `NAME_clk` and `NAME_rst`.
+    /// The name; the Verilog ports are `NAME_clk` and `NAME_rst`.
     pub name: &'static str,
     /// The exact period.
     pub period: Period,
 }
 
-/// Its name: a testbench takes a clock, or the name of one.
+/// The clock's name: a testbench accepts a clock or its name.
 impl AsRef<str> for Clock {
     fn as_ref(&self) -> &str {
         self.name
@@ -114,7 +115,7 @@ impl AsRef<str> for Clock {
 }
 
 impl Clock {
-    /// A clock of that name and period.
+    /// A clock with this name and period.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -1,4 +1,4 @@
-//! Enums in hardware: values of a fixed list, which waves and Verilog show by name.
+//! Enums in hardware: values from a fixed list, which waves and Verilog show by name.
 
 use crate::bits::Bits;
 use crate::data::{Data, Fits};
@@ -18,7 +18,7 @@ use crate::width::{Width, below};
 /// # use tilewright_hdl::*;
 /// codes! { enum Phase { Idle, Fill, Drain } }
 ///
-/// /// The code that comes behind another, the first behind the last: for any enum.
+/// /// The code after this one, cyclically, for any enum.
 /// fn following<C: Codes>(code: C) -> C {
 ///     C::ALL[(code.code() as usize + 1) % C::ALL.len()]
 /// }
@@ -26,12 +26,12 @@ use crate::width::{Width, below};
 /// assert_eq!(following(Phase::Drain), Phase::Idle);
 /// ```
 pub trait Codes: Copy + 'static {
-    /// The enum's name, and those of its codes.
+    /// The names of the enum and of its codes.
     const NAMES: Names;
-    /// Every code, in order.
+    /// Every code, in the sequence of declaration.
     const ALL: &'static [Self];
 
-    /// What stands in the hardware for it.
+    /// The number that represents it in hardware.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,8 +54,8 @@ pub trait Codes: Copy + 'static {
     }
 }
 
-/// Declares values of signals, such as the states of a machine or the operations of an instruction: a plain enum, whose codes count from 0 in order
-/// of declaration.
+/// Declares an enum whose variants are values of signals, such as the states of a machine or the operations of an
+/// instruction. It is a plain enum whose codes count from 0 in the sequence of declaration.
 ///
 /// ```
 /// use tilewright_hdl::{Codes, codes};
@@ -96,13 +96,13 @@ macro_rules! codes {
 }
 
 impl Value {
-    /// A code, which only meets signals of its enum.
+    /// A code, which only meets signals of its own enum.
     pub fn code<C: Codes>(code: C) -> Value {
         Value::Literal(Literal::Code { names: C::NAMES, code: code.code() })
     }
 }
 
-/// That a node is one of these codes.
+/// The node that says whether a node's value is one of these codes.
 pub(crate) fn add_is_code(draft: &mut Draft, of: NodeId, names: Names, loc: Loc) -> NodeId {
     let &Node { width, shape, kind, .. } = draft.node(of);
     if !has_spare_codes(names, width) {
@@ -114,12 +114,12 @@ pub(crate) fn add_is_code(draft: &mut Draft, of: NodeId, names: Names, loc: Loc)
     draft.add(Op::Compare { relation: Relation::Le, signed: false, operands: [of, last] }, 1, shape, loc)
 }
 
-/// Whether so many bits can hold more than these codes.
+/// Whether a signal of `width` bits has more values than there are codes.
 pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
     width < usize::BITS && names.codes.len() < 1 << width
 }
 
-/// As wide as the codes of an enum, one of which it is: `m.reg("operation", one_of::<Operation>())`.
+/// The width of a signal that takes the codes of an enum: `m.reg("operation", one_of::<Operation>())`.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -129,7 +129,7 @@ pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
 /// def!(operation = m.reg(one_of::<Alu>()).reset(Alu::Add));
 /// operation.next(mux(operation.is(Alu::Add), Alu::Double, Alu::Load));
 /// # });
-/// assert_eq!(example.values("operation"), [1, 2, 0, 0]); // in 2 bits, as 3 codes need
+/// assert_eq!(example.values("operation"), [1, 2, 0, 0]); // 2 bits wide, for 3 codes
 /// ```
 #[track_caller]
 pub fn one_of<C: Codes>() -> Width {
@@ -137,7 +137,7 @@ pub fn one_of<C: Codes>() -> Width {
 }
 
 impl Signal {
-    /// 1 bit: it is that code.
+    /// 1 bit: the signal equals that code.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -146,7 +146,7 @@ impl Signal {
     ///
     /// def!(phase = m.reg(one_of::<Phase>()).reset(Phase::Idle));
     /// phase.when(phase.is(Phase::Idle), Phase::Drain);
-    /// m.assert(phase.is(Phase::Idle) | phase.is(Phase::Drain), "a code of another enum is a mistake here, as a number is");
+    /// m.assert(phase.is(Phase::Idle) | phase.is(Phase::Drain), "a code of another enum would be a mistake, as would a number");
     /// # });
     /// ```
     #[track_caller]
@@ -155,12 +155,15 @@ impl Signal {
         self.compare(Relation::Eq, code)
     }
 
-    /// For each code what `of` says, a signal, a number or a record: `step.source.choose(|source| match source { .. })`. Where an enum has fewer codes
-    /// than its bits could hold, the others give what most codes do, of as many the last.
+    /// Chooses by code: `of` gives a signal, a number or a record for each code, as in
+    /// `step.source.choose(|source| match source { .. })`. If the bits have more values than the enum has codes, the
+    /// spare values give what most codes give; in a tie, what the last of the tied codes gives.
     ///
-    /// That there are no others is asserted by itself, where it can be relied on from the first edge on: where all that the signal takes its value from is a code of
-    /// the description, or begins with a reset or power-on value. A register without one holds anything at first, as does what a memory read, and an input has no meaning
-    /// while its `valid` is low; of those [`is_code`](Signal::is_code) says when: `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
+    /// The choice asserts by itself that no spare value occurs, if that is certain from the first edge on. It is
+    /// certain if every source of the signal is a code of the description or has a reset or power-on value. It is not
+    /// certain for a register without one, for the data of a memory read, or for an input, which means nothing while
+    /// its `valid` is low. For those, state with [`is_code`](Signal::is_code) when the value is a code:
+    /// `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -174,7 +177,7 @@ impl Signal {
     ///     Alu::Add => sum + operand,
     ///     Alu::Double => sum << 1,
     /// });
-    /// m.assert(result.eq(42), "Rust says when a code is forgotten");
+    /// m.assert(result.eq(42), "rustc reports a missing code");
     /// # });
     /// ```
     #[track_caller]
@@ -185,7 +188,7 @@ impl Signal {
         by_code(subject, C::ALL.iter().map(|code| of(*code).given()).collect())
     }
 
-    /// 1 bit: it is one of its enum's codes, of which there may be fewer than its bits could hold.
+    /// 1 bit: the value is one of the enum's codes. It may not be if the bits have spare values.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -200,7 +203,7 @@ impl Signal {
     ///
     /// impl Additions {
     ///     fn build(&self, m: Module, i: AdditionsIn) -> AdditionsOut {
-    ///         m.assume(i.valid.implies(i.operation.is_code()), "what is valid is an operation");
+    ///         m.assume(i.valid.implies(i.operation.is_code()), "a valid code is an operation");
     ///         def!(additions = m.reg(8).reset(0));
     ///         additions.when(i.valid & i.operation.is(Alu::Add), additions + 1);
     ///         AdditionsOut { additions: *additions }
@@ -214,7 +217,7 @@ impl Signal {
         let Kind::Code(names) = self.kind else {
             return elaboration::with(|e| {
                 let text = e.draft().describe(id);
-                let problem = Problem::new(loc, format!("`is_code` is of codes, but `{text}` is {}", self.kind));
+                let problem = Problem::new(loc, format!("`is_code` needs a code, but `{text}` is {}", self.kind));
                 e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
                 Signal::zero_in(e, 1, self.shape, Kind::Number, loc)
             });
@@ -223,7 +226,7 @@ impl Signal {
         elaboration::with(|e| Signal::at(e, node))
     }
 
-    /// The bits as a code of that enum.
+    /// The bits read as a code of that enum.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -246,12 +249,12 @@ impl Signal {
             }
             let (text, needs, has) = (e.draft().describe(id), bits_text(width), bits_text(self.width));
             let problem = Problem::new(loc, format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of));
-            e.report_instead_of(&[id], problem.help("take the bits that hold the code, as in `.part(low, width)`"));
+            e.report_instead_of(&[id], problem.help("take the bits of the code, as in `.part(low, width)`"));
             Signal::zero_in(e, width, self.shape, kind, loc)
         })
     }
 
-    /// The signal, with which one may compute: with codes one does not, which is a problem.
+    /// The signal, for arithmetic; arithmetic on codes is a problem.
     #[track_caller]
     pub(crate) fn computable(self, operator: &str) -> Signal {
         let Kind::Code(names) = self.kind else { return self };
@@ -265,7 +268,7 @@ impl Signal {
         })
     }
 
-    /// The signal, which is of that kind; if not, that is a problem.
+    /// The signal if it has that kind; otherwise a problem.
     #[track_caller]
     fn read_as(self, kind: Kind, method: &str) -> Signal {
         if self.kind == kind {
@@ -274,7 +277,7 @@ impl Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| {
             let text = e.draft().describe(id);
-            let problem = Problem::new(loc, format!("`{method}` is over {kind}, but `{text}` is {}", self.kind));
+            let problem = Problem::new(loc, format!("`{method}` needs {kind}, but `{text}` is {}", self.kind));
             e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
             Signal::zero_in(e, self.width, self.shape, kind, loc)
         })

@@ -1,30 +1,31 @@
-//! Comparisons, signed where what is compared is; and what to write in place of `a == b`.
+//! Comparisons, which are signed if their operands are; and the message for `a == b`.
 
 use crate::ir::{Kind, Op, Relation};
 use crate::operand::Operand;
 use crate::shaping::level;
 use crate::signal::Signal;
 
-/// Nothing: `==` and `<` would have to say it while the circuit is described.
+/// Never implemented: `==` and `<` would need their result while the circuit is described.
 #[diagnostic::on_unimplemented(
-    message = "signals are not compared by `==`, `<` and their like, which give a `bool`",
+    message = "signals cannot be compared by `==`, `<` and their like, which return a `bool`",
     label = "the values are not known yet",
-    note = "a signal that says it is `a.eq(b)`, `a.ne(b)`, `a.lt(b)`, `a.le(b)`, `a.gt(b)` or `a.ge(b)`; of a code of an enum, `a.is(code)`"
+    note = "the comparison as a signal is `a.eq(b)`, `a.ne(b)`, `a.lt(b)`, `a.le(b)`, `a.gt(b)` or `a.ge(b)`; of a code of an enum, `a.is(code)`"
 )]
 pub trait KnownNow {}
 
-/// With what is on the right of `==`: of another type than the left, or rustc says no more than that both cannot be compared.
+/// The right operand of `==`, as a type other than the left one; otherwise rustc only says that the two cannot be
+/// compared.
 #[derive(Debug)]
 pub struct Comparison<R>(R);
 
-/// Two, so that rustc takes none of them for what is meant.
+/// Two implementations, so that rustc does not take one of them as intended.
 #[diagnostic::do_not_recommend]
 impl KnownNow for Comparison<[(); 0]> {}
 #[diagnostic::do_not_recommend]
 impl KnownNow for Comparison<[(); 1]> {}
 
-/// `==` and `<` of a handle, which lead to [`KnownNow`]. Such an implementation has methods, too: `eq(&self, ..)`, before which the
-/// handle's own come only if they take `&self`.
+/// Implements `==` and `<` of a handle in terms of [`KnownNow`]. The implementation brings methods of its own, such
+/// as `eq(&self, ..)`; the handle's own methods win only if they take `&self`.
 macro_rules! not_compared {
     ($ty:ty) => {
         impl<R> PartialEq<R> for $ty
@@ -47,7 +48,7 @@ macro_rules! not_compared {
     };
 }
 
-/// As [`not_compared`], of what is read as a signal, with the signal's comparisons.
+/// Like [`not_compared`], for a type that is read as a signal, together with the signal's comparisons.
 macro_rules! compared_as_signal {
     ($ty:ty) => {
         $crate::compare::not_compared!($ty);
@@ -107,7 +108,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// def!(left = m.reg(4).reset(9));
     /// left.when(left.ne(0), left - 1);
-    /// m.assert(left.ne(0).eq(left.any_one()), "not 0 is: some bit is one");
+    /// m.assert(left.ne(0).eq(left.any_one()), "not 0 means that a bit is one");
     /// # });
     /// ```
     #[track_caller]
@@ -136,7 +137,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// def!(count = m.reg(4).reset(0));
     /// count.when(count.lt(12), count + 1);
-    /// m.assert(count.le(12), "it counts up to 12, with that");
+    /// m.assert(count.le(12), "it counts up to 12 inclusive");
     /// # });
     /// ```
     #[track_caller]

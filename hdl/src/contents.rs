@@ -1,4 +1,4 @@
-//! What memories hold at the start.
+//! The contents of memories at the start.
 
 use crate::bits::Bits;
 use crate::data::{Data, Fits, Layout, number_of_field};
@@ -15,7 +15,7 @@ use crate::signed::READ_AS;
 use crate::width::Width;
 
 impl Module {
-    /// A memory that holds `words` and is never written: numbers, or records of numbers.
+    /// A ROM with the contents `words`: numbers, or records of numbers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -48,7 +48,7 @@ impl Module {
 }
 
 impl<V: Data> Mem<V> {
-    /// Every word is `word` at the start: a number, a record of numbers, or 0 for all of its fields.
+    /// Sets every word to `word` at the start: a number, a record of numbers, or 0 for all of its fields.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -56,7 +56,7 @@ impl<V: Data> Mem<V> {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
     /// def!(depths = m.memory(16, 24, ReadUnderWrite::Any).fill(Bits::ones(24)));
-    /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not bring it back");
+    /// m.assert(depths.read_async(5).all_ones(), "the farthest depth; a reset does not restore it");
     /// let layout = Entry { resident: bit(), page: below(12) };
     /// def!(table = m.memory(16, layout, ReadUnderWrite::Any).fill(Entry { resident: 0, page: 11 }));
     /// m.assert(table.read_async(5).page.eq(11), "a number for each field");
@@ -69,7 +69,7 @@ impl<V: Data> Mem<V> {
         self
     }
 
-    /// Holds these words from address 0 at the start, numbers or records of numbers, and zeros above.
+    /// Sets the words from address 0 on at the start, as numbers or records of numbers; the words above are zero.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -79,11 +79,11 @@ impl<V: Data> Mem<V> {
     /// at.next(at + 1);
     /// def!(square = squares.read_async(at));
     /// # });
-    /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // above address 3 there are zeros
+    /// assert_eq!(example.values("square"), [1, 4, 9, 0, 0]); // the words above address 3 are zero
     /// ```
     #[track_caller]
     pub fn words<W: Fits<V>>(self, words: impl IntoIterator<Item = W>) -> Mem<V> {
-        // A loop, as a closure would be the caller that messages name.
+        // A loop: in a closure, the message would name the closure as the caller.
         let mut numbers = Vec::new();
         for (at, word) in words.into_iter().enumerate() {
             numbers.push(self.number(word, "words", &format!("word {at}")));
@@ -108,13 +108,13 @@ impl<V: Data> Mem<V> {
                 let message = format!("memory `{name}` has {depth} words, but its contents have {given}");
                 let problem = Problem::new(loc, message);
                 let stand_in = e.draft().memories[self.index as usize].stand_in;
-                let problem = problem.help("the contents are at most as many words as the memory has");
+                let problem = problem.help("give at most as many words as the memory has");
                 e.report_instead_of(stand_in.as_slice(), problem);
             }
         });
     }
 
-    /// A number, or a record of numbers, as a word; `which` it is among the contents.
+    /// A number, or a record of numbers, as a word; `which` is its position in the contents.
     #[track_caller]
     fn number(&self, word: impl Fits<V>, of: &str, which: &str) -> Bits {
         let fields = sound_fields(&self.layout);
@@ -133,18 +133,18 @@ impl<V: Data> Mem<V> {
         bits.unwrap_or(Bits::zero(self.word.bits)).resize(self.word.bits)
     }
 
-    /// What stands for it where its declaration is faulty.
+    /// The stand-in, if the declaration is faulty.
     pub(crate) fn stand_in(&self) -> Option<NodeId> {
         elaboration::draft(|draft| draft.memories[self.index as usize].stand_in)
     }
 
-    /// As it was declared.
+    /// The declared name.
     pub(crate) fn name(&self) -> String {
         elaboration::draft(|draft| draft.memories[self.index as usize].memory.name.clone())
     }
 }
 
-/// The constant that a signal has to be.
+/// The constant that the signal must be.
 #[track_caller]
 fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width, stand_in: Option<NodeId>) -> Bits {
     let (loc, id, name) = (Loc::caller(), signal.id(), name());
@@ -157,7 +157,7 @@ fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width, stand_i
                 let message = format!("{name} is {}, but `{text}` is {}", width.kind, signal.kind);
                 Problem::new(loc, message).help(READ_AS)
             } else {
-                let message = format!("{name} is a constant of {}, but `{text}` is none", bits_text(width.bits));
+                let message = format!("{name} is a constant of {}, but `{text}` is not", bits_text(width.bits));
                 Problem::new(loc, message).help("contents are numbers known while the block is built")
             };
             e.report_instead_of(&stand_in.into_iter().chain([id]).collect::<Vec<_>>(), problem);

@@ -1,4 +1,4 @@
-//! What signals and records of signals have in common: they are declared by their widths, and are given values.
+//! What signals and records have in common: widths declare them, and they are assigned values.
 
 use crate::bits::Bits;
 use crate::bundle::Bundle;
@@ -16,7 +16,8 @@ use crate::uneven::{Uneven, uneven};
 use crate::width::{IntoWidth, Width};
 use crate::wire::Wire;
 
-/// A value in the circuit: a [`Signal`], a record of signals made by [`bundle!`](crate::bundle!), a list of either.
+/// A value in the circuit: a [`Signal`], a record of signals made by [`bundle!`](crate::bundle!), or a list of
+/// either.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -34,7 +35,7 @@ use crate::wire::Wire;
 /// # });
 /// ```
 pub trait Data: Fields<Signal, With<Signal> = Self> + Clone + 'static {
-    /// The same with other leaves: of `Entry`, `Entry<Width>` for widths.
+    /// The same type with other leaves: for `Entry`, `Like<Width>` is `Entry<Width>`.
     type Like<T: Leaf>: Fields<T, With<Signal> = Self> + Clone;
 }
 
@@ -54,15 +55,14 @@ impl<V: Data, const N: usize> Data for [V; N] {
     type Like<T: Leaf> = [V::Like<T>; N];
 }
 
-/// What something is declared by: a width, which makes it a signal, or a record of widths, which makes it a record of
-/// signals.
+/// A declaration: a width declares a signal, and a record of widths declares a record of signals.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
 /// bundle! { struct Range<T> { from: T, to: T } }
 ///
-/// /// Two registers in a row, of a signal or a record.
+/// /// Two registers in sequence, for a signal or a record.
 /// fn history<L: Layout + Copy>(m: Module, layout: L) -> [Reg<L::Value>; 2] {
 ///     ["now", "before"].map(|name| m.reg(name, layout))
 /// }
@@ -75,11 +75,11 @@ impl<V: Data, const N: usize> Data for [V; N] {
 /// assert_eq!(example.values("before_from"), [0, 0, 1, 2]);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "nothing can be declared with a `{Self}`: it is no record of widths",
+    message = "nothing can be declared with a `{Self}`: it is not a record of widths",
     note = "a record of widths has one in each field, as in `Entry {{ resident: bit(), page: below(n) }}`"
 )]
 pub trait Layout {
-    /// What is declared.
+    /// The declared value.
     type Value: Data;
 
     #[doc(hidden)]
@@ -95,8 +95,9 @@ impl<W: IntoWidth> Layout for W {
     }
 }
 
-/// What can be given where a `V` is wanted. For a signal that is an [`Operand`]; for a record it is a record of
-/// signals, a reference to one, one of numbers, a register or wire that holds one, or `0` for all of its fields.
+/// What can be assigned to a `V`. A signal accepts an [`Operand`]. A record accepts a record of signals or a
+/// reference to one, a register or wire of records, or a record of numbers. It also accepts `0`, for all of its
+/// fields.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -112,7 +113,7 @@ impl<W: IntoWidth> Layout for W {
 /// assert_eq!(example.values("nearest_rgb"), [0, 7, 7, 7, 0]);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a `{Self}` cannot be given where a `{V}` is wanted",
+    message = "a `{Self}` cannot be given where a `{V}` is expected",
     note = "a signal is given a signal or a number; a record is given a record of signals or of numbers, or 0"
 )]
 pub trait Fits<V: Data> {
@@ -166,7 +167,7 @@ fn signals<B: Bundle>(record: &B) -> Given<B> {
     Given::Each(record.of(&mut |_, signal| Value::Signal(*signal)))
 }
 
-/// What [`arms!`](crate::arms!) makes of an arm.
+/// The result of [`arms!`](crate::arms!) for one arm.
 impl<V: Data> Fits<V> for Given<V> {
     fn given(self) -> Given<V> {
         self
@@ -199,10 +200,10 @@ impl<V: Data, A: Fits<V>, const N: usize> Fits<[V; N]> for [A; N] {
     }
 }
 
-/// What each element of a list is given. A number among records has no fields to go to.
+/// The value of each element of a list. A lone number is a problem, because it has no fields.
 #[track_caller]
 fn each_of<V: Data, A: Fits<V>>(list: Vec<A>) -> Vec<V::Like<Value>> {
-    // A loop, as a closure would be the caller that the message names.
+    // A loop: in a closure, the message would name the closure as the caller.
     let mut elements = Vec::with_capacity(list.len());
     for element in list {
         match element.given() {
@@ -216,7 +217,7 @@ fn each_of<V: Data, A: Fits<V>>(list: Vec<A>) -> Vec<V::Like<Value>> {
 }
 
 impl<V: Data> Given<V> {
-    /// The operand for each field of a record that has these fields; `of` is the operation that gives them.
+    /// The operand for each of these fields; `of` is the operation that assigns them.
     #[track_caller]
     pub(crate) fn for_fields<T: Clone>(self, fields: &[(String, T)], of: &str) -> Vec<Value> {
         let loc = Loc::caller();
@@ -225,11 +226,8 @@ impl<V: Data> Given<V> {
         let problem = match self {
             Given::All(0) => None,
             Given::All(number) => {
-                let message = format!("`{of}` gives a record the number {number}, which is no record");
-                Some(
-                    Problem::new(loc, message)
-                        .help("of all numbers, 0 alone stands for a whole record: each field is 0"),
-                )
+                let message = format!("`{of}` gives a record the number {number}, which is not a record");
+                Some(Problem::new(loc, message).help("the only number that means a whole record is 0: each field is 0"))
             }
             Given::Each(values) => {
                 let values = values.leaves();
@@ -237,7 +235,7 @@ impl<V: Data> Given<V> {
                     return values.into_iter().map(|(_, value)| value).collect();
                 };
                 let Uneven { has, needs, .. } = &uneven;
-                let message = format!("`{of}` gives a list{uneven} of {has} where one of {needs} is wanted");
+                let message = format!("`{of}` gives a list{uneven} of {has} where one of {needs} is expected");
                 operands = nodes_of(&values, loc);
                 Some(Problem::new(loc, message).help("both records have lists of the same lengths"))
             }
@@ -258,8 +256,8 @@ fn nodes_of(values: &[(String, Value)], loc: Loc) -> Vec<NodeId> {
     values.iter().filter_map(node).collect()
 }
 
-/// The number, which must fit in the field; where that holds codes of an enum it is one of them. If `stand_in` follows a problem, as
-/// the field's declaration does, that one is enough.
+/// The number, which must fit in the field; in a field of an enum it must be one of its codes. If `stand_in` follows
+/// another problem, as a faulty field does, nothing is reported.
 #[track_caller]
 pub(crate) fn number_of_field(
     number: &Literal,
@@ -279,15 +277,17 @@ pub(crate) fn number_of_field(
         _ => (Loc::caller(), name()),
     };
     let problem = match kind {
-        Kind::Code(names) => Problem::new(loc, format!("`{number}` is no code of `{}`, as {name} is", names.of)),
+        Kind::Code(names) => {
+            Problem::new(loc, format!("`{number}` is not a code of `{}`, the enum of {name}", names.of))
+        }
         _ => Problem::new(loc, format!("`{number}` does not fit in the {} of {name}", bits_text(width))),
     };
-    let problem = problem.help("a number takes the width of what is declared, and its sign");
+    let problem = problem.help("a number takes the width and the sign of the declaration");
     elaboration::with(|e| e.report_instead_of(stand_in.as_slice(), problem));
     Bits::zero(width)
 }
 
-/// What goes into a field whose present value is `field`.
+/// The value for a field whose present value is `field`.
 #[track_caller]
 pub(crate) fn value_of_field(value: Value, field: Signal) -> Value {
     let Value::Literal(number) = value else { return value };

@@ -1,4 +1,4 @@
-//! A block in one declaration: `block!`, and what is made of the words in it.
+//! The macro `block!`, and the functions that its expansion calls.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use crate::signal::Signal;
 use crate::stream::backwards;
 use crate::width::Width;
 
-/// Declares a block: its parameters, its ports with their widths, and what is said about them.
+/// Declares a block: its parameters, its ports with their widths, and its documentation.
 ///
 /// ```
 /// use tilewright_hdl::{Module, below, bit, block, def, elaborate, up_to};
@@ -51,14 +51,16 @@ use crate::width::Width;
 /// assert_eq!(design.top().about.inputs["take"], "The next free page is taken.");
 /// ```
 ///
-/// It makes the struct, with what a [`Block`](crate::Block) needs derived; a [`bundle!`](crate::bundle!) of the inputs and one of the outputs; and
-/// the `impl Block`, which calls `build`. The first paragraph of the struct's documentation heads the Verilog, where the ports have theirs beside them.
-/// What `build` returns is checked against the widths of the outputs.
+/// The macro generates the struct with the derives that a [`Block`](crate::Block) needs, a
+/// [`bundle!`](crate::bundle!) of the inputs, one of the outputs, and the `impl Block`, which calls `build`. The
+/// first paragraph of the struct's documentation heads the Verilog; each port's documentation stands beside the port.
+/// Elaboration checks the result of `build` against the widths of the outputs.
 ///
-/// The clauses come in any order, and none has to be there. One whose expressions say `self` has `(self)` behind its first word, as macros
-/// cannot lend that word: `latency(self) = format!("{} clocks", self.clocks());`. A latency that is one number needs no clause: it is counted
-/// ([`Design::latencies`](crate::Design::latencies)). A parameter for which not every value makes a block has its range in `ranges`, with
-/// the reason if it is not plain. Elaboration asks for it; who wants to know before has the method `checked`:
+/// The clauses are optional and come in any sequence. A clause whose expressions use `self` has `(self)` after its
+/// first word, because a macro cannot supply that word: `latency(self) = format!("{} clocks", self.clocks());`. A
+/// constant latency needs no clause, because it is counted ([`Design::latencies`](crate::Design::latencies)). The
+/// clause `ranges` gives the legal values of a parameter, with a reason if it is not obvious. Elaboration checks the
+/// ranges; the method `checked` checks them earlier:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -68,7 +70,7 @@ use crate::width::Width;
 ///     ranges(self) {
 ///         width: 1..=2048,
 ///         height: 1..=2048,
-///         /// A page holds a pixel or more.
+///         /// A page has at least one pixel.
 ///         pages: 2..=self.width * self.height,
 ///     }
 /// }
@@ -79,23 +81,23 @@ use crate::width::Width;
 /// let pages = |pages| Pages { width: 4, height: 2, pages }.checked();
 /// assert_eq!(pages(8)?.pages, 8);
 /// let problem: OutOfRange = pages(9).unwrap_err();
-/// assert_eq!(problem.to_string(), "`pages` of `Pages` is 9: it has to be from 2 to 8. A page holds a pixel or more.");
+/// assert_eq!(problem.to_string(), "`pages` of `Pages` is 9: it has to be from 2 to 8. A page has at least one pixel.");
 /// # Ok::<(), OutOfRange>(())
 /// ```
 ///
-/// A port is
+/// The forms of a port:
 ///
-/// | written | which is |
+/// | written | meaning |
 /// |---|---|
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
-/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)` | a record that is declared here, its fields once, each with its own documentation; `jobs: stream(pub struct Job { page: bits(4) })` likewise |
-/// | `preset: Position = self.position()` | a record whose widths some expression gives |
-/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, as a `Vec` |
+/// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)`, `jobs: stream(pub struct Job { page: bits(4) })` | a record declared in place: its fields are written once, each with its own documentation |
+/// | `preset: Position = self.position()` | a record whose widths an expression gives |
+/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, which is a `Vec` |
 /// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
-/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _`, `sent: stream(Job = _)`, `all: [stream(_)]` | an output as wide as what drives it |
+/// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _`, `sent: stream(Job = _)`, `all: [stream(_)]` | an output as wide as its driver |
 ///
-/// Without a `build` it does not compile:
+/// A block without a `build` does not compile:
 ///
 /// ```compile_fail
 /// # use tilewright_hdl::*;
@@ -106,9 +108,10 @@ use crate::width::Width;
 /// }
 /// ```
 ///
-/// Ports that several blocks share are a [`bundle!`](crate::bundle!), and are declared by its widths: `in(self) = StreamIn { into: stream(bits(self.width)) };`.
+/// Ports that several blocks share are a [`bundle!`](crate::bundle!), declared by its widths:
+/// `in(self) = StreamIn { into: stream(bits(self.width)) };`.
 ///
-/// A block of several clocks has them among its parameters, and in the name of its module they are called by theirs:
+/// A block of several clocks has them among its parameters. In the module's name, each clock appears by its own name:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -132,8 +135,8 @@ use crate::width::Width;
 /// # Ok::<(), Problems>(())
 /// ```
 ///
-/// A block may have type parameters with bounds, as `struct Queue<C: Codes> { .. }`. One whose module has a name of its own implements
-/// [`Block`](crate::Block) itself.
+/// A block may have type parameters with bounds, as in `struct Queue<C: Codes> { .. }`. A block whose module needs a
+/// name of its own implements [`Block`](crate::Block) by hand.
 #[macro_export]
 macro_rules! block {
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
@@ -155,7 +158,7 @@ macro_rules! block {
         }
     };
 
-    // The clauses, one after another: the ranges of parameters, the latency, the source, the inputs and the outputs.
+    // The clauses, in sequence: the ranges of parameters, the latency, the source, the inputs and the outputs.
     (@clauses [$attributes:tt $vis:tt $name:ident $of:tt []] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
         $($(#[$($said:tt)*])* $parameter:ident: $range:expr),* $(,)?
     } $($rest:tt)*) => {
@@ -183,11 +186,11 @@ macro_rules! block {
         $crate::block! { @clauses $block $latency $source $in [= $bundle [$($this)?] [$bundle { $($ports)* }]] $($rest)* }
     };
 
-    // The ports of a bundle, one after another: what is said about each, its name, its type, and its width if there is one.
+    // The ports of a bundle, in sequence: the documentation, name, type and, if given, width of each.
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
     };
-    // A record that is declared with its widths is a bundle of its own.
+    // A record declared together with its widths becomes a bundle of its own.
     (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: $vis:vis struct $record:ident {
             $($(#[$($field_said:tt)*])* $field:ident: $width:expr),* $(,)?
@@ -284,7 +287,7 @@ macro_rules! block {
         $crate::block! { @clauses $block $latency $source $in [[$($of)+] $ports] $($rest)* }
     };
 
-    // A stream: its type by that of the payload, and its widths if there are any.
+    // A stream: its type by that of its payload, and its widths if given.
     (@stream [_] [] $($port:tt)*) => { $crate::block! { @put [T] [] $($port)* } };
     (@stream [$record:ident = _] [] $($port:tt)*) => { $crate::block! { @put [$record<T>] [] $($port)* } };
     (@stream [$record:ident = $widths:expr] [$($clock:expr)?] $($port:tt)*) => {
@@ -307,7 +310,7 @@ macro_rules! block {
         }
     };
 
-    // All is known.
+    // Everything is known.
     (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt]
         $latency:tt [$source:expr] $in:tt $out:tt
     ) => {
@@ -328,8 +331,8 @@ macro_rules! block {
             }
 
             fn build(&self, m: $crate::Module, i: Self::In) -> Self::Out {
-                // The struct's own `build` comes before those of traits. Without one this would call itself: a second trait
-                // makes that an error.
+                // The struct's own `build` takes precedence over those of traits. Without one, this call would
+                // recurse; a second trait makes it an error instead.
                 use $crate::AddTheBuildOfThisBlock as _;
                 Self::build(self, m, i)
             }
@@ -396,11 +399,11 @@ macro_rules! block {
         #[allow(dead_code)]
         impl<$($of),*> $name<$($of),*>
         where $($of: $($bound +)+ ::std::fmt::Debug + Clone + Eq + ::std::hash::Hash + 'static),* {
-            /// The block, if its parameters are in their ranges.
+            /// The block, if its parameters are in range.
             ///
             /// # Errors
             ///
-            /// The first parameter that is not.
+            /// The first parameter that is out of range.
             $vis fn checked(self) -> Result<Self, $crate::OutOfRange> {
                 $crate::Block::check(&self).map(|()| self)
             }
@@ -433,7 +436,7 @@ macro_rules! block {
     };
 }
 
-/// The text of a line of documentation; of any other attribute, nothing.
+/// The text of a documentation line; of any other attribute, nothing.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! doc_line {
@@ -445,7 +448,7 @@ macro_rules! doc_line {
     };
 }
 
-/// A block that `block!` declares and that has no `build` gets this one, which is none.
+/// A block without a `build` gets this one, so that the compiler names the missing method.
 #[doc(hidden)]
 pub trait AddTheBuildOfThisBlock {
     fn build(&self, _: Module, _: impl Sized) -> NoBuild {
@@ -459,7 +462,7 @@ impl<T> AddTheBuildOfThisBlock for T {}
 #[derive(Debug)]
 pub struct NoBuild;
 
-/// A list of ports that are alike.
+/// A list of identical ports.
 #[doc(hidden)]
 pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
     let count = crate::integers::count(count);
@@ -470,24 +473,24 @@ pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
     vec![widths; count as usize]
 }
 
-/// The widths of an output that is declared with them, each with its path.
+/// The declared widths of an output, each with its path.
 #[doc(hidden)]
 pub fn declared(port: &str, widths: &impl Fields<Width>) -> Vec<(String, Width)> {
-    // A port may be a raw identifier; all ports of a bundle have none before them.
+    // A port may be a raw identifier; the empty name means all ports of a bundle.
     let port = if port.is_empty() { String::new() } else { join("", port) };
     let path = |path: String| if path.is_empty() { port.clone() } else { join(&port, &path) };
-    // What comes back, as the `ready` of a stream, is no output.
+    // A leaf that runs backwards, as the `ready` of a stream, is no output.
     let outputs = widths.leaves().into_iter().zip(backwards(widths)).filter(|(_, back)| !back);
     outputs.map(|((inner, width), _)| (path(inner), width)).collect()
 }
 
-/// What a block's declaration says in words.
+/// The description in words of a block's declaration.
 #[doc(hidden)]
 pub fn about<I: Bundle, O: Bundle>(said: &[&str], latency: String, source: String) -> About {
     About { summary: sentence(said), latency, source, inputs: ports::<I>(), outputs: ports::<O>() }
 }
 
-/// What is said about the ports of a bundle, and about the records in it.
+/// The documentation of a bundle's ports and of the records in it.
 fn ports<B: Bundle>() -> BTreeMap<String, String> {
     let mut ports = BTreeMap::new();
     <B as Fields<Signal>>::documentation("", "", &mut |path, said| {
@@ -498,7 +501,7 @@ fn ports<B: Bundle>() -> BTreeMap<String, String> {
     ports
 }
 
-/// The first paragraph of a documentation, on one line, without the places that its links lead to.
+/// The first paragraph of a documentation text, on one line, without its link targets.
 #[doc(hidden)]
 pub fn sentence(lines: &[&str]) -> String {
     let lines = lines.iter().map(|line| line.trim()).skip_while(|line| line.is_empty());

@@ -1,13 +1,15 @@
-//! A name that is said once: of a variable, and of what it holds.
+//! `def!`: one name for a variable and its hardware.
 
-/// `let NAME = ..` that names what is described, too: `def!(count = m.reg(8).reset(0));` is `let count = m.reg("count", 8).reset(0);`.
+/// `let NAME = ..` that also names the hardware: `def!(count = m.reg(8).reset(0));` is
+/// `let count = m.reg("count", 8).reset(0);`.
 ///
-/// So it is of whatever a module declares by a name: [`reg`](crate::Module::reg), [`fsm`](crate::Module::fsm),
-/// [`toggle`](crate::Module::toggle), [`wire`](crate::Module::wire), [`stream_wire`](crate::Module::stream_wire),
-/// [`memory`](crate::Module::memory), [`rom`](crate::Module::rom), [`pipe`](crate::Module::pipe),
-/// [`pipe_when`](crate::Module::pipe_when), [`synchronize`](crate::Module::synchronize) and
-/// [`synchronize_from`](crate::Module::synchronize_from), of `m`, of another variable, or of `m.on(CLOCK)`. Of any other expression it
-/// names the net, of a record that of each field: `entry_page`. Where a name is made, as in a loop, these methods take it.
+/// It supplies the name to every method of a module that declares something by name: [`reg`](crate::Module::reg),
+/// [`fsm`](crate::Module::fsm), [`toggle`](crate::Module::toggle), [`wire`](crate::Module::wire),
+/// [`stream_wire`](crate::Module::stream_wire), [`memory`](crate::Module::memory), [`rom`](crate::Module::rom),
+/// [`pipe`](crate::Module::pipe), [`pipe_when`](crate::Module::pipe_when),
+/// [`synchronize`](crate::Module::synchronize) and [`synchronize_from`](crate::Module::synchronize_from). The module
+/// may be `m`, another variable, or `m.on(CLOCK)`. For any other expression it names the net, or for a record the net
+/// of each field: `entry_page`. Where a name is computed, as in a loop, call these methods directly.
 ///
 /// ```
 /// # use tilewright_hdl::*;

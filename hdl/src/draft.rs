@@ -8,13 +8,13 @@ use crate::stages::Pipelines;
 use crate::stream::{DraftStream, Sent};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-/// What a description has declared so far. The parts that may still be missing are `Option`s here and plain in
+/// The declarations of a description so far. Parts that may still be missing are `Option`s here and plain in
 /// [`Module`].
 pub(crate) struct Draft {
-    /// Tells this module's handles from another's.
+    /// Tells this module's handles from those of others.
     pub serial: u32,
     pub block: &'static str,
-    /// Where the block is declared, if it says so.
+    /// The place of the block's declaration, if known.
     pub declared: Option<Loc>,
     pub loc: Loc,
     /// The clocks used so far; the first is the default clock, `None`.
@@ -27,27 +27,28 @@ pub(crate) struct Draft {
     pub wires: Vec<DraftWire>,
     /// The streams that begin here, by the node of their `ready`.
     pub streams: BTreeMap<NodeId, DraftStream>,
-    /// Those that are offered here and leave.
+    /// The streams that are offered here and sent to the parent.
     pub sent: Vec<Sent>,
     pub memories: Vec<DraftMemory>,
     pub instances: Vec<Instance>,
     /// The names of each instance's output ports.
     pub instance_outputs: Vec<Vec<String>>,
     pub properties: Vec<Property>,
-    /// Where each cover stands, by its name.
+    /// The place of each cover, by its name.
     pub covers: HashMap<String, Loc>,
-    /// The registers of past values, by what they are the past of.
+    /// The registers of past values, by their signals.
     pub pasts: BTreeMap<(NodeId, ClockId), NodeId>,
-    /// The subjects of choices by the codes of an enum.
+    /// The subjects of choices by code.
     pub chosen: Vec<(NodeId, Loc)>,
     pub synchronizers: Vec<Synchronizer>,
     pub pipelines: Pipelines,
     /// Inputs that the description says it leaves unused.
     pub ignored: BTreeSet<NodeId>,
-    /// What stands in faulty expressions, of which the circuit has only a stand-in.
+    /// Operands of faulty expressions. The circuit has only a stand-in of such an expression.
     pub in_problems: BTreeSet<NodeId>,
-    /// What stands for something faulty, whose problem is reported, and what is computed from it: nothing more is reported of these. What a
-    /// register holds or a wire carries is declared, and so does not count as computed.
+    /// The stand-ins for faulty objects, whose problems have been reported, and the values computed from them. No
+    /// further problem with them is reported. Registers and wires are declared, so their values do not count as
+    /// computed.
     pub stand_ins: BTreeSet<NodeId>,
 }
 
@@ -63,7 +64,7 @@ pub(crate) struct DraftRegister {
 }
 
 impl DraftRegister {
-    /// Of which nothing is said yet.
+    /// A register about which nothing is stated yet.
     pub fn new(node: NodeId, clock: ClockId) -> DraftRegister {
         let (reset, initial, enable, next) = (None, None, None, None);
         DraftRegister { node, clock, reset, initial, enable, next, is_synchronizer: false, attributes: Vec::new() }
@@ -78,20 +79,20 @@ pub(crate) struct DraftWire {
 pub(crate) struct DraftMemory {
     pub memory: Memory,
     pub true_dual_port: bool,
-    /// Stands for it where its declaration is faulty.
+    /// The stand-in, if the declaration is faulty.
     pub stand_in: Option<NodeId>,
-    /// Where each write port is made.
+    /// The places of the write ports.
     pub written: Vec<Loc>,
 }
 
-/// A signal of another clock, and the synchronizer that it enters.
+/// A signal of another clock, and its synchronizer.
 pub(crate) struct Synchronizer {
     pub name: String,
     pub enters: NodeId,
     pub loc: Loc,
 }
 
-/// The node that a wire points to until it is driven.
+/// The target of a wire until it is driven.
 pub(crate) const UNDRIVEN: NodeId = NodeId(u32::MAX);
 
 impl Draft {
@@ -146,7 +147,7 @@ impl Draft {
         &mut self.nodes[id.0 as usize]
     }
 
-    /// The node as a value of that kind, in waves and in Verilog, too: itself, or one beside it.
+    /// The node as a value of this kind, in waves and Verilog too: itself, or a new node beside it.
     pub fn seen_as(&mut self, id: NodeId, kind: Kind, loc: Loc) -> NodeId {
         let node = self.node(id);
         if node.kind == kind {
@@ -161,7 +162,7 @@ impl Draft {
         seen
     }
 
-    /// The place of a clock among this module's, added if it is new.
+    /// The index of a clock in this module; a new clock is added.
     pub fn clock(&mut self, clock: Option<Clock>) -> ClockId {
         let found = self.clocks.iter().position(|known| match (known, &clock) {
             (None, None) => true,
@@ -176,14 +177,14 @@ impl Draft {
         ClockId(index as u32)
     }
 
-    /// As [`Draft::clock`], for something that runs on it.
+    /// Like [`Draft::clock`], for an object that runs on the clock.
     pub fn use_clock(&mut self, clock: Option<Clock>) -> ClockId {
         let id = self.clock(clock);
         self.clock_used[id.0 as usize] = true;
         id
     }
 
-    /// Whether one of the nodes stands for something faulty, or is computed from it.
+    /// Whether one of the nodes is a stand-in or is computed from one.
     pub fn follows_a_problem(&self, nodes: &[NodeId]) -> bool {
         nodes.iter().any(|node| self.stand_ins.contains(node))
     }
@@ -193,7 +194,7 @@ impl Draft {
         self.clocks[id.0 as usize].map_or("clk", |clock| clock.name)
     }
 
-    /// A node as a reader of the description would say it: its name, or its expression, cut short.
+    /// A node in the words of the description: its name, or its expression, shortened.
     pub fn describe(&self, id: NodeId) -> String {
         self.describe_to(id, 3)
     }
@@ -238,7 +239,7 @@ impl Draft {
                 let index = instance.0 as usize;
                 format!("{}.{}", self.instances[index].name, self.instance_outputs[index][*port as usize])
             }
-            // Of all wires without a driver, that of a stream has no name.
+            // Of all wires without a driver, only that of a stream has no name.
             Op::Wire(UNDRIVEN) => "ready".to_owned(),
             Op::QuasiStatic(a, _) | Op::Wire(a) => say(a),
             Op::Broadcast { of, .. } => format!("{}.of(..)", inner(of)),
@@ -285,7 +286,7 @@ impl Shift {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // The operand says whether it is signed, so both shifts to the right are one operator.
+    /// // The operand decides whether `>>` is signed, so both right shifts have one operator.
     /// assert_eq!([ir::Shift::Right, ir::Shift::RightSigned].map(ir::Shift::symbol), [">>", ">>"]);
     /// ```
     pub fn symbol(self) -> &'static str {

@@ -1,8 +1,8 @@
 //! The arena that a description writes into while it runs.
 //!
-//! Signals are `Copy` handles into it, so that expressions need no lifetimes and helpers are plain functions. There is
-//! at most one elaboration a thread; a guard clears it even when a description panics, and every handle carries the
-//! elaboration's stamp and its module's number, so that a stale or foreign handle is a clear error.
+//! Signals are `Copy` handles into the arena, so expressions need no lifetimes, and helpers are plain functions. A
+//! thread runs at most one elaboration; a guard clears the arena even when a description panics. Every handle carries
+//! the stamp of its elaboration and the number of its module, so a stale or foreign handle is a clear error.
 
 use crate::clock::{Clock, Period};
 use crate::draft::Draft;
@@ -20,28 +20,28 @@ use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Everything known so far about the design that is being elaborated on this thread.
+/// The state of the design that is being elaborated on this thread.
 pub(crate) struct Elaboration {
     pub stamp: u32,
     pub done: Vec<Module>,
     pub summaries: Vec<Summary>,
-    /// For each finished module the delays of its outputs, while there is no problem.
+    /// For each finished module, the delays of its outputs, as long as there is no problem.
     pub delays: Vec<Vec<Delay>>,
-    /// For each finished module the output bundle of its block, as a shape.
+    /// For each finished module, the output bundle of its block, as a shape.
     pub shapes: Vec<Rc<dyn Any>>,
-    /// Where each finished module was first instantiated.
+    /// For each finished module, the place of its first instance.
     pub instantiated: Vec<Loc>,
-    /// The modules that blocks were elaborated to.
+    /// The modules of the blocks that have been elaborated.
     pub known: KnownBlocks,
     /// The modules under construction, the innermost last.
     pub drafts: Vec<Draft>,
     pub drafts_begun: u32,
-    /// Every named clock, with its period and where it was first used.
+    /// Every named clock, with its period and the place of its first use.
     pub clocks: BTreeMap<&'static str, (Period, Loc)>,
     pub problems: Vec<Problem>,
 }
 
-/// Blocks by type and value, whatever they print. For each type there is a `HashMap` of its blocks.
+/// Blocks by type and value, independent of their `Debug` text: for each type, a `HashMap` of its blocks.
 #[derive(Default)]
 pub(crate) struct KnownBlocks(HashMap<TypeId, Box<dyn Any>>);
 
@@ -72,16 +72,17 @@ impl Drop for Guard {
     }
 }
 
-/// What unwinds to [`run`] from a description that cannot go on.
+/// The payload with which a description that cannot continue unwinds to [`run`].
 struct Stopped;
 
-/// Reports a problem after which there is nothing to go on with, not even something to stand in.
+/// Reports a problem after which not even a stand-in is possible.
 pub(crate) fn stop(problem: Problem) -> ! {
     with(|e| e.report(problem));
     resume_unwind(Box::new(Stopped))
 }
 
-/// A mistake that leaves nothing to go on with: a problem while a block is built, and elsewhere a panic of the same sentence.
+/// A mistake after which the description cannot continue. While a block is built, it is a problem; elsewhere it is a
+/// panic with the same sentence.
 #[track_caller]
 pub(crate) fn mistake(message: String, help: &str) -> ! {
     let loc = Loc::caller();
@@ -91,7 +92,7 @@ pub(crate) fn mistake(message: String, help: &str) -> ! {
     panic!("{message}, at {loc}: {help}")
 }
 
-/// Runs `describe` with a fresh arena and gives what it left there.
+/// Runs `describe` with a fresh arena and returns the arena's contents.
 pub(crate) fn run(describe: impl FnOnce()) -> Result<Elaboration, Problems> {
     CURRENT.with_borrow_mut(|current| {
         assert!(current.is_none(), "`elaborate` was called inside a block's `build`: use `m.instance` there");
@@ -142,7 +143,7 @@ impl Elaboration {
         self.drafts.last_mut().expect("a module is being built")
     }
 
-    /// Takes note of a clock; its name stands for one period in the whole design.
+    /// Registers a clock; its name has one period in the whole design.
     pub fn meet_clock(&mut self, clock: Clock, loc: Loc) {
         let (period, first) = match self.clocks.get(clock.name) {
             Some(known) => *known,
@@ -161,14 +162,14 @@ impl Elaboration {
     }
 
     pub fn report(&mut self, problem: Problem) {
-        // A closure that is called for each code or lane makes the same mistake each time.
+        // A closure that runs for each code or lane repeats the same mistake.
         if !self.problems.iter().rev().take(16).any(|known| *known == problem) {
             self.problems.push(problem);
         }
     }
 
-    /// As [`Elaboration::report`], of an expression for which something else stands in: its operands count as used. Where one of them
-    /// follows a problem, that one is enough.
+    /// Like [`Elaboration::report`], for an expression that a stand-in replaces: its operands count as used. If one
+    /// of them follows from another problem, nothing is reported.
     pub fn report_instead_of(&mut self, operands: &[NodeId], problem: Problem) {
         let draft = self.draft();
         draft.in_problems.extend(operands);

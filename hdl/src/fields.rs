@@ -1,4 +1,4 @@
-//! What records are made of: leaves, and whatever has leaves.
+//! Records: leaves, and whatever contains leaves.
 
 use crate::bundle::join;
 use crate::integers::for_integers;
@@ -6,7 +6,7 @@ use crate::signal::Signal;
 use crate::width::Width;
 use crate::{Bits, Loc};
 
-/// What may stand in a bundle's fields: a signal, a width, a value, a handle.
+/// The leaf of a bundle: a signal, a width, a value or a handle.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -33,7 +33,7 @@ macro_rules! leaves {
 }
 for_integers!(leaves);
 
-/// What [`Fields::visit`] comes across.
+/// An item that [`Fields::visit`] shows.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -51,13 +51,13 @@ for_integers!(leaves);
 pub enum Visited<'a, T> {
     /// A leaf.
     Leaf(&'a T),
-    /// A leaf that runs the other way than those around it: the `ready` of a [`Stream`](crate::Stream).
+    /// A leaf in the opposite direction, as the `ready` of a [`Stream`](crate::Stream).
     Back(&'a T),
-    /// A `Vec` of so many elements, which follow.
+    /// A `Vec` of this length; its elements follow.
     List(usize),
 }
 
-/// A record whose leaves are `T`: a leaf itself, an array or a list of records, or a struct made by
+/// A record with leaves `T`: a leaf itself, an array or list of records, or a struct made by
 /// [`bundle!`](crate::bundle!).
 ///
 /// ```
@@ -76,7 +76,8 @@ pub trait Fields<T: Leaf>: Sized {
     /// The same record with leaves `U`.
     type With<U: Leaf>: Fields<U>;
 
-    /// The record with `f` of each leaf, in order of declaration; `f` also gets the leaf's path, such as `left.z`.
+    /// The record with `f` applied to each leaf, in the sequence of declaration; `f` also gets the leaf's path, such
+    /// as `left.z`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -91,7 +92,7 @@ pub trait Fields<T: Leaf>: Sized {
     /// ```
     fn map_fields<U: Leaf>(&self, path: &str, f: &mut dyn FnMut(&str, &T) -> U) -> Self::With<U>;
 
-    /// The record with `f` of each leaf.
+    /// The record with `f` applied to each leaf.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -105,7 +106,7 @@ pub trait Fields<T: Leaf>: Sized {
         self.map_leaves(&mut f)
     }
 
-    /// As [`Fields::map_fields`], without the time that paths take.
+    /// Like [`Fields::map_fields`], without the cost of making paths.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -118,7 +119,7 @@ pub trait Fields<T: Leaf>: Sized {
         self.map_fields("", &mut |_, leaf| f(leaf))
     }
 
-    /// Shows `f` each leaf in order of declaration, and how long each `Vec` is before what is in it.
+    /// Shows `f` each leaf in the sequence of declaration, and the length of each `Vec` before its elements.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -138,18 +139,19 @@ pub trait Fields<T: Leaf>: Sized {
         });
     }
 
-    /// Shows `f` what is said about each record and each leaf, with its path; elements of lists have no number there.
+    /// Shows `f` the documentation of each record and each leaf, with its path; in these paths, elements of lists
+    /// have no number.
     #[doc(hidden)]
     fn documentation(path: &str, said: &str, f: &mut dyn FnMut(&str, &str)) {
         f(path, said);
     }
 
-    /// Each leaf with its path, in order of declaration.
+    /// Each leaf with its path, in the sequence of declaration.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// let leaves = [5u64, 6].leaves();
-    /// assert_eq!(leaves, [("0".to_owned(), 5), ("1".to_owned(), 6)]); // a list's leaves are named by their index
+    /// assert_eq!(leaves, [("0".to_owned(), 5), ("1".to_owned(), 6)]); // list elements are named by their index
     /// ```
     fn leaves(&self) -> Vec<(String, T)> {
         let mut leaves = Vec::new();

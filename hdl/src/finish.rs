@@ -1,4 +1,4 @@
-//! From a draft to a finished module: every check, then the plain form.
+//! From a draft to a finished module: every check, then the final form.
 
 use crate::check;
 use crate::chosen;
@@ -12,8 +12,8 @@ use crate::signal::Signal;
 use crate::stream::DraftStream;
 use crate::summary;
 
-/// Takes the innermost draft, checks it, and adds it to the finished modules. With problems, what is added is good
-/// enough for the parents to be checked too.
+/// Takes the innermost draft, checks it, and adds it to the finished modules. Even with problems, the added module is
+/// sound enough for checking its parents.
 pub(crate) fn finish(
     e: &mut Elaboration,
     outputs: Vec<(String, Signal)>,
@@ -43,7 +43,7 @@ pub(crate) fn finish(
         false => summary::Summary::unknown(nodes.len()),
     };
     check::streams::check(&draft, &outputs, &summary, problems);
-    // What is reported here is not reported once more of every parent.
+    // A problem reported here is not reported again for every parent.
     mixed.into_iter().for_each(|output| summary.outputs[output].hide_clocks());
     summary.synchronized = check::synchronizers::check(&draft, &e.summaries, problems);
     let ports = draft.inputs.iter().map(|input| input.node).chain(nodes);
@@ -58,7 +58,7 @@ pub(crate) fn finish(
     e.done.push(module);
 }
 
-/// Says which clock each input belongs to, and where each clock of the draft stands among those in use.
+/// Finds the clock of each input, and the position of each clock of the draft among the used ones.
 fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
     for i in 0..draft.inputs.len() {
         if let Some(clock) = draft.input_clocks[i] {
@@ -74,7 +74,8 @@ fn place_clocks(draft: &mut Draft) -> Vec<Option<u32>> {
     draft.clock_used.iter().map(|used| used.then(|| place.next().expect("endless"))).collect()
 }
 
-/// For each clock of the draft the name of its reset port, if anything on it is reset, or asserted while it is low.
+/// For each clock of the draft, the name of its reset port, if a register uses the reset or an assertion waits for
+/// it.
 fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
     let mut resets = vec![None; draft.clocks.len()];
     let mut needs = |clock: ClockId| {
@@ -91,8 +92,8 @@ fn find_resets(draft: &Draft, done: &[Module]) -> Vec<Option<String>> {
     resets
 }
 
-/// Where the block is described: where it is declared; if it does not say, where its `build` makes the first thing, as its ports may be
-/// another block's.
+/// The place of the block: its declaration or, if unknown, the first object that its `build` makes. (Its ports may be
+/// those of another block.)
 fn place(draft: &Draft) -> Loc {
     if let Some(declared) = draft.declared {
         return declared;
@@ -102,7 +103,7 @@ fn place(draft: &Draft) -> Loc {
     };
     let made = draft.nodes.iter().enumerate().find(|node| !is_port(node)).map(|(_, node)| node);
     let made = made.or(draft.nodes.first()).map_or(draft.loc, |node| node.loc);
-    // A memory is no node.
+    // A memory is not a node.
     let memory = draft.memories.first().map(|draft| draft.memory.loc);
     memory.filter(|memory| memory.file() == made.file() && memory.line() < made.line()).unwrap_or(made)
 }

@@ -1,7 +1,7 @@
 //! The graph algorithms that the checks need, all iterative and in linear time.
 
-/// Which of `0..count` can reach themselves: the strongly connected components of more than one vertex or with an
-/// edge to itself, each sorted.
+/// The strongly connected components of `0..count` that have several vertices or an edge to themselves, each sorted:
+/// the vertices that can reach themselves.
 pub(crate) fn cyclic_components(edges: &Edges) -> Vec<Vec<u32>> {
     let mut found = Vec::new();
     components(edges, |component| {
@@ -20,7 +20,8 @@ pub(crate) fn is_cyclic(edges: &Edges, component: &[u32]) -> bool {
     component.len() > 1 || edges.of(component[0]).contains(&component[0])
 }
 
-/// Calls `visit` with each strongly connected component, after all those that it has edges to (Tarjan's algorithm with an explicit stack).
+/// Calls `visit` with each strongly connected component, after all components that it has edges to (Tarjan's
+/// algorithm with an explicit stack).
 pub(crate) fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
     const NEW: u32 = u32::MAX;
     let count = edges.count();
@@ -60,7 +61,7 @@ pub(crate) fn components(edges: &Edges, mut visit: impl FnMut(&[u32])) {
     }
 }
 
-/// Every vertex after those that it has edges to, where no cycle forbids it.
+/// The vertices in topological order, targets first, except within cycles.
 pub(crate) fn targets_first(edges: &Edges) -> Vec<u32> {
     let (mut order, mut begun, mut work) = (Vec::new(), vec![false; edges.count()], Vec::new());
     for root in 0..edges.count() as u32 {
@@ -108,7 +109,7 @@ pub(crate) fn cycle_through(edges: &Edges, component: &[u32], start: u32) -> Vec
     unreachable!("every vertex of a cyclic component is on a cycle")
 }
 
-/// For each vertex the vertices it has edges to, side by side in one list.
+/// For each vertex, the targets of its edges, all in one list.
 pub(crate) struct Edges {
     starts: Vec<u32>,
     targets: Vec<u32>,
@@ -158,7 +159,7 @@ impl Sets {
             .flat_map(|(i, &word)| (0..64).filter(move |bit| word >> bit & 1 == 1).map(move |b| i * 64 + b))
     }
 
-    /// Adds to every vertex the members of all that it is computed from.
+    /// Adds to every vertex the members of all vertices that it is computed from.
     pub fn spread(&mut self, operands: &Edges) {
         let mut union = vec![0; self.words];
         components(operands, |component| {

@@ -1,11 +1,11 @@
-//! Which lane a lane takes its value from, as arithmetic on its number.
+//! Affine arithmetic on lane numbers, which says where each lane takes its value from.
 
 use crate::integers::{Integer, for_integers};
 use crate::ir::Affine;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// The number of a lane, with which [`Signal::take`](crate::Signal::take) computes: `|i| i / 2`, `|i| 2 * i + 1`, `|i| n - 1 - i`. Quotients
-/// are rounded towards minus infinity. What is divided is not multiplied afterwards.
+/// The number of a lane, for the arithmetic of [`Signal::take`](crate::Signal::take): `|i| i / 2`, `|i| 2 * i + 1`,
+/// `|i| n - 1 - i`. Quotients round towards minus infinity. A quotient cannot be multiplied.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -14,7 +14,7 @@ use std::ops::{Add, Div, Mul, Sub};
 /// let mirrored = x.take(4, |i| 3 - i);
 /// let neighbours = x.take_or(4, |i| (i - 1) / 2, 9);
 /// m.assert(mirrored.pack().eq(0x1234), "lane 0 takes lane 3");
-/// m.assert(neighbours.pack().eq(0x2119), "-1 / 2 is -1 when it is rounded down, so lane 0 has the edge");
+/// m.assert(neighbours.pack().eq(0x2119), "-1 / 2 rounds down to -1, so lane 0 takes the edge");
 /// # });
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ impl Index {
         Index(Some(Sum { mul: 1, add: 0, div: 1 }))
     }
 
-    /// The rule; none if it cannot be said.
+    /// The rule, or `None` if it cannot be expressed.
     pub(crate) fn affine(self) -> Option<Affine> {
         let Sum { mul, add, div } = self.0?;
         Some(Affine { mul: mul.try_into().ok()?, add: add.try_into().ok()?, div: div.try_into().ok()? })

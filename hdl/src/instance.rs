@@ -16,7 +16,8 @@ use crate::stream::{backwards, take};
 use crate::uneven::{Uneven, uneven};
 
 impl Module {
-    /// An instance of `block`. Its own clock is this handle's; its named clocks are this module's of the same names.
+    /// Instantiates `block`. The instance's own clock is this handle's; its named clocks are this module's clocks of
+    /// the same names.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -36,7 +37,7 @@ impl Module {
     ///
     /// let first = m.instance("u_first", &Adder { width: 8 }, AdderIn { a: lit(8, 200), b: lit(8, 100) });
     /// let second = m.instance("u_second", &Adder { width: 9 }, AdderIn { a: first.sum, b: lit(9, 212) });
-    /// m.assert(second.sum.eq(512), "two modules, as their parameters differ");
+    /// m.assert(second.sum.eq(512), "two modules, because the parameters differ");
     /// # });
     /// ```
     #[track_caller]
@@ -50,10 +51,11 @@ impl Module {
         out
     }
 
-    /// An array of instances of `block`, kept as an array in the simulator, in Verilog and in waves: so many lanes, or a [`grid`](crate::grid).
-    /// `feed` gets the array's outputs, which have those lanes, and says what its inputs are; that is how neighbours are linked. A plain
-    /// signal feeds all lanes alike. A port with lanes of its own has them behind those of the array: a row of blocks with a port of four lanes is
-    /// fed a grid of four columns.
+    /// Instantiates `block` as an array, which stays an array in the simulator, in Verilog and in waves. Its size is
+    /// a number of lanes or a [`grid`](crate::grid). `feed` gets the array's outputs, with these lanes, and returns
+    /// its inputs; this is how neighbours are connected. A plain signal feeds all lanes alike. If a port has lanes of
+    /// its own, they come after those of the array: a row of blocks with a port of four lanes is fed a grid of four
+    /// columns.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -98,7 +100,7 @@ impl Module {
         out
     }
 
-    /// Declares an instance whose inputs come later, with its output nodes.
+    /// Declares an instance before its inputs are known, with its output nodes.
     fn declare(self, name: &str, child: ModuleId, array: Shape, loc: Loc) -> Declared {
         elaboration::with(|e| {
             let module = &e.done[child.0 as usize];
@@ -131,15 +133,15 @@ impl Module {
         })
     }
 
-    /// The clock of this module that drives a clock of a child: this handle's for the child's own, otherwise the one of
-    /// that name.
+    /// The clock of this module that drives a child's clock: this handle's for the child's own clock, otherwise the
+    /// clock of the same name.
     fn bind(self, e: &mut Elaboration, clock: &ir::Clock) -> ClockId {
         let named = clock.name.zip(clock.period).map(|(name, period)| Clock { name, period });
         e.draft().use_clock(named.or(self.clock))
     }
 
-    /// Says what drives the inputs of a declared instance: nodes, by their paths in its input bundle, and behind them what answers its
-    /// output streams.
+    /// Connects the inputs of a declared instance: nodes by their paths in its input bundle, and then the answers to
+    /// its output streams.
     fn feed(self, instance: &Declared, child: ModuleId, fed: Fed, answers: Vec<NodeId>, loc: Loc) {
         let (id, Fed { drivers, streams }) = (instance.id, fed);
         let mut even = true;
@@ -165,7 +167,7 @@ impl Module {
             inputs.extend(answers);
             e.draft().instances[id.0 as usize].inputs = inputs;
         });
-        // The child's answers to the streams that it takes are its last outputs.
+        // The child's answers to its incoming streams are its last outputs.
         let first = instance.outputs.len().saturating_sub(streams.len());
         for (i, stream) in streams.into_iter().enumerate() {
             let ready = elaboration::with(|e| match even {
@@ -176,7 +178,7 @@ impl Module {
         }
     }
 
-    /// The outputs of an instance as the block's bundle, and the nodes that answer the streams among them.
+    /// The outputs of an instance as the block's bundle, and the nodes that answer its output streams.
     fn read<B: Block>(self, instance: &Declared, child: &Elaborated, loc: Loc) -> (B::Out, Vec<NodeId>) {
         let bundle = child.outputs::<B>();
         let (mut outputs, mut directions) = (instance.outputs.iter(), backwards(bundle).into_iter());
@@ -195,9 +197,9 @@ impl Module {
     }
 }
 
-/// What an instance is fed with.
+/// The inputs of an instance.
 struct Fed {
-    /// By their paths in its input bundle.
+    /// The drivers, by their paths in its input bundle.
     drivers: Vec<(String, Signal)>,
     /// The `ready` of each stream that it takes.
     streams: Vec<Signal>,
@@ -216,7 +218,7 @@ impl Fed {
     }
 }
 
-/// A list in the input bundle of an instance is longer or shorter than the block's.
+/// Reports a list in an instance's input bundle that is longer or shorter than the block's.
 fn report_uneven(
     e: &mut Elaboration,
     id: InstanceId,
@@ -242,7 +244,7 @@ struct Port {
     width: u32,
     shape: Shape,
     kind: Kind,
-    /// Its declaration or what drives it has a problem.
+    /// Its declaration or its driver has a problem.
     is_faulty: bool,
     declared: Loc,
 }
@@ -253,7 +255,7 @@ impl Port {
     }
 }
 
-/// The lanes of a port of an array, seen from outside: more than two axes are a problem.
+/// The lanes of an array's port, seen from outside. More than two axes are a problem.
 fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: Loc) -> Shape {
     array.beside(port.shape).unwrap_or_else(|| {
         let (name, of) = (&port.name, port.shape);
@@ -264,8 +266,8 @@ fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: L
     })
 }
 
-/// The driver of a port, which must have the port's width and the instance's lanes beside those of the port, or be plain; if not, that is
-/// reported, and a zero stands in.
+/// The driver of a port. It must have the port's width, and either be plain or have the instance's lanes followed by
+/// the port's; otherwise that is reported and a zero stands in.
 fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Loc) -> NodeId {
     let driver = signal.node;
     let draft = e.draft();
@@ -284,7 +286,7 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Lo
     let (message, help) = if node.width != port.width {
         let (needs, has) = (bits_text(port.width), bits_text(node.width));
         let message = format!("input `{}` of `{name}` has {needs}, but `{text}` has {has}", port.name);
-        (message, "spell the change of width where the instance is fed")
+        (message, "make the change of width explicit where the instance is fed")
     } else if signal.kind != port.kind {
         let message = format!("input `{}` of `{name}` is {}, but `{text}` is {}", port.name, port.kind, signal.kind);
         (message, READ_AS)

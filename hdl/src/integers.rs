@@ -1,4 +1,4 @@
-//! Integers: which there are, on the left of an operator, and as factors.
+//! Integers: their types, as left operands, and as factors.
 
 use crate::elaboration;
 use crate::ir::{Binary, Kind};
@@ -9,8 +9,7 @@ use crate::wire::Wire;
 use std::fmt::Display;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Sub};
 
-/// A number that is known while the block is built, of any of Rust's integer types but `u128`, or a `bool`, which is 0
-/// or 1: a number of things, a place, a value.
+/// A number known while the block is built: any of Rust's integer types but `u128`, or a `bool`, which is 0 or 1.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -18,12 +17,12 @@ use std::ops::{Add, BitAnd, BitOr, BitXor, Mul, Sub};
 /// fn page(number: impl Integer, pages: impl Integer) -> Signal {
 ///     lit(below(pages), number)
 /// }
-/// m.assert(page(3u8, 12usize).eq(page(3, 12)), "no conversion, whatever a number was counted in");
+/// m.assert(page(3u8, 12usize).eq(page(3, 12)), "no conversion between integer types");
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a `{Self}` is no integer",
-    note = "a number that is known while the block is built stands here, of any integer type but `u128`, or a `bool`"
+    message = "a `{Self}` is not an integer",
+    note = "a number that is known while the block is built is accepted here, of any integer type but `u128`, or a `bool`"
 )]
 pub trait Integer: Copy + Display {
     /// The number.
@@ -35,16 +34,16 @@ pub trait Integer: Copy + Display {
     fn integer(self) -> i128;
 }
 
-/// A number of things, for which nothing below 0 can stand.
+/// A count; negative numbers are invalid.
 #[track_caller]
 pub(crate) fn not_negative(number: impl Integer) -> u128 {
     match u128::try_from(number.integer()) {
         Ok(count) => count,
-        Err(_) => elaboration::mistake(format!("a number of {number}"), "it is 0 or more"),
+        Err(_) => elaboration::mistake(format!("a number of {number}"), "it must be 0 or more"),
     }
 }
 
-/// As [`not_negative`]; what is too large for any use is the largest there is.
+/// Like [`not_negative`], but saturates at the largest `u32`.
 #[track_caller]
 pub(crate) fn count(number: impl Integer) -> u32 {
     u32::try_from(not_negative(number)).unwrap_or(u32::MAX)
@@ -85,7 +84,7 @@ macro_rules! on_the_left {
             }
         )*
 
-        /// The integer has as many bits as it needs, as in `x * 3`.
+        /// The integer has the fewest bits that can represent it, as in `x * 3`.
         impl Mul<$right> for $ty {
             type Output = Signal;
 
@@ -107,7 +106,8 @@ macro_rules! integers {
 for_integers!(integers);
 
 impl Signal {
-    /// The product with a signal, or with an integer, which has as many bits as it needs: `x * 3` is 2 bits wider than `x`.
+    /// The product with a signal or an integer. An integer has the fewest bits that can represent it: `x * 3` is 2
+    /// bits wider than `x`.
     #[track_caller]
     pub(crate) fn times_any(self, right: impl Operand) -> Signal {
         match right.operand().cut_to(self.width) {

@@ -1,4 +1,4 @@
-//! What leads from one shape to another: signals put together as lanes, and what a row and a grid have.
+//! Changes of shape: signals combined into lanes, and the methods of rows and grids.
 
 use crate::along::Along;
 use crate::data::{Data, Layout};
@@ -18,13 +18,14 @@ use crate::stream::{backwards, stack_ready};
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
-/// The signals, records of signals or streams as the lanes of a row; rows as the rows of a grid. All are of one shape and width.
+/// Makes a row of signals, records of signals or streams, one in each lane; rows become the rows of a grid. All have
+/// the same shape and width.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let sides = stack([lit(8, 3), lit(8, 4), lit(8, 5)]);
-/// m.assert((sides + 1).pack().eq(0x060504), "from here on one line does what three did");
+/// m.assert((sides + 1).pack().eq(0x060504), "from here on one line replaces three");
 /// m.assert(stack([sides, sides]).rows().last().lane(0).eq(3), "rows become a grid");
 /// # });
 /// ```
@@ -63,7 +64,7 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
         let (first, other) = (bits_text(width), (other, bits_text(parts[other].width)));
         let message =
             format!("the lanes of a stack have different widths: lane 0 has {first}, lane {} {}", other.0, other.1);
-        let problem = Problem::new(loc, message).help("spell the change of width, lane by lane");
+        let problem = Problem::new(loc, message).help("make the change of width explicit, lane by lane");
         return elaboration::with(|e| {
             e.report_instead_of(&nodes, problem);
             Signal::zero_in(e, width, Shape::Row(lanes), kind, loc)
@@ -85,8 +86,8 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
     })
 }
 
-/// A constant for each lane, as `constants(bits(8).of(row(4)), |lane| 3 * lane)`. The lanes of a grid are counted row by row.
-/// Of a record of widths, a record for each lane. A code is given by its number.
+/// A constant for each lane, as in `constants(bits(8).of(row(4)), |lane| 3 * lane)`. The lanes of a grid are counted
+/// row by row. For a record of widths, `of` returns a record for each lane. A code is given by its number.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Fields, Module, Width, below, bundle, constants, elaborate, row};
@@ -142,7 +143,7 @@ fn row_of_constants(width: Width, of: impl Fn(u32) -> i128) -> Signal {
     lanes.kept_as(width.kind)
 }
 
-/// Lane 0 of each row, then lane 1 of each, and so on: of two rows of four, one of eight.
+/// Lane 0 of each row, then lane 1 of each, and so on: two rows of four become one of eight.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -170,14 +171,14 @@ pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
 }
 
 impl Signal {
-    /// The rows of a grid, one after another: `x.rows().previous(above)` is what is above each.
+    /// The rows of a grid as a sequence: `x.rows().previous(above)` gives each row the one above it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.rows().sum().pack().eq(0x753), "rows are added up, and a row is left: 0 + 3, 1 + 4, 2 + 5");
-    /// m.assert(x.rows().previous(15).pack().eq(0x210_fff), "row 0 has the edge above, row 1 has row 0");
+    /// m.assert(x.rows().sum().pack().eq(0x753), "the sum of the rows is a row: 0 + 3, 1 + 4, 2 + 5");
+    /// m.assert(x.rows().previous(15).pack().eq(0x210_fff), "row 0 takes the edge, row 1 takes row 0");
     /// # });
     /// ```
     #[track_caller]
@@ -185,14 +186,14 @@ impl Signal {
         self.axis(0, "rows")
     }
 
-    /// The columns of a grid, one after another: `x.columns().previous(left)` is what is on the left of each.
+    /// The columns of a grid as a sequence: `x.columns().previous(left)` gives each column the one to its left.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = constants(bits(4).of(grid(2, 3)), |lane| lane);
-    /// m.assert(x.columns().sum().pack().eq(0xc3), "columns are added up: 0 + 1 + 2 and 3 + 4 + 5");
-    /// m.assert(x.columns().previous(15).pack().eq(0x43f_10f), "column 0 has the edge on its left");
+    /// m.assert(x.columns().sum().pack().eq(0xc3), "the sum of the columns: 0 + 1 + 2 and 3 + 4 + 5");
+    /// m.assert(x.columns().previous(15).pack().eq(0x43f_10f), "column 0 takes the edge");
     /// # });
     /// ```
     #[track_caller]
@@ -219,7 +220,7 @@ impl Signal {
         Along { of, axis: 0 }
     }
 
-    /// A problem with the shape of this signal, and what stands in.
+    /// A problem with the shape of this signal, and a stand-in for the result.
     #[track_caller]
     fn without_lanes(self, needs: &str, shape: Shape) -> Signal {
         let (loc, id) = (Loc::caller(), self.id());
@@ -238,7 +239,8 @@ impl Signal {
         })
     }
 
-    /// The word cut into as many equal parts as `shape` has lanes, lane 0 in the lowest bits, a grid row by row.
+    /// The word cut into equal parts, one for each lane of `shape`. Lane 0 is the lowest bits; a grid is filled row
+    /// by row.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -276,7 +278,7 @@ impl Signal {
     }
 }
 
-/// What a row has by itself, as it has but one axis.
+/// The methods that a row has directly, because it has one axis only.
 macro_rules! of_a_row {
     ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $ty:ty),*) -> $out:ty;)*) => {
         impl Signal {$(
@@ -290,7 +292,7 @@ macro_rules! of_a_row {
 }
 
 of_a_row! {
-    /// How many lanes a row has.
+    /// The number of lanes of a row.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -300,13 +302,13 @@ of_a_row! {
     /// # });
     /// ```
     fn count() -> u32;
-    /// The lane of a row of that number, counted from 0.
+    /// The lane of a row with this number, counted from 0.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let digits = lit(16, 0x4321).unpack(4);
-    /// m.assert(digits.lane(1).eq(2), "one lane by a number; `pick` takes one by a signal");
+    /// m.assert(digits.lane(1).eq(2), "a lane by a number; `pick` selects one by a signal");
     /// # });
     /// ```
     fn lane(index: impl Integer) -> Signal;
@@ -316,11 +318,11 @@ of_a_row! {
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let digits = lit(16, 0x4321).unpack(4);
-    /// m.assert(digits.last().eq(4), "what leaves a chain at its end");
+    /// m.assert(digits.last().eq(4), "the output of a chain");
     /// # });
     /// ```
     fn last() -> Signal;
-    /// The lanes of a row, as signals of their own.
+    /// The lanes of a row, as separate signals.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -330,7 +332,7 @@ of_a_row! {
     /// # });
     /// ```
     fn to_vec() -> Vec<Signal>;
-    /// What the neighbour in a row with the next lower number has; lane 0 has `edge`.
+    /// Each lane of a row takes the value of its lower neighbour; lane 0 takes `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -340,7 +342,7 @@ of_a_row! {
     /// # });
     /// ```
     fn previous(edge: impl Operand) -> Signal;
-    /// What the neighbour in a row with the next higher number has; the last lane has `edge`.
+    /// Each lane of a row takes the value of its higher neighbour; the last lane takes `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -350,18 +352,19 @@ of_a_row! {
     /// # });
     /// ```
     fn following(edge: impl Operand) -> Signal;
-    /// Lane `i` of a row has what lane `i - by` has; lanes that have no such neighbour have `edge`.
+    /// Lane `i` of a row takes the value of lane `i - by`, or `edge` if there is none.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let x = lit(16, 0x4321).unpack(4);
-    /// m.assert(x.shifted(2, 0).pack().eq(0x2100), "lane 2 has lane 0");
-    /// m.assert(x.shifted(-1, 9).pack().eq(x.following(9).pack()), "the other way");
+    /// m.assert(x.shifted(2, 0).pack().eq(0x2100), "lane 2 takes lane 0");
+    /// m.assert(x.shifted(-1, 9).pack().eq(x.following(9).pack()), "the other direction");
     /// # });
     /// ```
     fn shifted(by: impl Integer, edge: impl Operand) -> Signal;
-    /// `count` lanes of a row: lane `i` is the one that `index` says, as in `take(2 * n, |i| i / 2)`, the parents in a tree.
+    /// A row of `count` lanes: lane `i` is lane `index(i)` of this one, as in `take(2 * n, |i| i / 2)`, which gives
+    /// each node of a tree its parent.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -372,7 +375,7 @@ of_a_row! {
     /// # });
     /// ```
     fn take(count: impl Integer, index: impl FnOnce(Index) -> Index) -> Signal;
-    /// As [`take`](Signal::take); where `index` leads beyond the ends, `edge`.
+    /// Like [`take`](Signal::take), but an index out of range gives `edge`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -382,7 +385,7 @@ of_a_row! {
     /// # });
     /// ```
     fn take_or(count: impl Integer, index: impl FnOnce(Index) -> Index, edge: impl Operand) -> Signal;
-    /// The last lane of a row first.
+    /// The lanes of a row in reverse.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -392,7 +395,7 @@ of_a_row! {
     /// # });
     /// ```
     fn reversed() -> Signal;
-    /// The lane of a row whose number `index` is; zero beyond the last.
+    /// The lane of a row whose number is the value of `index`; zero if there is none.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -401,13 +404,13 @@ of_a_row! {
     /// count.next(count + 1);
     /// let square = constants(bits(4).of(row(4)), |lane| lane * lane).pick(count);
     /// m.assert(count.lt(4).implies(square.zext(6).eq(*count * *count)), "a table in logic");
-    /// m.assert(count.ge(4).implies(square.eq(0)), "there are no lanes 4 to 7");
+    /// m.assert(count.ge(4).implies(square.eq(0)), "lanes 4 to 7 do not exist");
     /// # });
     /// ```
     fn pick(index: impl IntoSignal) -> Signal;
 }
 
-/// What a grid has too: of all its lanes.
+/// The methods that a grid has too, which combine all lanes.
 macro_rules! of_all_lanes {
     ($($(#[$doc:meta])* $name:ident;)*) => {
         impl Signal {$(
@@ -432,10 +435,10 @@ of_all_lanes! {
     xor_all;
     /// The sum of all lanes, modulo 2 to the width.
     sum;
-    /// The smallest of all lanes; of signed ones in two's complement.
+    /// The smallest of all lanes; signed lanes are compared in two's complement.
     minimum;
-    /// The largest of all lanes; of signed ones in two's complement.
+    /// The largest of all lanes; signed lanes are compared in two's complement.
     maximum;
-    /// All lanes side by side in one word, lane 0 in the lowest bits, a grid row by row.
+    /// All lanes side by side in one word, lane 0 in the lowest bits; a grid is packed row by row.
     pack;
 }

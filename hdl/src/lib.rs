@@ -26,37 +26,38 @@
 //! # Ok::<(), Problems>(())
 //! ```
 //!
-//! | to say | write |
+//! | to describe | write |
 //! |---|---|
-//! | a block | [`block!`], and its `build` |
-//! | which parameters there are blocks of | `ranges(self) { depth: 2..=self.words }` in [`block!`] |
+//! | a block | [`block!`] and its `build` |
+//! | the legal range of a parameter | `ranges(self) { depth: 2..=self.words }` in [`block!`] |
 //! | a port | its name and width in [`block!`]: [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)`, [`up_to`]`(n)`, or a record of these |
-//! | an expression | `+ - & \| ^ ! << >>` and methods of [`Signal`]; integers take the width of what they meet |
+//! | an expression | `+ - & \| ^ ! << >>` and the methods of [`Signal`]; an integer takes the width of the other operand |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`low`](Signal::low) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
-//! | a choice | [`mux`], [`select`] (first that holds), [`case`] (by value); of signals, numbers or records |
-//! | signed arithmetic | [`Signal::signed`], [`Width::signed`]: both sides of an operator are, or neither |
-//! | a name, of a variable and of what it holds | [`def!`]`(count = m.reg(8))`, `def!(at_end = count.eq(9))`; one that is made: `m.reg(&name, 8)`, [`Signal::named`] |
+//! | a choice | [`mux`], [`select`] (the first true condition), [`case`] (by value); between signals, numbers or records |
+//! | signed arithmetic | [`Signal::signed`], [`Width::signed`]; either both operands are signed or neither is |
+//! | a name, for the variable and its hardware at once | [`def!`]`(count = m.reg(8))`, `def!(at_end = count.eq(9))`; a computed name: `m.reg(&name, 8)`, [`Signal::named`] |
 //! | a net read before it is driven | [`Module::wire`] |
-//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that turns over |
-//! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) where two stages are to meet |
-//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`], whose [`Moves`] say what happens at a transition |
+//! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that toggles |
+//! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) lets values of different stages meet |
+//! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`]; the resulting [`Moves`] report which transition is taken |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
-//! | a record | a [`bundle!`]: what is declared with a record of widths, or given a record, is one; `.pack()` makes a word of it, `.unpack(word)` of its widths a record |
+//! | a record | a [`bundle!`]; a register, wire or memory declared with a record of widths is a record; `.pack()` makes a word of a record, `.unpack(word)` of a record of widths makes a record of a word |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
-//! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; what is elementwise is written as for one; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
-//! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`], which is a field `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] where it goes round, [`Stream::lanes`] for an array's |
+//! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
+//! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`] declares a field of type `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] in a loop of blocks, [`Stream::lanes`] for the streams of an array |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
-//! | an instance, an array of them | [`Module::instance`], [`Module::array`] |
+//! | an instance, an array of instances | [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
-//! | what must hold, is given, or is to happen | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
+//! | a property: an assertion, an assumption, a cover | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
-//! Both sides of an operator have equal widths, results wrap, and `==` does not compile: [`Signal::eq`] does. Every mistake
-//! in a description is found when it is elaborated, and all of them are reported at once ([`Problems`]), each with the lines
-//! of the description that it involves. What comes out, [`Design`], is the circuit that `tilewright-sim` runs and
+//! Both operands of an operator have equal widths, and results wrap. `==` does not compile; use [`Signal::eq`].
+//! Elaboration finds every mistake in a description and reports all of them at once ([`Problems`]), each with the
+//! source lines involved. The result of elaboration, a [`Design`], is the circuit that `tilewright-sim` runs and
 //! `tilewright-gen` prints.
 //!
-//! The examples of this documentation are lines of a `build` whose module is `m`. They run: what one states by `m.assert`
-//! holds in 64 clocks, and `example.values("count")` is what `count` is just before each of the first edges.
+//! The examples of this documentation are lines of a `build` whose module is `m`. They run as tests: each `m.assert`
+//! is checked for 64 clocks, and `example.values("count")` lists the values of `count` just before each of the first
+//! edges.
 
 mod along;
 mod attribute;

@@ -1,4 +1,4 @@
-//! How wide a signal may be, how large a design, and how slow a clock.
+//! Limits on the width of a signal, the size of a design, and the period of a clock.
 
 use crate::clock::Period;
 use crate::elaboration::{self, Elaboration};
@@ -7,16 +7,16 @@ use crate::ir::NodeId;
 use crate::loc::Loc;
 use crate::problem::Problem;
 
-/// The widest signal in bits.
+/// The widest signal, in bits.
 pub(crate) const WIDEST: u32 = 1 << 20;
 
-/// The deepest nesting of instances: a block that instantiates itself without end goes deeper.
+/// The deepest nesting of instances. A block that instantiates itself endlessly exceeds it.
 pub(crate) const DEEPEST: usize = 100;
 
-/// The most lanes that arrays in arrays come to.
+/// The most lanes in nested arrays.
 pub(crate) const MOST_LANES: u64 = 1 << 24;
 
-/// The most ports of a list.
+/// The most ports in a list.
 pub(crate) const MOST_PORTS: u32 = 1 << 16;
 
 /// The most stages of a pipeline.
@@ -25,7 +25,7 @@ const MOST_STAGES: u32 = 1 << 16;
 /// The longest period of a clock, in picoseconds: 18 minutes.
 pub(crate) const LONGEST_PERIOD: u64 = 1 << 50;
 
-/// The most lanes that are looked at one by one for a combinational loop: some gibibytes, some seconds.
+/// The most lanes that are checked one by one for a combinational loop: some gibibytes, some seconds.
 pub(crate) const MOST_LOOPED_LANES: u64 = 1 << 26;
 
 /// The most 64-bit limbs of a value in all its lanes: half a gibibyte.
@@ -34,8 +34,8 @@ pub(crate) const MOST_LIMBS: u64 = 1 << 26;
 /// The most 64-bit limbs of a memory in all its lanes: 32 gibibytes.
 pub(crate) const MOST_MEMORY_LIMBS: u64 = 1 << 32;
 
-/// The width of what is to have `width` bits and is called `what`: no bits, or more than [`WIDEST`], are a problem, and
-/// the nearest width stands in. `operands` are the nodes that it is made of.
+/// A valid width for `what`. No bits, or more than [`WIDEST`], are a problem, and the nearest width stands in.
+/// `operands` are the nodes that it is made of.
 pub(crate) fn sound_width(e: &mut Elaboration, operands: &[NodeId], what: &str, width: u64, loc: Loc) -> u32 {
     let sound = width.clamp(1, WIDEST.into());
     if sound == width {
@@ -58,11 +58,11 @@ pub(crate) fn sound_stages(count: impl Integer, loc: Loc) -> u32 {
         return stages;
     }
     let problem = Problem::new(loc, format!("a pipeline of {stages} stages has more than {MOST_STAGES}"));
-    elaboration::with(|e| e.report(problem.help("a memory delays by as many clocks as it has words")));
+    elaboration::with(|e| e.report(problem.help("a memory can delay by as many clocks as it has words")));
     1
 }
 
-/// A period that a clock can have; otherwise that is a problem.
+/// Reports a period that a clock cannot have.
 pub(crate) fn check_period(e: &mut Elaboration, clock: &str, period: Period, loc: Loc) {
     if period.picoseconds() > LONGEST_PERIOD {
         let message = format!("{clock} has a period of {period}, more than {LONGEST_PERIOD} ps");

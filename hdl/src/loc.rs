@@ -31,8 +31,8 @@ impl Loc {
         Loc(Location::caller())
     }
 
-    /// The file, relative to the workspace; for a file outside of it, its last three components, so that no
-    /// path of the machine reaches an output.
+    /// The file, relative to the workspace. A file outside of it is given by its last three components, so that no
+    /// absolute path reaches an output.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -1,15 +1,15 @@
-//! The low bits of a signal, as many as are wanted where they go.
+//! The low bits of a signal, as many as the context needs.
 
 use crate::operand::{Operand, Value};
 use crate::signal::Signal;
 
-/// What [`Signal::low`] makes.
+/// The result of [`Signal::low`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let free: Low = lit(5, 0b10110).low();
-/// m.assert(lit(3, 0b110).eq(free), "3 bits, as what it meets has");
+/// m.assert(lit(3, 0b110).eq(free), "3 bits, as the other operand has");
 /// m.assert(lit(4, 0b0110).eq(free), "and 4 here");
 /// # });
 /// ```
@@ -23,9 +23,10 @@ impl Operand for Low {
 }
 
 impl Signal {
-    /// The low bits, as many as what they meet has, as a number has its width: `words.write(pushes, used.low(), word)`. Beside a signal,
-    /// an operand, an arm of a choice, what a register takes or a wire is driven by, an address or a word of a memory. Where nothing says a width, as in a
-    /// block's outputs, it is [`trunc`](Signal::trunc).
+    /// The low bits, as many as the other operand has, just as a number takes its width from the context:
+    /// `words.write(pushes, used.low(), word)`. It may be an operand beside a signal, an arm of a choice, or the
+    /// value of a register or wire. It may also be an address or a word of a memory. Where nothing gives a width, as
+    /// in a block's outputs, use [`trunc`](Signal::trunc).
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -44,7 +45,7 @@ impl Signal {
 }
 
 impl Value {
-    /// What it is where `width` bits are wanted. Low bits of fewer stay what they are, which does not fit there.
+    /// Its value where `width` bits are needed. A narrower signal is not widened, so it does not fit.
     #[track_caller]
     pub(crate) fn cut_to(self, width: u32) -> Value {
         match self {

@@ -1,4 +1,4 @@
-//! State machines: a register that holds a state, and where it goes from each.
+//! State machines: a register of states, and the transitions from each.
 
 use crate::codes::Codes;
 use crate::integers::Integer;
@@ -11,7 +11,7 @@ use crate::width::IntoWidth;
 use std::marker::PhantomData;
 use std::ops::Deref;
 
-/// A register that holds a state. Made by [`Module::fsm`](crate::Module::fsm).
+/// A register whose value is a state. Made by [`Module::fsm`](crate::Module::fsm).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -78,8 +78,8 @@ impl<S: Codes + Operand> StateReg<S> {
         self.register.signal.is(state)
     }
 
-    /// The next state, for each present one: `match` it, and say [`goto`], [`when`] or [`hold`]. What is done at a transition says so by its name, and
-    /// the condition is said once:
+    /// Gives the next state for each present one: `match` the state and return [`goto`], [`when`] or [`hold`]. The
+    /// result names the transitions, so actions at a transition need not repeat its condition:
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -118,7 +118,7 @@ impl<S: Codes + Operand> StateReg<S> {
     /// ```
     #[track_caller]
     pub fn next(self, transition: impl Fn(S) -> Transition<S>) -> Moves<S> {
-        // Loops, as closures would be the callers that messages name.
+        // Loops: in closures, the messages would name the closure as the caller.
         let mut values = Vec::with_capacity(S::ALL.len());
         let mut exits = Vec::with_capacity(S::ALL.len());
         for &state in S::ALL {
@@ -141,7 +141,7 @@ impl<S: Codes + Operand> StateReg<S> {
         state.operand().with_width_of(self.register.signal, "next")
     }
 
-    /// The number that `of` gives for the present state, of that width.
+    /// The number that `of` returns for the present state, as a signal of this width.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -167,7 +167,7 @@ impl<S: Codes + Operand> StateReg<S> {
         self.choose(&crate::select::constants(width.into_width(), S::ALL.iter().map(|state| of(*state).integer())))
     }
 
-    /// The signal that `of` gives for the present state; all of one width.
+    /// The signal that `of` returns for the present state; all have one width.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -193,7 +193,7 @@ impl<S: Codes + Operand> StateReg<S> {
         self.choose(&values)
     }
 
-    /// The one of `values`, in the order of [`Codes::ALL`], that belongs to the present state.
+    /// The entry of `values`, in the sequence of [`Codes::ALL`], for the present state.
     #[track_caller]
     fn choose(self, values: &[Signal]) -> Signal {
         let (last, arms) = values.split_last().expect("a machine has a state");
@@ -201,7 +201,7 @@ impl<S: Codes + Operand> StateReg<S> {
     }
 }
 
-/// Where a machine goes from a state.
+/// The transition from a state.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -210,7 +210,7 @@ impl<S: Codes + Operand> StateReg<S> {
 ///
 /// let (push, turn) = (lit(1, 1), lit(1, 0));
 /// def!(door = m.fsm(Door::Shut));
-/// // What several states share is a function or, as here, a value that is made where it is wanted.
+/// // A part that several states share is a function or, as here, a value made where it is needed.
 /// let shuts = || when(push, Door::Shut);
 /// door.next(|door| match door {
 ///     Door::Shut => when(turn, Door::Locked).or_when(push, Door::Open),
@@ -226,7 +226,7 @@ pub struct Transition<S> {
     last: Option<S>,
 }
 
-/// To `state` at the next edge, whatever happens.
+/// To `state` at the next edge, unconditionally.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -245,7 +245,7 @@ pub fn goto<S>(state: S) -> Transition<S> {
     Transition { arms: Vec::new(), last: Some(state) }
 }
 
-/// Stay.
+/// Stays in the state.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -264,7 +264,8 @@ pub fn hold<S>() -> Transition<S> {
     Transition { arms: Vec::new(), last: None }
 }
 
-/// To `state` if `condition`, else stay; [`or_when`](Transition::or_when) and [`or_else`](Transition::or_else) go on.
+/// To `state` if `condition`, else stays; [`or_when`](Transition::or_when) and [`or_else`](Transition::or_else) add
+/// further cases.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -287,7 +288,7 @@ pub fn when<S>(condition: impl IntoSignal, state: S) -> Transition<S> {
 }
 
 impl<S> Transition<S> {
-    /// Else, to `state` if `condition`.
+    /// Otherwise to `state` if `condition`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -308,7 +309,7 @@ impl<S> Transition<S> {
         self
     }
 
-    /// Else, to `state`.
+    /// Otherwise to `state`.
     ///
     /// ```
     /// # use tilewright_hdl::*;

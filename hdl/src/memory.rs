@@ -1,4 +1,4 @@
-//! Memories: any number of read and write ports, each on its clock.
+//! Memories with any number of read and write ports, each on its own clock.
 
 use crate::clock::Clock;
 use crate::data::Data;
@@ -22,7 +22,7 @@ use crate::width::Width;
 /// table.write(count.bit(0), count, count.zext(8));
 /// def!(word = table.read_async(count));
 /// # });
-/// // Words 1 and 3 are written at the end of the clock in which they are read first.
+/// // Words 1 and 3 are written at the end of the clock in which they are first read.
 /// assert_eq!(example.values("word"), [9, 9, 9, 9, 9, 1, 9, 3]);
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -31,15 +31,15 @@ pub struct Mem<V: Data = Signal> {
     pub(crate) module: u32,
     pub(crate) index: u32,
     pub(crate) address_width: u32,
-    /// The width of a word, in one lane, with its lanes and kind.
+    /// The width of a word in one lane, with its lanes and kind.
     pub(crate) word: Width,
     pub(crate) clock: Option<Clock>,
-    /// The widths of a word's fields, or of the word.
+    /// The widths of the word's fields, or of the word.
     pub(crate) layout: V::Like<Width>,
 }
 
 impl Mem {
-    /// The same memory; ports made through this handle are on `clock`.
+    /// The same memory, with its next ports on `clock`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -47,7 +47,7 @@ impl Mem {
     /// const VIDEO: Clock = Clock::new("video", Period::ns(40));
     ///
     /// block! {
-    ///     /// Colours that the host sets and the screen looks up.
+    ///     /// A palette that the host sets and the screen reads.
     ///     struct Palette;
     ///     in PaletteIn {
     ///         set: bit().on(HOST),
@@ -66,7 +66,7 @@ impl Mem {
     ///     }
     /// }
     ///
-    /// // A memory is one of the ways from one clock to another.
+    /// // A memory is one way to cross between clocks.
     /// assert_eq!(elaborate(&Palette)?.top().clocks.len(), 2);
     /// # Ok::<(), Problems>(())
     /// ```
@@ -84,7 +84,7 @@ impl Mem {
     /// # tilewright_sim::example(|m| {
     /// def!(table = m.memory(12, 8, ReadUnderWrite::Any).fill(Bits::zero(8)));
     /// let last = lit(table.address_width(), 11);
-    /// m.assert(table.read_async(last).eq(0), "4 bits, of which the addresses 12 to 15 lead nowhere");
+    /// m.assert(table.read_async(last).eq(0), "4 bits; the addresses 12 to 15 have no word");
     /// # });
     /// ```
     pub fn address_width(self) -> u32 {
@@ -98,14 +98,14 @@ impl Mem {
     /// # tilewright_sim::example(|m| {
     /// def!(table = m.memory(12, below(100), ReadUnderWrite::Any).fill(99));
     /// let word = table.read_async(0);
-    /// m.assert(word.eq(lit(table.width(), 99)), "7 bits hold every number below 100");
+    /// m.assert(word.eq(lit(table.width(), 99)), "7 bits can represent every number below 100");
     /// # });
     /// ```
     pub fn width(self) -> u32 {
         self.word.bits
     }
 
-    /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
+    /// Allows more than one write port. Few FPGAs have such memories; on others, this memory becomes registers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -114,7 +114,7 @@ impl Mem {
     /// count.next(count + 1);
     /// def!(table = m.memory(4, 8, ReadUnderWrite::Any).true_dual_port().fill(Bits::zero(8)));
     /// table.write(lit(1, 1), count, 1);
-    /// table.write(count.bit(0), count, 2); // of two writes to one word the later port wins
+    /// table.write(count.bit(0), count, 2); // if both write one word, the later port wins
     /// def!(word = table.read_async(count));
     /// # });
     /// assert_eq!(example.values("word"), [0, 0, 0, 0, 1, 2, 1, 2]);
@@ -130,7 +130,7 @@ impl Mem {
         self.laid_out(self.sized(address, (self.address_width, Kind::Number), "an address"), "an address")
     }
 
-    /// The operand as a signal of `width` bits, `what` of this memory.
+    /// The operand as a signal of `width` bits; `what` names its role in this memory.
     #[track_caller]
     pub(crate) fn sized(self, operand: impl Operand, (width, kind): (u32, Kind), what: &str) -> Signal {
         let loc = Loc::caller();
@@ -180,7 +180,7 @@ impl Mem {
         })
     }
 
-    /// The signal, which is plain or has a lane for each lane of the memory; if not, that is a problem.
+    /// The signal, which must be plain or have a lane for each lane of the memory; otherwise a problem.
     #[track_caller]
     fn laid_out(self, signal: Signal, what: &str) -> Signal {
         if signal.shape.is_plain() || signal.shape == self.word.shape {
@@ -201,14 +201,14 @@ impl Mem {
         })
     }
 
-    /// Reports a problem with `operand` of this memory, unless one of the two follows another problem.
+    /// Reports a problem with `operand` of this memory, unless either of them follows from another problem.
     fn report_instead_of(self, e: &mut Elaboration, operand: NodeId, problem: Problem) {
         let stand_in = e.draft().memories[self.index as usize].stand_in;
         let operands: Vec<NodeId> = stand_in.into_iter().chain([operand]).collect();
         e.report_instead_of(&operands, problem);
     }
 
-    /// The handle of another module is a panic, as only a helper that keeps handles between blocks can have one.
+    /// Panics for the handle of another module, which only a helper that keeps handles between blocks can have.
     fn check_module(self, loc: Loc) {
         elaboration::with(|e| {
             crate::signal::check_stamp(e, self.stamp, loc);
@@ -230,7 +230,7 @@ impl Mem {
     /// def!(word = table.read(at));
     /// # });
     /// assert_eq!(example.values("at"), [0, 1, 2, 3]);
-    /// assert_eq!(example.values("word"), [0, 10, 11, 12]); // the data is a register, which a reset does not set
+    /// assert_eq!(example.values("word"), [0, 10, 11, 12]); // the data is a register without a reset
     /// ```
     #[track_caller]
     pub fn read(self, address: impl Operand) -> Signal {
@@ -238,7 +238,7 @@ impl Mem {
         self.read_port(address, None, true)
     }
 
-    /// As [`Mem::read`], where `enable` is high; elsewhere the data stays.
+    /// Like [`Mem::read`], but only where `enable` is high; elsewhere the data keeps its value.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -256,7 +256,7 @@ impl Mem {
         self.read_port(address, Some(enable), true)
     }
 
-    /// An asynchronous read: the word at `address`, in the same cycle. On an FPGA it costs distributed memory.
+    /// An asynchronous read: the word at `address` in the same cycle. On an FPGA it needs distributed memory.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -266,7 +266,7 @@ impl Mem {
     /// def!(table = m.memory(3, 8, ReadUnderWrite::Any).words([10, 11, 12]));
     /// def!(word = table.read_async(at));
     /// # });
-    /// assert_eq!(example.values("word"), [10, 11, 12, 0]); // there is no word 3
+    /// assert_eq!(example.values("word"), [10, 11, 12, 0]); // word 3 does not exist
     /// ```
     #[track_caller]
     pub fn read_async(self, address: impl Operand) -> Signal {
@@ -299,13 +299,14 @@ impl Mem {
 
     /// Writes `data` at `address` at each edge where `enable` is high.
     ///
-    /// A word that is written in parts is a row of them, and its enable is a row of bits: of a memory of lanes with one address a synthesizer makes one of
-    /// wide words with a write enable for each part. Fields of a record that are written at different times are a memory each.
+    /// To write parts of a word, make the word a row of parts, and its enable a row of bits. A synthesizer makes a
+    /// memory of lanes with one address into a memory of wide words with a write enable for each part. Record fields
+    /// that are written at different times need a memory each.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
-    ///     /// A memory of 32 bits, of which each byte can be written.
+    ///     /// A memory of 32-bit words with byte enables.
     ///     pub struct Ram;
     ///     in RamIn { at: below(256), writes: bit(), bytes: bits(4), data: bits(32) }
     ///     out RamOut { word: bits(32) }

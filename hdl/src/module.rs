@@ -23,13 +23,13 @@ use crate::width::{Width, index_width};
 use crate::wire::Wire;
 use std::marker::PhantomData;
 
-/// The module under construction, seen from one clock. It declares the objects of the schematic; the operators of
-/// [`Signal`] do the rest.
+/// The module under construction, with one of its clocks. Its methods declare registers, memories, instances and
+/// other objects; expressions are made by the operators of [`Signal`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
-/// // `m` is this block's module: what has a name is declared by it.
+/// // `m` is this block's module; it declares everything that has a name.
 /// def!(count = m.reg(8).reset(0));
 /// count.next(count + 3);
 /// m.assert(count.le(252), "252 is 84 times 3");
@@ -42,7 +42,7 @@ pub struct Module {
 }
 
 impl Module {
-    /// The same module; what is declared through this handle runs on `clock`.
+    /// The same module, with another clock: objects declared through this handle run on `clock`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,7 +54,7 @@ impl Module {
     ///     count.next(count + 1);
     /// }
     /// # });
-    /// // One value for each time at which a clock rises: every 5 ns.
+    /// // One value for each instant at which a clock rises: every 5 ns.
     /// assert_eq!(example.values("ticks"), [0, 1, 2, 3, 4, 5]);
     /// assert_eq!(example.values("tocks"), [0, 0, 1, 1, 2, 2]);
     /// ```
@@ -65,9 +65,9 @@ impl Module {
         Module { clock: Some(clock) }
     }
 
-    /// A register of that width: a number of bits, or as in `m.reg("used", up_to(pages))`; or of a record of widths, which is
-    /// a register for each field, named `entry_page` for the field `page` of `entry`. If a width names a clock, its register runs
-    /// on that one.
+    /// A register. Its width is a number of bits, a width as in `m.reg("used", up_to(pages))`, or a record of widths.
+    /// A record makes one register for each field, named `entry_page` for the field `page` of `entry`. If a width
+    /// names a clock, its register runs on that clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -104,7 +104,7 @@ impl Module {
         })
     }
 
-    /// A state machine over the variants of an enum, which a reset puts into `initial`.
+    /// A state machine over the variants of an enum. A reset puts it into `initial`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -126,7 +126,7 @@ impl Module {
         StateReg { register: register.reset(initial), states: PhantomData }
     }
 
-    /// `value`, one clock later: a register without reset for each field, named `name` or `name_FIELD`.
+    /// `value`, one clock later: a register without a reset for each field, named `name` or `name_FIELD`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -144,7 +144,7 @@ impl Module {
         self.stage(None, name, value)
     }
 
-    /// As [`Module::pipe`], in a pipeline that advances only where `enable` is high.
+    /// Like [`Module::pipe`], in a pipeline that advances only where `enable` is high.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -163,7 +163,7 @@ impl Module {
     #[track_caller]
     fn stage<B: Fields<Signal>>(self, enable: Option<Signal>, name: &str, value: B) -> B::With<Signal> {
         let loc = Loc::caller();
-        // A loop, as a closure would be the caller that messages name.
+        // A loop: in a closure, the message would name the closure as the caller.
         let mut registers = Vec::new();
         for (path, signal) in value.leaves() {
             let register = self.register(&port_name(name, &path), Width::like(signal), loc);
@@ -177,7 +177,7 @@ impl Module {
         from_leaves(&value, registers)
     }
 
-    /// A net of that width that is read before it is driven; of a record of widths, a net for each field.
+    /// A net that is read before it is driven; for a record of widths, a net for each field.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -188,7 +188,7 @@ impl Module {
     /// def!(free = m.reg(below(12)).reset(0));
     /// free.when(grant.taken, grant.page + 1);
     /// grant.drive(Grant { taken: free.lt(11), page: *free });
-    /// m.assert(free.le(11), "the wire closed a loop, but through a register");
+    /// m.assert(free.le(11), "the wire closes a loop through a register");
     /// # });
     /// ```
     #[track_caller]
@@ -210,10 +210,10 @@ impl Module {
         })
     }
 
-    /// A memory of `depth` words of that width. What a synchronous read gives when its word is written at the same
-    /// edge is always written down. An address has [`index_width`]`(depth)` bits.
+    /// A memory of `depth` words of this width. `policy` says what a synchronous read gives if its word is written at
+    /// the same edge. An address has [`index_width`]`(depth)` bits.
     ///
-    /// Of a record of widths it is one memory, in whose words the fields stand side by side, the first most significant.
+    /// A record of widths makes one memory whose words have the fields side by side, the first most significant.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -223,7 +223,7 @@ impl Module {
     /// def!(squares = m.memory(4, 8, ReadUnderWrite::Any).words((0..4).map(|x| x * x)));
     /// def!(square = squares.read(count));
     /// # });
-    /// // The word comes one clock after its address. What a read beside a write gives does not matter: nothing writes.
+    /// // The word comes one clock after its address. Nothing writes, so the policy does not matter.
     /// assert_eq!(example.values("square"), [0, 0, 1, 4, 9, 0]);
     /// ```
     #[track_caller]
@@ -260,11 +260,11 @@ impl Module {
             }
             if width > WIDEST {
                 let message = format!("memory `{name}` has words of {width} bits, more than {WIDEST}");
-                e.report(Problem::new(loc, message).help("spread what is wider over several words"));
+                e.report(Problem::new(loc, message).help("spread wider data over several words"));
             }
             if depth > u32::MAX.into() {
                 let message = format!("memory `{name}` has {depth} words, more than {}", u32::MAX);
-                e.report(Problem::new(loc, message).help("make wider words, or several memories"));
+                e.report(Problem::new(loc, message).help("use wider words, or several memories"));
             }
             let (sound_depth, sound_width) = (depth.clamp(1, u32::MAX.into()), width.clamp(1, WIDEST));
             let is_sound = has_sound_fields && (depth, width, word.shape) == (sound_depth, sound_width, shape);
@@ -295,10 +295,10 @@ impl Module {
         })
     }
 
-    /// `signal` of another clock, 1 bit, brought into this one through two registers, `NAME_meta` and `NAME`, which a
-    /// reset sets to 0. It must come straight from a register or an input, as logic glitches.
+    /// Brings a 1-bit `signal` of another clock into this one through two registers, `NAME_meta` and `NAME`, which a
+    /// reset sets to 0. The signal must come straight from a register or an input, because logic glitches.
     ///
-    /// Verilog marks both registers `ASYNC_REG`, so that synthesizers keep them as they are.
+    /// Both registers have the Verilog attribute `ASYNC_REG`, so that synthesizers do not change them.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -331,8 +331,8 @@ impl Module {
         self.synchronize_from(false, name, signal)
     }
 
-    /// As [`Module::synchronize`], with registers that a reset sets to `reset`: what the signal is while nothing happens.
-    /// A line that idles high, as a UART's does, would else begin with an edge that nobody sent.
+    /// Like [`Module::synchronize`], with a reset value: the idle level of the signal. A line that idles high, as a
+    /// UART's does, would otherwise begin with an edge that nobody sent.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -374,12 +374,12 @@ impl Module {
         *stable
     }
 
-    /// States that an input is not used on purpose; for a bundle, that none of its fields need be.
+    /// States that an input is unused on purpose; for a bundle, that any of its fields may be unused.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
-    ///     /// Gives away that there is a request, and drops what it is.
+    ///     /// Reports that there is a request, and ignores its contents.
     ///     struct Pending;
     ///     in PendingIn { valid: bit(), page: below(12) }
     ///     out PendingOut { pending: bit() }
@@ -404,7 +404,8 @@ impl Module {
     }
 }
 
-/// A node that a description declares as what it is and by name: of that width, those lanes and that kind, as far as they are sound.
+/// Declares a named node with this operation, width, lanes and kind; an invalid width is replaced by the nearest
+/// valid one.
 pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), width: Width, loc: Loc) -> NodeId {
     let what = format!("{what} `{name}`");
     let shape = sound_shape(e, &what, width.shape, loc);

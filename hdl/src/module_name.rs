@@ -1,4 +1,4 @@
-//! The names of modules, made of what a block's type is called and of what `Debug` prints of its parameters.
+//! The names of modules, made from the block's type name and the `Debug` text of its parameters.
 
 use crate::names::{is_reserved, short};
 
@@ -7,13 +7,17 @@ const LONGEST: usize = 80;
 
 /// `Counter { width: 8, limit: 10 }` makes `counter_width8_limit10`.
 ///
-/// - A parameter has the name of its field; of fields with one name, that of the record around it stands before it.
-/// - A record's own name is left out where its field says it: in `screen: Screen { .. }`, not in `mode: Fast { .. }`.
-/// - What is true is there by its name, what is false is not.
-/// - A clock is there by its name alone, as in a design clocks of one name have one period: `read: VIDEO` makes `read_video`.
-/// - What is called as its field is there once: a clock `read` as `read`.
-/// - Type arguments stand behind the block's name: `Queue<Pixel>` makes `queue_pixel`.
-/// - What the name cannot show in full (text with spaces, lists of lists, too much of anything) is told apart by a number made of all that `Debug` prints.
+/// - A parameter has the name of its field. If two fields share a name, the name of the record around each comes
+///   first.
+/// - A record's own name is omitted if its field has the same one: in `screen: Screen { .. }`, but not in
+///   `mode: Fast { .. }`.
+/// - A field that is `true` appears by its name; a field that is `false` is omitted.
+/// - A clock appears by its name only, because clocks of one name have one period in a design: `read: VIDEO` makes
+///   `read_video`.
+/// - A value with the same name as its field appears once: a clock `read` as `read`.
+/// - Type arguments follow the block's name: `Queue<Pixel>` makes `queue_pixel`.
+/// - If the name cannot show everything (text with spaces, lists of lists, too many parameters), a number made from
+///   the whole `Debug` text distinguishes it.
 pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
     let mut name = snake_case(short(type_name));
     let arguments = type_name.split_once('<').map_or("", |(_, arguments)| arguments);
@@ -36,7 +40,7 @@ pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
     if is_reserved(&name) { format!("{name}_") } else { name }
 }
 
-/// The parameters, each with a `_` before it, and whether nothing is missing.
+/// The parameters, each after a `_`, and whether the text is complete.
 fn in_words(parameters: &str) -> (String, bool) {
     let (values, is_whole) = Reader::default().read(parameters);
     let mut words = String::new();
@@ -57,7 +61,7 @@ fn in_words(parameters: &str) -> (String, bool) {
     (words, is_whole)
 }
 
-/// The last field of a path, with as many before it as tell it from the other paths.
+/// The last field of a path, after as many others as distinguish it from the other paths.
 fn key(path: &[String], values: &[Value]) -> String {
     let tells = |count: &usize| {
         let end = &path[path.len() - count..];
@@ -67,16 +71,16 @@ fn key(path: &[String], values: &[Value]) -> String {
     path[path.len() - count..].join("_")
 }
 
-/// A number, a variant or a text as a part of a name, with the fields that lead to it.
+/// A number, a variant or a text as a part of a name, with the path of its field.
 type Value = (Vec<String>, String);
 
-/// Reads what `Debug` prints.
+/// Reads the `Debug` text.
 #[derive(Default)]
 struct Reader {
     values: Vec<Value>,
-    /// For each bracket around the present place: what opened it, the field before it, and how many values there were.
+    /// For each open bracket: its character, the field before it, and the number of values so far.
     around: Vec<(char, Option<String>, usize)>,
-    /// The field whose value is read.
+    /// The field whose value is being read.
     field: Option<String>,
     is_shortened: bool,
 }
@@ -105,7 +109,7 @@ impl Reader {
     fn mark(&mut self, c: char) {
         match c {
             '{' | '(' | '[' => {
-                // Where one list ends and the next begins does not show.
+                // The boundary between two lists is not visible.
                 self.is_shortened |= c == '[' && self.around.iter().any(|(open, ..)| *open == '[');
                 self.is_shortened |= c == '[' && self.values.iter().any(|(path, _)| *path == self.path());
                 self.around.push((c, self.field.take(), self.values.len()));
@@ -133,7 +137,7 @@ impl Reader {
         fields.flatten().cloned().collect()
     }
 
-    /// A field's name, a record's, a clock's, a variant's or a number.
+    /// The name of a field, a record, a clock or a variant, or a number.
     fn word<'a>(&mut self, text: &'a str) -> &'a str {
         if let Some((name, rest)) = clock(text) {
             self.words(name);
@@ -158,7 +162,7 @@ impl Reader {
         rest
     }
 
-    /// What stands between quotes.
+    /// The text between quotes.
     fn text<'a>(&mut self, text: &'a str, quote: char) -> &'a str {
         let mut escaped = false;
         let end = text.find(|c| {
@@ -171,7 +175,7 @@ impl Reader {
         rest.get(1..).unwrap_or("")
     }
 
-    /// A text as its words in small letters.
+    /// The words of a text in small letters.
     fn words(&mut self, text: &str) {
         let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
         let words = words.collect::<Vec<_>>().join("_").to_ascii_lowercase();
@@ -184,7 +188,7 @@ impl Reader {
     }
 }
 
-/// The name of the [`Clock`](crate::Clock) that is printed first, and what is printed behind it.
+/// The name of the [`Clock`](crate::Clock) that is printed first, and the text after it.
 fn clock(printed: &str) -> Option<(&str, &str)> {
     let (name, rest) = printed.strip_prefix("Clock { name: \"")?.split_once("\", period: Period(")?;
     let (_, rest) = rest.split_once(") }")?;
@@ -208,7 +212,7 @@ fn snake_case(name: &str) -> String {
     snake
 }
 
-/// The same in every build, so that nothing is renamed by another compiler (FNV-1a).
+/// A hash that does not depend on the build, so that another compiler changes no name (FNV-1a).
 fn hash(text: &str) -> u32 {
     text.bytes().fold(0x811c_9dc5, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
@@ -249,7 +253,7 @@ mod tests {
         of: T,
     }
 
-    /// Blocks that print as they are written here, whatever their types.
+    /// Blocks whose `Debug` text is the text given here.
     fn printed(block: &'static str) -> String {
         module_name(block.split([' ', '(']).next().unwrap(), block)
     }

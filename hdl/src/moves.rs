@@ -1,4 +1,4 @@
-//! What a state machine does at an edge: which transition it takes.
+//! The transitions of a state machine: which one it takes at an edge.
 
 use crate::codes::Codes;
 use crate::machine::StateReg;
@@ -6,7 +6,7 @@ use crate::operand::Operand;
 use crate::select::lit;
 use crate::signal::Signal;
 
-/// Where a machine goes at the next edge: made by [`StateReg::next`], for what is to happen then.
+/// The transitions of a machine at the next edge, as signals that trigger actions. Made by [`StateReg::next`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -26,7 +26,7 @@ use crate::signal::Signal;
 #[derive(Debug, Clone)]
 pub struct Moves<S> {
     pub(crate) machine: StateReg<S>,
-    /// By state.
+    /// The exits of each state.
     pub(crate) exits: Vec<Exit<S>>,
 }
 
@@ -37,7 +37,7 @@ pub(crate) struct Exit<S> {
 }
 
 impl<S: Codes + Operand> Moves<S> {
-    /// 1 bit: the machine is in `state`, and goes to another one.
+    /// 1 bit: the machine is in `state` and goes to another one.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -60,7 +60,7 @@ impl<S: Codes + Operand> Moves<S> {
         self.from(state, |to| to.code() != state.code()).unwrap_or_else(|| lit(1, 0))
     }
 
-    /// 1 bit: the machine is in another state, and goes to `state`.
+    /// 1 bit: the machine is in another state and goes to `state`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -80,7 +80,7 @@ impl<S: Codes + Operand> Moves<S> {
     #[track_caller]
     pub fn enters(&self, state: S) -> Signal {
         let mut enters = None;
-        // A loop, as a closure would be the caller that messages name.
+        // A loop: in a closure, the message would name the closure as the caller.
         for &other in S::ALL.iter().filter(|other| other.code() != state.code()) {
             let goes = self.from(other, |to| to.code() == state.code());
             enters = match (enters, goes) {
@@ -91,7 +91,7 @@ impl<S: Codes + Operand> Moves<S> {
         enters.unwrap_or_else(|| lit(1, 0))
     }
 
-    /// 1 bit: the machine is in `state`, and goes to `to`, which may be the same.
+    /// 1 bit: the machine is in `state` and goes to `to`, which may be the same state.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -112,13 +112,13 @@ impl<S: Codes + Operand> Moves<S> {
         self.from(state, |next| next.code() == to.code()).unwrap_or_else(|| lit(1, 0))
     }
 
-    /// That the machine is in `state` and goes where `counts` says; none if it never does.
+    /// Whether the machine is in `state` and goes to a state that `counts`; `None` if it never does.
     #[track_caller]
     fn from(&self, state: S, counts: impl Fn(S) -> bool) -> Option<Signal> {
         let Exit { arms, last } = &self.exits[state.code() as usize];
         let mut goes = Goes::Known(counts(*last));
         for (signal, to) in arms.iter().rev() {
-            // One of another width is reported already.
+            // A wrong width has been reported already.
             let condition = if signal.width() == 1 { *signal } else { lit(1, 0) };
             goes = goes.unless(condition, counts(*to));
         }
@@ -130,14 +130,14 @@ impl<S: Codes + Operand> Moves<S> {
     }
 }
 
-/// Whether a machine goes somewhere.
+/// Whether a machine takes a set of transitions.
 enum Goes {
     Known(bool),
     If(Signal),
 }
 
 impl Goes {
-    /// Where `condition` holds, `then`; else this.
+    /// `then` where `condition` is true; else this.
     #[track_caller]
     fn unless(self, condition: Signal, then: bool) -> Goes {
         match (self, then) {

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 use crate::elaboration::Elaboration;
 use crate::problem::Problem;
 
-/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017), and the package `std` that is in each text of it.
+/// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017), and the package `std` that SystemVerilog
+/// always has.
 const RESERVED: &str = include_str!("reserved_words.txt");
 
 /// The words of C++ that Verilator refuses as the name of a port.
@@ -31,7 +32,7 @@ pub(crate) fn is_legal(name: &str) -> bool {
         && chars.all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
-/// The name of an identifier, which if it is a raw one has an `r#` before it.
+/// The identifier without the `r#` of a raw one.
 #[doc(hidden)]
 pub const fn unraw(identifier: &str) -> &str {
     match identifier.as_bytes() {
@@ -46,7 +47,7 @@ pub(crate) fn short(type_name: &'static str) -> &'static str {
     plain.rsplit("::").next().unwrap_or(plain)
 }
 
-/// Two different blocks may not share a module's name.
+/// Reports different blocks whose modules have one name.
 pub(crate) fn check_module_names(e: &mut Elaboration) {
     let mut problems = Vec::new();
     let mut taken: HashMap<&str, usize> = HashMap::with_capacity(e.done.len());
@@ -61,11 +62,13 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
                 .note(format!("`{}` is described", module.parameters), module.loc)
                 .note("the other one is instantiated", e.instantiated[other])
                 .note("the other one is described", first.loc);
-            problems.push(problem.help("tell them apart in the block's `fn name`, or in what `Debug` prints of it"));
+            problems.push(problem.help("distinguish them in the block's `fn name`, or in its `Debug` text"));
         } else if is_reserved(&module.name) || !is_legal(&module.name) {
             let message = format!("`{}` cannot be the name of a module", module.name);
             let problem = Problem::new(module.loc, message);
-            problems.push(problem.help("a name is letters, digits and `_`, and no reserved word of Verilog"));
+            problems.push(
+                problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"),
+            );
         }
         taken.entry(&module.name).or_insert(i);
     }

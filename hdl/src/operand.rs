@@ -1,4 +1,4 @@
-//! What may stand on the right of an operator: signals, registers, wires, and integers.
+//! Right operands: signals, registers, wires and integers.
 
 use crate::bits::Bits;
 use crate::draft::Draft;
@@ -22,21 +22,21 @@ use std::fmt;
 ///
 /// def!(count = m.reg(8).reset(20));
 /// count.next(count);
-/// m.assert(twice(*count, 2).eq(42), "a number, which takes the width of what it meets");
+/// m.assert(twice(*count, 2).eq(42), "a number, which takes the width of the other operand");
 /// m.assert(twice(*count, count).eq(60), "a register, a wire or a signal");
 /// m.assert(twice(*count, true).eq(41) & twice(*count, Bits::new(8, 1)).eq(41), "a `bool`, a value of that width");
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
     message = "a `{Self}` is neither a signal nor a number",
-    note = "a signal, a register, an integer, a `bool`, a `Bits` and a code of an enum can stand here; of a record, name a field"
+    note = "a signal, a register, an integer, a `bool`, a `Bits` or a code of an enum is accepted here; for a record, name a field"
 )]
 pub trait Operand {
     #[doc(hidden)]
     fn operand(self) -> Value;
 }
 
-/// What is read as a signal, and no number: a signal, a register, a wire.
+/// Anything that is read as a signal, not as a number: a signal, a register, a wire.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -52,9 +52,9 @@ pub trait Operand {
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a `{Self}` is no signal",
-    label = "a signal is wanted here",
-    note = "a condition that always holds is `lit(1, 1)`, one that never does `lit(1, 0)`; a number of some width is `lit(width, number)`"
+    message = "a `{Self}` is not a signal",
+    label = "a signal is expected here",
+    note = "a condition that is always true is `lit(1, 1)`, one that never is `lit(1, 0)`; a number of a given width is `lit(width, number)`"
 )]
 pub trait IntoSignal: Into<Signal> {}
 
@@ -65,20 +65,20 @@ impl IntoSignal for Signal {}
 pub enum Value {
     /// A signal, with its width.
     Signal(Signal),
-    /// A number, which takes the width of what it meets.
+    /// A number, which takes its width from the context.
     Literal(Literal),
-    /// A signal's low bits, as many as what they meet has.
+    /// A signal's low bits, as many as the context needs.
     Low(Signal),
 }
 
 #[doc(hidden)]
 #[derive(Debug, Clone)]
 pub enum Literal {
-    /// A number that must fit where it stands.
+    /// A number that must fit its context.
     Integer(i128, Radix),
-    /// A value that must have just the width of where it stands.
+    /// A value that must have exactly the width of its context.
     Exact(Bits),
-    /// A code of an enum, which only meets signals of that one.
+    /// A code of an enum, which only meets signals of that enum.
     Code { names: Names, code: u64 },
 }
 
@@ -95,13 +95,13 @@ impl fmt::Display for Literal {
 }
 
 impl Value {
-    /// The operand as a signal as wide as `left` and with its lanes: what `left` is given by `operator`.
+    /// The operand with the width and the lanes of `left`, for `operator`.
     #[track_caller]
     pub(crate) fn like(self, left: Signal, operator: &str) -> Signal {
         self.with_width_of(left, operator).with_lanes_of(left, operator)
     }
 
-    /// The operand as a signal as wide as `left`, with which it meets in `operator`.
+    /// The operand with the width of `left`, for `operator`.
     #[track_caller]
     pub(crate) fn with_width_of(self, left: Signal, operator: &str) -> Signal {
         let loc = Loc::caller();
@@ -164,14 +164,14 @@ macro_rules! binary_operators {
     )*};
 }
 
-/// What may stand on the right of `<<` and `>>`: a constant, which costs nothing, or a signal, which is a shifter.
+/// The right operand of `<<` and `>>`: a constant, which costs nothing, or a signal, which makes a shifter.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let mask = lit(8, 0b0000_0011);
 /// m.assert((mask << 4).eq(0b0011_0000), "by a constant, which is wiring");
-/// m.assert((mask << lit(4, 9)).eq(0), "by a signal of any width; by more than its width nothing is left");
+/// m.assert((mask << lit(4, 9)).eq(0), "by a signal of any width; a shift by the width or more leaves nothing");
 /// # });
 /// ```
 pub trait ShiftAmount {
@@ -186,7 +186,7 @@ macro_rules! constant_shift_amounts {
             fn shift(self, operand: Signal, shift: Shift) -> $crate::Signal {
                 let amount = self.integer();
                 if amount < 0 {
-                    elaboration::mistake(format!("a shift by {amount} bits"), "an amount is 0 or more");
+                    elaboration::mistake(format!("a shift by {amount} bits"), "an amount must be 0 or more");
                 }
                 operand.shift_by(shift, u32::try_from(amount).unwrap_or(u32::MAX))
             }
@@ -208,8 +208,8 @@ macro_rules! operators {
             }
         }
 
-        /// The product, in two's complement if both are signed; its width is the sum of the operands' widths, of which an integer has as many
-        /// bits as it needs.
+        /// The product, in two's complement if both are signed. Its width is the sum of the operands' widths; an
+        /// integer has the fewest bits that can represent it.
         impl<R: $crate::operand::Operand> std::ops::Mul<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]
@@ -218,7 +218,7 @@ macro_rules! operators {
             }
         }
 
-        /// Towards the most significant bit, filled with zeros.
+        /// Shifts towards the most significant bit and fills with zeros.
         impl<R: $crate::operand::ShiftAmount> std::ops::Shl<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]
@@ -227,7 +227,7 @@ macro_rules! operators {
             }
         }
 
-        /// Towards the least significant bit, filled with zeros, or with the sign of what is signed.
+        /// Shifts towards the least significant bit; fills with zeros, or with the sign bit if the signal is signed.
         impl<R: $crate::operand::ShiftAmount> std::ops::Shr<R> for $ty {
             type Output = $crate::Signal;
             #[track_caller]

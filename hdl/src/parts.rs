@@ -1,4 +1,4 @@
-//! Some of a signal's bits, and more of them: whatever changes a width.
+//! Changes of width: parts and extensions of a signal.
 
 use crate::elaboration;
 use crate::integers::Integer;
@@ -17,7 +17,7 @@ impl Signal {
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let flags = lit(4, 0b0100);
-    /// m.assert(flags.bit(2) & !flags.bit(3), "a condition as it is, 1 bit");
+    /// m.assert(flags.bit(2) & !flags.bit(3), "a bit is a condition");
     /// # });
     /// ```
     #[track_caller]
@@ -32,7 +32,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// def!(timer = m.reg(5).reset(9));
     /// timer.when(!timer.msb(), timer - 1);
-    /// m.assert(timer.msb().implies(timer.all_ones()), "below 0 the top bit ends it, and no comparator is needed");
+    /// m.assert(timer.msb().implies(timer.all_ones()), "the top bit tells that it is below 0, without a comparator");
     /// # });
     /// ```
     #[track_caller]
@@ -47,7 +47,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let word = lit(12, 0xabc);
     /// m.assert(word.slice(4..12).eq(0xab), "8 bits");
-    /// m.assert(cat!(word.slice(4..12), word.slice(0..4)).eq(word), "ranges that meet leave nothing out");
+    /// m.assert(cat!(word.slice(4..12), word.slice(0..4)).eq(word), "adjacent ranges cover all bits");
     /// # });
     /// ```
     #[track_caller]
@@ -56,7 +56,7 @@ impl Signal {
         self.between(low, high.saturating_sub(low))
     }
 
-    /// So many bits from bit `low` on.
+    /// `count` bits from bit `low` on.
     #[track_caller]
     pub(crate) fn between(self, low: i128, count: i128) -> Signal {
         let high = low.saturating_add(count);
@@ -73,14 +73,14 @@ impl Signal {
         Signal::make(Op::Slice { of: self.id(), low: low as u32 }, count as u32, self.shape)
     }
 
-    /// The lowest `width` bits: a number of them, or as in `used.trunc(below(pages))`.
+    /// The lowest `width` bits: a number, or a width as in `used.trunc(below(pages))`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let used = lit(up_to(12), 12);
     /// m.assert(used.trunc(2).eq(0), "the upper bits are lost");
-    /// m.assert(lit(8, 0xfe).signed().trunc(4).eq(-2), "what is signed stays so");
+    /// m.assert(lit(8, 0xfe).signed().trunc(4).eq(-2), "a signed value stays signed");
     /// # });
     /// ```
     #[track_caller]
@@ -100,14 +100,14 @@ impl Signal {
         self.slice(0..width).kept_as(kind)
     }
 
-    /// Widened with zeros to `width` bits.
+    /// Zero-extended to `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let page = lit(4, 11);
     /// let address = page.zext(16) << 8;
-    /// m.assert(address.eq(0xb00), "room first, as a shift keeps the width");
+    /// m.assert(address.eq(0xb00), "widen first, because a shift keeps the width");
     /// # });
     /// ```
     #[track_caller]
@@ -115,14 +115,14 @@ impl Signal {
         self.extend(width.into_width().bits, false)
     }
 
-    /// Widened with copies of the most significant bit to `width` bits.
+    /// Sign-extended to `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let step = lit(4, 0b1110);
     /// m.assert(step.sext(8).eq(0xfe), "-2 in 4 bits is -2 in 8");
-    /// m.assert(step.sext(8).signed().eq(-2), "and read so where it is signed");
+    /// m.assert(step.sext(8).signed().eq(-2), "also if it is signed");
     /// # });
     /// ```
     #[track_caller]
@@ -171,7 +171,7 @@ impl Signal {
         })
     }
 
-    /// The signal side by side with itself, `times` times.
+    /// `times` copies of the signal, side by side.
     ///
     /// ```
     /// # use tilewright_hdl::*;

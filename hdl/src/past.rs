@@ -1,4 +1,4 @@
-//! Past values, and what is stated of them.
+//! Past values, for properties.
 
 use crate::bits::Bits;
 use crate::draft::{Draft, DraftRegister};
@@ -16,25 +16,27 @@ use crate::summary::{self, Summary};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::RangeFrom;
 
-/// Past values are for statements: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A statement that looks at one, be it within
-/// the expression or through nets and instances, waits until there is one: it says nothing of the first edge after power-on or a reset, and nothing of the first two
-/// if it looks at the past of the past. Elsewhere (behind a register, in a statement of another module, in what the circuit computes) a past value is a
-/// register without a reset, as [`Module::pipe`] makes them.
+/// Past values are for properties: `m.assert(m.past(i.restart).implies(count.eq(0)), ..)`. A property that looks at a
+/// past value, directly or through nets and instances, is not checked until that value exists. It is not checked at
+/// the first edge after power-on or a reset; if it looks at the past of a past value, not at the first two. Anywhere
+/// else (behind a register, in a property of another module, in the circuit itself) a past value is a register
+/// without a reset, as made by [`Module::pipe`].
 impl Module {
-    /// The value at the edge of this module's clock before, of a signal or of each field of a record. Equal signals share their register.
+    /// The value, at the previous edge of this module's clock, of a signal or of each field of a record. Equal
+    /// signals share their register.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// def!(count = m.reg(8).reset(0));
     /// count.next(count + 3);
-    /// m.assert(count.eq(m.past(*count) + 3), "says nothing of the first edge, as there is no past");
+    /// m.assert(count.eq(m.past(*count) + 3), "not checked at the first edge, which has no past");
     /// # });
     /// ```
     #[track_caller]
     pub fn past<B: Fields<Signal>>(self, value: B) -> B::With<Signal> {
         let loc = Loc::caller();
-        // A loop, as a closure would be the caller that messages name.
+        // A loop: in a closure, the message would name the closure as the caller.
         let mut pasts = Vec::new();
         for (_, signal) in value.leaves() {
             pasts.push(self.past_of(signal, loc));
@@ -42,7 +44,7 @@ impl Module {
         from_leaves(&value, pasts)
     }
 
-    /// 1 bit: `signal`, 1 bit, is high and was low at the edge before.
+    /// 1 bit: `signal`, 1 bit, is high and was low at the previous edge.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -58,7 +60,7 @@ impl Module {
         signal & !self.past_of(signal, Loc::caller())
     }
 
-    /// 1 bit: `signal`, 1 bit, is low and was high at the edge before.
+    /// 1 bit: `signal`, 1 bit, is low and was high at the previous edge.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -74,7 +76,7 @@ impl Module {
         !signal & self.past_of(signal, Loc::caller())
     }
 
-    /// 1 bit: `signal` is what it was at the edge before.
+    /// 1 bit: `signal` has the same value as at the previous edge.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -105,7 +107,7 @@ impl Module {
                 draft.pasts.insert((of, clock), past);
                 past
             });
-            // Of the operand's kind, which need not be that of who asked first.
+            // The operand's own kind: the register may have been made for a signal of another kind.
             Signal { kind: signal.kind, ..Signal::at(e, past) }
         })
     }
@@ -117,7 +119,7 @@ fn add_register(draft: &mut Draft, clock: ClockId, (width, shape): (u32, Shape),
     node
 }
 
-/// Has each statement about past values wait until there are any, and gives names to their registers.
+/// Makes each property about past values wait until they exist, and names their registers.
 pub(crate) fn wait_for_pasts(draft: &mut Draft, summaries: &[Summary], outputs: &[(String, NodeId)]) {
     if draft.pasts.is_empty() {
         return;
@@ -150,7 +152,7 @@ fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
     });
     let mut back = vec![0; draft.nodes.len()];
     components(&edges, |component| {
-        // Past values of each other have no end.
+        // Past values that depend on each other look back without end.
         let has_no_end = is_cyclic(&edges, component) && component.iter().any(|node| past_of(*node).is_some());
         let behind = |node: &u32| {
             let own = usize::from(past_of(*node).is_some());
@@ -163,7 +165,7 @@ fn edges_back(draft: &Draft, summaries: &[Summary]) -> Vec<usize> {
     back
 }
 
-/// A register that is high once one more edge has passed since power-on or a reset than `before` it.
+/// A register that goes high one edge later than `before` does; without `before`, one edge after power-on or a reset.
 fn add_passed(draft: &mut Draft, clock: ClockId, before: Option<NodeId>, loc: Loc) -> NodeId {
     let next = before.unwrap_or_else(|| draft.add(Op::Const(Bits::new(1, 1)), 1, Shape::Plain, loc));
     let node = add_register(draft, clock, (1, Shape::Plain), loc);
@@ -174,7 +176,7 @@ fn add_passed(draft: &mut Draft, clock: ClockId, before: Option<NodeId>, loc: Lo
     node
 }
 
-/// The condition, where so many edges have passed; else what an assertion or a cover says nothing by.
+/// The condition once enough edges have passed; before that, the value that makes the property vacuous.
 fn waiting(draft: &mut Draft, directive: Directive, (condition, passed): (NodeId, NodeId), loc: Loc) -> NodeId {
     let shape = draft.node(condition).shape;
     let mut add = |op, shape| draft.add(op, 1, shape, loc);
@@ -191,7 +193,8 @@ fn waiting(draft: &mut Draft, directive: Directive, (condition, passed): (NodeId
     add(Op::Binary(op, guard, condition), shape)
 }
 
-/// `count_past`, `past` of what has no name, and `has_past`; with a number where a name is taken.
+/// Names the registers: `count_past`, `past` for an unnamed signal, and `has_past`. A number follows if the name is
+/// taken.
 fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outputs: &[(String, NodeId)]) {
     let mut taken: BTreeSet<String> = draft.nodes.iter().filter_map(|node| node.name.clone()).collect();
     taken.extend(draft.inputs.iter().map(|input| input.name.clone()));
@@ -199,7 +202,7 @@ fn name_registers(draft: &mut Draft, passed: impl Iterator<Item = NodeId>, outpu
     taken.extend(draft.memories.iter().map(|draft| draft.memory.name.clone()));
     taken.extend(draft.instances.iter().map(|instance| instance.name.clone()));
     let mut pasts: Vec<(NodeId, NodeId)> = draft.pasts.iter().map(|((of, _), past)| (*past, *of)).collect();
-    // In order of declaration, so that the past of a past finds a name.
+    // In the sequence of declaration, so that the past of a past finds a name.
     pasts.sort_unstable();
     let mut numbers: HashMap<String, RangeFrom<u64>> = HashMap::new();
     let passed = passed.map(|node| (node, None));

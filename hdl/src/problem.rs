@@ -1,11 +1,11 @@
-//! What is wrong with a description, in whole sentences that name the user's own lines.
+//! Problems of a description, in whole sentences that name the user's own lines.
 
 use crate::loc::Loc;
 use std::fmt;
 
 /// One mistake in a hardware description.
 ///
-/// Printed as the sentence, the place, the declarations involved and a way to mend it:
+/// Its text has the sentence, the place, the declarations involved and a remedy:
 ///
 /// ```text
 /// `+` needs equal widths: `count` has 8 bits, `limit` has 7
@@ -36,9 +36,9 @@ pub struct Problem {
     pub message: String,
     /// Where it was noticed: the operator or the call.
     pub loc: Loc,
-    /// The other places that matter, each with what stands there.
+    /// The other places that matter, each with its description.
     pub notes: Vec<(String, Loc)>,
-    /// How to mend it.
+    /// The remedy.
     pub help: String,
 }
 
@@ -71,7 +71,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// All the mistakes found in a description, in the order in which they were noticed.
+/// All mistakes found in a description, in the sequence in which they were noticed.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -105,7 +105,7 @@ impl fmt::Display for Problems {
     }
 }
 
-/// As [`Display`](fmt::Display), after a line break, so that `elaborate(..).unwrap()` reads well.
+/// Like [`Display`](fmt::Display), after a line break, so that `elaborate(..).unwrap()` reads well.
 impl fmt::Debug for Problems {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "\n{self}")

@@ -1,4 +1,4 @@
-//! What is stated of a circuit: what must hold, what its inputs promise, what is to happen at some time.
+//! Properties of a circuit: assertions, assumptions about its inputs, and covers.
 
 use crate::draft::Draft;
 use crate::elaboration;
@@ -10,13 +10,14 @@ use crate::problem::Problem;
 use crate::select::condition;
 use crate::signal::Signal;
 
-/// Statements hold at every edge of the module's clock while its reset is low, in every lane. Where one looks at a [past value](Module::past),
-/// it waits until there is one. A simulation checks them; Verilog states them to simulators and to formal tools, and synthesizers do not see them.
+/// Properties are checked at every edge of the module's clock while its reset is low, in every lane. A property that
+/// looks at a [past value](Module::past) waits until that value exists. A simulation checks properties. Verilog
+/// states them to simulators and formal tools; synthesizers do not see them.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// block! {
-///     /// Counts what is taken.
+///     /// Counts the pages taken since the last restart.
 ///     pub struct Taken { pub most: u64 }
 ///     in TakenIn { take: bit(), restart: bit() }
 ///     out(self) TakenOut { taken: up_to(self.most) }
@@ -27,9 +28,9 @@ use crate::signal::Signal;
 ///         def!(taken = m.reg(up_to(self.most)).reset(0));
 ///         def!(full = taken.eq(self.most));
 ///         taken.when(i.restart, 0).when(i.take, taken + 1);
-///         m.assume(i.take.implies(!full | i.restart), "nothing is taken when all is");
-///         m.assert(taken.le(self.most), "no more is taken than there is");
-///         m.assert(m.past(i.restart).implies(taken.eq(0)), "a restart gives all back");
+///         m.assume(i.take.implies(!full | i.restart), "nothing is taken when all pages are");
+///         m.assert(taken.le(self.most), "no more pages are taken than exist");
+///         m.assert(m.past(i.restart).implies(taken.eq(0)), "a restart returns all pages");
 ///         m.cover("all is taken", m.rose(full));
 ///         TakenOut { taken: *taken }
 ///     }
@@ -37,7 +38,8 @@ use crate::signal::Signal;
 /// # elaborate(&Taken { most: 5 }).unwrap();
 /// ```
 impl Module {
-    /// States that `holds` does at every edge while the reset is low; where it does not, the circuit is wrong, and a simulation stops.
+    /// Asserts that `holds` is high at every edge while the reset is low. If it is not, the circuit is wrong and a
+    /// simulation stops.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -47,7 +49,7 @@ impl Module {
     /// used.when(take, used + 1);
     /// m.assert(take.implies(used.ne(12)), "a page is taken only while one is free");
     /// # });
-    /// // A run that got here would have ended at the first edge where it did not hold, with that message.
+    /// // A failing assertion would have ended the run with that message.
     /// assert_eq!(example.values("used"), [0, 1, 2, 3]);
     /// ```
     #[track_caller]
@@ -55,8 +57,8 @@ impl Module {
         self.state(Directive::Assert, condition(holds.into(), "assert"), message);
     }
 
-    /// As [`Module::assert`], of what the block is given: where it does not hold, the stimulus is wrong. A formal tool looks only at inputs of
-    /// which it holds.
+    /// Like [`Module::assert`], for the block's inputs: if it fails, the stimulus is wrong. A formal tool considers
+    /// only inputs that satisfy it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -75,8 +77,8 @@ impl Module {
         self.state(Directive::Assume, condition(holds.into(), "assume"), message);
     }
 
-    /// States that `happens` is high at some edge while the reset is low. A simulation counts how often, of which a test asks by the cover's name;
-    /// a formal tool looks for a way.
+    /// Covers `happens`: it is expected to be high at some edge while the reset is low. A simulation counts these
+    /// edges; a test asks for the count by the cover's name. A formal tool searches for a trace that reaches one.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -108,12 +110,14 @@ impl Module {
     }
 }
 
-/// A test asks for a cover by its name.
+/// A problem if another cover has this name, because a test asks for a cover by name.
 fn second_cover(draft: &mut Draft, name: &str, loc: Loc) -> Option<Problem> {
     let Some(&first) = draft.covers.get(name) else {
         draft.covers.insert(name.to_owned(), loc);
         return None;
     };
     let problem = Problem::new(loc, format!("a second cover is called `{name}`"));
-    Some(problem.note("the first one stands", first).help("give each a name of its own: a test asks for it by that"))
+    Some(
+        problem.note("the first one is stated", first).help("give each cover its own name: a test asks for it by name"),
+    )
 }

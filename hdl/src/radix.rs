@@ -1,9 +1,9 @@
-//! Numbers that are shown in the radix they are written in.
+//! Numbers that are shown in the radix in which they are written.
 
 use crate::bits::Bits;
 use crate::operand::{Literal, Operand, Value};
 
-/// The radix that a constant is shown in.
+/// The radix in which a constant is shown.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -11,7 +11,7 @@ use crate::operand::{Literal, Operand, Value};
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Radix {
-    /// As its use suggests: a count in decimal, a mask in hexadecimal.
+    /// Chosen by use: decimal for a count, hexadecimal for a mask.
     #[default]
     Any,
     /// Hexadecimal.
@@ -33,12 +33,13 @@ pub struct Written {
     radix: Radix,
 }
 
-/// A number that Verilog shows in hexadecimal, as Rust does not say how one was written: `address.eq(hex(0x3f))` is `address == 8'h3f`.
+/// A number that Verilog shows in hexadecimal: `address.eq(hex(0x3f))` is `address == 8'h3f`. Rust does not tell how
+/// a literal was written.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// block! {
-///     /// Finds a pattern.
+///     /// Recognizes a pattern.
 ///     pub struct Finder;
 ///     in FinderIn { x: bits(8) }
 ///     out FinderOut { found: bit(), kept: bits(8) }
@@ -62,7 +63,7 @@ pub fn hex(value: u64) -> Written {
     Written { value, radix: Radix::Hex }
 }
 
-/// A number that Verilog shows in binary, as [`hex`] does in hexadecimal.
+/// A number that Verilog shows in binary. See [`hex`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -83,7 +84,7 @@ impl Operand for Written {
 }
 
 impl Bits {
-    /// The same value, shown in that radix where Verilog has it as a constant. Values are equal whatever they are shown in.
+    /// The same value, shown in this radix where it is a constant in Verilog. The radix does not matter to equality.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -95,7 +96,7 @@ impl Bits {
         self
     }
 
-    /// The radix that it is shown in.
+    /// The radix in which it is shown.
     ///
     /// ```
     /// # use tilewright_hdl::*;

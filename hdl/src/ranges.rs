@@ -1,4 +1,4 @@
-//! The ranges of a block's parameters, and what is said of a parameter that lies outside of its own.
+//! The ranges of a block's parameters, and the error for a parameter outside of its range.
 
 use std::fmt::{self, Display};
 use std::ops::{Bound, RangeBounds};
@@ -6,7 +6,8 @@ use std::ops::{Bound, RangeBounds};
 use crate::declare::sentence;
 use crate::names::{short, unraw};
 
-/// A parameter of a block that is out of the range that [`block!`](crate::block!) declares for it; one sentence that says which would do.
+/// The error for a parameter outside of the range that [`block!`](crate::block!) declares for it. One sentence says
+/// which values are valid.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -31,7 +32,7 @@ impl Display for OutOfRange {
 
 impl std::error::Error for OutOfRange {}
 
-/// Whether a parameter of block `B` is in its range, for which `said` are the reasons.
+/// Checks that a parameter of block `B` is in its range; `said` is the documentation that gives the reason.
 #[doc(hidden)]
 pub fn in_range<B, T: PartialOrd + Display>(
     name: &str,

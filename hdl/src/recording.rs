@@ -1,5 +1,5 @@
-//! A recorded run: what went in and came out before every edge. A simulator makes it, a printer turns it into a
-//! testbench that repeats it elsewhere.
+//! A recorded run: the inputs and outputs before every edge. A simulator records it; a printer makes a testbench of
+//! it that repeats the run elsewhere.
 
 use crate::bits::Bits;
 
@@ -9,7 +9,7 @@ use crate::bits::Bits;
 /// # use tilewright_hdl::*;
 /// use tilewright_hdl::recording::{Recording, Step};
 ///
-/// // A design without clocks, compared once: 1 + 2 is to be 3.
+/// // A design without clocks, compared once: 1 + 2 must give 3.
 /// let step = Step {
 ///     time_ps: 10_000,
 ///     rising: vec![],
@@ -22,9 +22,10 @@ use crate::bits::Bits;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Recording {
-    /// The instants at which clocks rise, in order of time; in a design without clocks, those of comparison.
+    /// The instants at which clocks rise, in the sequence of time; in a design without clocks, the times of
+    /// comparison.
     pub steps: Vec<Step>,
-    /// State that starts neither at its reset value, nor with its contents, nor at zero.
+    /// State that starts with another value than its reset value, its contents, or zero.
     pub initial: Vec<Initial>,
 }
 
@@ -44,23 +45,23 @@ pub struct Recording {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Step {
-    /// Its time in picoseconds, above 1 and at least 2 after the step before.
+    /// Its time in picoseconds: above 1, and at least 2 after the previous step.
     pub time_ps: u64,
     /// The clocks that rise, by index in [`Module::clocks`](crate::ir::Module::clocks).
     pub rising: Vec<usize>,
     /// The clocks whose reset is high before and at the edge.
     pub resets: Vec<usize>,
-    /// The inputs before and at the edge, in order of the ports.
+    /// The inputs before and at the edge, in the sequence of the ports.
     pub inputs: Vec<Bits>,
-    /// What the outputs are just before the edge, in order of the ports.
+    /// The outputs just before the edge, in the sequence of the ports.
     pub outputs: Vec<Bits>,
 }
 
-/// What a register, the data of a synchronous read or a memory holds at the start.
+/// The starting value of a register, of the data of a synchronous read, or of a memory.
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// // Of a memory of 1024 words, two that were poked before the run began.
+/// // Two words of a memory of 1024 that were poked before the run began.
 /// let initial = recording::Initial {
 ///     path: "u_row.u_cell[3].table".to_owned(),
 ///     address: 100,
@@ -72,8 +73,8 @@ pub struct Step {
 pub struct Initial {
     /// The path below the top, such as `u_row.u_cell[3].q`.
     pub path: String,
-    /// The address of the first of the words of a memory; 0 for a register.
+    /// The address of the first given word of a memory; 0 for a register.
     pub address: u32,
-    /// The value of a register; the words of a memory from that address on. Its other words start as they always do.
+    /// The value of a register, or the words of a memory from that address on. Other words start as usual.
     pub words: Vec<Bits>,
 }

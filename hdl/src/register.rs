@@ -12,19 +12,19 @@ use crate::signal::{Signal, bits_text};
 use crate::wire::{CHOOSE, is_here, report_second_driver};
 use std::ops::Deref;
 
-/// A register of a signal, or of a record. It reads as its present value, and is `*count` where a bare signal must stand; [`next`](Reg::next) must be called exactly once, or a chain of [`when`](Reg::when)
-/// stands in its place.
+/// A register of a signal or of a record. It reads as its present value; write `*count` where a bare signal is
+/// required. Call [`next`](Reg::next) exactly once, or use one chain of [`when`](Reg::when) instead.
 ///
-/// At an edge of its clock it takes the [`reset`](Reg::reset) value if its clock's reset is high and it has one; else
-/// the next value if it is enabled; else it keeps what it holds. A clear of its own, beside the reset, is the first condition of its chain:
-/// `count.when(i.clear, 0).when(i.take, count + 1)`.
+/// At an edge of its clock, the register takes its [`reset`](Reg::reset) value if it has one and the clock's reset is
+/// high. Otherwise it takes the next value if it is enabled, or keeps its value if not. To clear it without the
+/// reset, make the clear the first condition of its chain: `count.when(i.clear, 0).when(i.take, count + 1)`.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let example = tilewright_sim::traced(|m| {
 /// def!(count = m.reg(4).reset(3));
-/// let is_even = !count.bit(0); // what it holds now, ..
-/// count.next(count + 1); // .. and what it holds from the next edge on
+/// let is_even = !count.bit(0); // its present value, ..
+/// count.next(count + 1); // .. and its value from the next edge on
 /// let _ = is_even.named("is_even");
 /// # });
 /// assert_eq!(example.values("count"), [3, 4, 5, 6]);
@@ -50,7 +50,7 @@ compared_as_signal!(Reg);
 reads_as_signal!(Reg);
 
 impl Reg {
-    /// The value after a reset: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each.
+    /// The value after a reset: an integer, a [`Bits`] or a `bool`. In a register with lanes, all lanes have it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -73,7 +73,7 @@ impl Reg {
         self
     }
 
-    /// The values after a reset, one for each lane, a grid row by row.
+    /// The values after a reset, one for each lane; a grid is counted row by row.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -95,7 +95,7 @@ impl Reg {
                 elaboration::with(|e| {
                     let name = e.draft().describe(self.signal.node);
                     let message = format!("`{name}` has {}, but {} reset values", self.shape, each.len());
-                    let problem = Problem::new(loc, message).help("`.reset(value)` gives all lanes the same");
+                    let problem = Problem::new(loc, message).help("`.reset(value)` gives all lanes the same value");
                     e.report_instead_of(&[self.signal.node], problem);
                 });
                 each.resize(lanes, Bits::zero(self.width));
@@ -112,14 +112,15 @@ impl Reg {
         report_second_driver(before, self.signal.node, "given a reset value", "give it once", loc);
     }
 
-    /// The value at power-on: an integer, a [`Bits`], a `bool`; of a register with lanes the same in each. It is what an FPGA loads with its
-    /// configuration, so a register that has one needs no reset to begin with; a simulation begins with it, whatever its seed. Without one, a register
-    /// begins with its reset value, or if it has no reset with anything.
+    /// The value at power-on: an integer, a [`Bits`] or a `bool`. In a register with lanes, all lanes have it. An
+    /// FPGA loads it with its configuration, so such a register needs no reset to start. A simulation starts with it,
+    /// whatever the seed. Without one, a register starts with its reset value, or with an unknown value if it has no
+    /// reset.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
-    ///     /// Holds its reset for some clocks after power-on.
+    ///     /// Keeps its reset high for some clocks after power-on.
     ///     pub struct PowerOn { pub clocks: u64 }
     ///     in PowerOnIn { again: bit() }
     ///     out PowerOnOut { reset: bit() }
@@ -152,7 +153,7 @@ impl Reg {
         self
     }
 
-    /// A value known while the block is built, the register's at its `when`, and the constant that it was.
+    /// A value known while the block is built, for the register's `when` (its reset or power-on), and its constant.
     #[track_caller]
     fn constant(self, value: impl Operand, when: &str) -> (Bits, NodeId) {
         let loc = Loc::caller();
@@ -179,7 +180,7 @@ impl Reg {
         (bits, id)
     }
 
-    /// Takes its next value only where `condition`, 1 bit, is high.
+    /// Takes its next value only where `enable`, 1 bit, is high.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -210,7 +211,7 @@ impl Reg {
     /// def!(fibonacci = m.reg(8).reset(1));
     /// let before = m.reg("last", 8).reset(0);
     /// before.next(fibonacci);
-    /// fibonacci.next(before + *fibonacci); // both sample at once: `before` is still what it was
+    /// fibonacci.next(before + *fibonacci); // both sample at once: `before` is still the old value
     /// # });
     /// assert_eq!(example.values("fibonacci"), [1, 1, 2, 3, 5, 8]);
     /// ```
@@ -223,15 +224,16 @@ impl Reg {
         }
     }
 
-    /// Takes `value` where `condition`, 1 bit, is high; else what a further [`when`](Updates::when) of the same chain says;
-    /// else it keeps what it holds. The first condition that holds wins, as in `if`, `else if`, which is what Verilog has.
+    /// Takes `value` where `condition`, 1 bit, is high. Elsewhere, further [`when`](Updates::when)s of the same chain
+    /// decide; if none applies, the register keeps its value. The first true condition wins, as in `if`, `else if`,
+    /// which is also how Verilog prints it.
     ///
     /// ```
     /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def, elaborate};
     /// # bundle! {
-    /// #     /// When it counts.
+    /// #     /// The enable.
     /// #     pub struct CountIn<T> { pub restart: T, pub take: T }
-    /// #     /// What it has counted.
+    /// #     /// The count.
     /// #     pub struct CountOut<T> { pub used: T }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -261,7 +263,7 @@ impl Reg {
         Updates { register: self, chain }
     }
 
-    /// A condition, and what the register takes where it holds.
+    /// A condition, and the value that the register takes where it is true.
     #[track_caller]
     fn arm(self, when: Signal, value: impl Operand) -> (NodeId, NodeId) {
         (
@@ -272,13 +274,15 @@ impl Reg {
 
     pub(crate) fn give(self, next: NodeId, loc: Loc) {
         let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
-        let help = "say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`";
+        let help =
+            "describe all its updates in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`";
         report_second_driver(before, self.signal.node, "given a next value", help, loc);
     }
 }
 
-/// What a register takes, and when: made by [`Reg::when`]. It says all, so a register has one such chain. It reads as the register, so one that
-/// does not look at itself may be declared with it:
+/// The update chain of a register, made by [`Reg::when`]. A register has one such chain, which describes it
+/// completely. The chain reads as the register, so a register that does not read itself may be declared together with
+/// it:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -308,7 +312,7 @@ impl Reg {
 #[derive(Debug, Clone, Copy)]
 pub struct Updates {
     register: Reg,
-    /// The choice; none if the register is another module's, which is a problem already.
+    /// The choice; `None` if the register is another module's, which has been reported.
     chain: Option<NodeId>,
 }
 
@@ -325,7 +329,7 @@ compared_as_signal!(Updates);
 reads_as_signal!(Updates);
 
 impl Updates {
-    /// Takes `value` where `condition`, 1 bit, is high and no condition before it is.
+    /// Takes `value` where `condition`, 1 bit, is high and no earlier condition is.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -333,7 +337,7 @@ impl Updates {
     /// def!(count = m.reg(4).reset(0));
     /// count.when(count.eq(3), 0).when(count.le(3), count + 1);
     /// # });
-    /// // At 3 both conditions hold, and the first wins.
+    /// // At 3 both conditions are true, and the first wins.
     /// assert_eq!(example.values("count"), [0, 1, 2, 3, 0]);
     /// ```
     #[track_caller]
@@ -343,7 +347,7 @@ impl Updates {
         self
     }
 
-    /// Takes `value` where no condition holds, instead of keeping what it holds.
+    /// Takes `value` where no condition is true, instead of keeping its value.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -372,8 +376,8 @@ impl Updates {
             }
             let last = *default;
             let (name, last) = (e.draft().describe(register), e.draft().describe(last));
-            let message = format!("the chain of `{name}` goes on behind its end, `.otherwise({last})`");
-            e.report(Problem::new(loc, message).help("`.otherwise(value)` stands once, behind all conditions"));
+            let message = format!("the chain of `{name}` continues after its end, `.otherwise({last})`");
+            e.report(Problem::new(loc, message).help("`.otherwise(value)` comes once, after all conditions"));
         });
     }
 }

@@ -1,4 +1,4 @@
-//! Scenarios: what a block's inputs do over time, as plain data that any simulator can play.
+//! Scenarios: a block's inputs over time, as plain data that any simulator can play.
 
 use crate::bits::Bits;
 use crate::block::Block;
@@ -12,7 +12,8 @@ use crate::stream::backwards;
 use crate::uneven::{Uneven, uneven};
 use crate::width::Width;
 
-/// What the inputs do over time. A reset comes first, at one edge of every clock; inputs not mentioned are zero.
+/// The inputs of a block over time. A reset comes first, at one edge of every clock. Inputs without an event are
+/// zero.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -24,11 +25,11 @@ use crate::width::Width;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Scenario {
-    /// What it shows.
+    /// What the scenario shows.
     pub about: &'static str,
-    /// The changes of inputs, in order of time.
+    /// The changes of inputs, in the sequence of time.
     pub events: Vec<Event>,
-    /// When it ends, in picoseconds after the reset.
+    /// The end, in picoseconds after the reset.
     pub end_ps: u64,
 }
 
@@ -40,17 +41,17 @@ pub struct Scenario {
 /// let mut script = Script::new(&Counter, Period::ns(10));
 /// script.clock(&CounterIn { enable: 0 });
 /// script.clock(&CounterIn { enable: 1 });
-/// // Zero is what an input is without an event. A change is a quarter of a period behind an edge.
+/// // Without an event, an input is zero. A change comes a quarter of a period after an edge.
 /// let rises = scenario::Event { at_ps: 12_500, input: "enable".to_owned(), value: Bits::new(1, 1) };
 /// assert_eq!(script.finish("counts once").events, [rises]);
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Event {
-    /// When, in picoseconds after the reset; never at an edge.
+    /// The time, in picoseconds after the reset; never at an edge.
     pub at_ps: u64,
     /// The input port's name.
     pub input: String,
-    /// What it becomes.
+    /// Its new value.
     pub value: Bits,
 }
 
@@ -63,7 +64,7 @@ pub struct Event {
 /// for enable in [1, 1, 0] {
 ///     script.clock(&CounterIn { enable });
 /// }
-/// // What stays the same is no event.
+/// // An unchanged input makes no event.
 /// assert_eq!(script.finish("counts to 2").events.len(), 2);
 /// ```
 pub struct Script<B: Block> {
@@ -76,7 +77,7 @@ pub struct Script<B: Block> {
 }
 
 impl<B: Block> Script<B> {
-    /// An empty script for a block, in clocks of `period`; that of its fastest clock if it has several.
+    /// An empty script for a block, in clocks of `period`; if the block has several clocks, in those of the fastest.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -91,7 +92,7 @@ impl<B: Block> Script<B> {
         Script { widths, period, at_ps: period / 4, last, events: Vec::new() }
     }
 
-    /// From now on a row is a clock of that period.
+    /// From now on, a row is a clock of this period.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -106,7 +107,7 @@ impl<B: Block> Script<B> {
         self.period = period.picoseconds();
     }
 
-    /// One clock with these inputs.
+    /// Adds one clock with these inputs.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -128,18 +129,18 @@ impl<B: Block> Script<B> {
     /// script.clock(&ScanIn { restart: 1, ..IDLE });
     /// script.clock(&ScanIn { enable: 1, ..IDLE });
     /// let inputs: Vec<_> = script.finish("a start").events.into_iter().map(|event| event.input).collect();
-    /// assert_eq!(inputs, ["restart", "restart", "enable"]); // it rises, and falls when `enable` rises
+    /// assert_eq!(inputs, ["restart", "restart", "enable"]); // `restart` rises, and goes low when `enable` rises
     /// ```
     ///
     /// # Panics
     ///
-    /// A list of inputs is not as long as the block's.
+    /// The length of a list of inputs is not the block's.
     #[track_caller]
     pub fn clock(&mut self, inputs: &<B::In as Bundle>::Of<u64>) {
         self.row(inputs, |width, value| Bits::new(width, *value), Loc::caller());
     }
 
-    /// As [`Script::clock`], with values wider than 64 bits.
+    /// Like [`Script::clock`], with values wider than 64 bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -183,7 +184,7 @@ impl<B: Block> Script<B> {
         self.wait(1);
     }
 
-    /// Some clocks with these inputs.
+    /// Adds `clocks` clocks with these inputs.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -203,8 +204,8 @@ impl<B: Block> Script<B> {
         self.wait(clocks.integer() - 1);
     }
 
-    /// From the next row on the receiver of an outgoing stream is ready, or is not; it is not at first. The stream is told by its path in
-    /// the block's outputs, as `out` or `out.1`.
+    /// Sets whether the receiver of an outgoing stream is ready, from the next row on; at first it is not. The stream
+    /// is given by its path in the block's outputs, such as `out` or `out.1`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -220,7 +221,7 @@ impl<B: Block> Script<B> {
         self.events.push(Event { at_ps: self.at_ps, input, value: Bits::new(1, is_ready.into()) });
     }
 
-    /// The same inputs for some clocks more.
+    /// Adds clocks with the same inputs.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -253,7 +254,7 @@ impl<B: Block> Script<B> {
     }
 }
 
-/// The bits of a port: those of all its lanes.
+/// The bits of a port in all its lanes.
 fn all_lanes(width: Width) -> u32 {
     width.bits().checked_mul(width.shape().lanes()).expect("all lanes of an input have less than 2^32 bits")
 }

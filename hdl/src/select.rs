@@ -17,8 +17,8 @@ use crate::signal::{Signal, bits_text};
 use crate::width::{IntoWidth, Width, index_width};
 use std::collections::{HashMap, HashSet};
 
-/// A constant of that width: a number of bits, or what [`below`](crate::below) and [`up_to`](crate::up_to) give. It is signed if the width
-/// is.
+/// A constant of this width: a number of bits, or the result of [`below`](crate::below) or [`up_to`](crate::up_to).
+/// It is signed if the width is.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -26,9 +26,9 @@ use std::collections::{HashMap, HashSet};
 /// let byte = lit(8, 5);
 /// let page = lit(below(12), 5);
 /// m.assert(byte.eq(page.zext(8)), "12 pages are numbered by 4 bits");
-/// m.assert(lit(bits(8).signed(), -5).lt(0), "a number below 0 needs a width that is signed");
-/// // Beside a signal a plain number does: it takes the width of the signal.
-/// m.assert((byte + 1).eq(6), "no width is said twice");
+/// m.assert(lit(bits(8).signed(), -5).lt(0), "a number below 0 needs a signed width");
+/// // Beside a signal, a plain number is enough: it takes the width of the signal.
+/// m.assert((byte + 1).eq(6), "no width is repeated");
 /// # });
 /// ```
 #[track_caller]
@@ -36,13 +36,13 @@ pub fn lit(width: impl IntoWidth, value: impl Integer) -> Signal {
     constants(width.into_width(), [value.integer()])[0]
 }
 
-/// Constants of that width, which are signed if it is; what is wrong with the width is one problem for all of them.
+/// Constants of this width, which are signed if it is; an invalid width is one problem for all of them.
 #[track_caller]
 pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) -> Vec<Signal> {
     let loc = Loc::caller();
     let sound = elaboration::with(|e| sound_width(e, &[], "a constant", width.bits.into(), loc));
     let kind = if width.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
-    // A loop, as a closure would be the caller that messages name.
+    // A loop: in a closure, the message would name the closure as the caller.
     let mut signals = Vec::new();
     for value in values {
         signals.push(match sound == width.bits {
@@ -53,13 +53,13 @@ pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) ->
     signals
 }
 
-/// The signals side by side, the first most significant. [`cat!`](crate::cat!) reads better.
+/// The concatenation of the signals, the first most significant. [`cat!`](crate::cat!) reads better.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let digits = [lit(4, 1), lit(4, 2), lit(4, 3)];
-/// m.assert(concat(&digits).eq(0x123), "as many parts as a list has");
+/// m.assert(concat(&digits).eq(0x123), "one part for each element of a list");
 /// # });
 /// ```
 #[track_caller]
@@ -84,7 +84,7 @@ pub fn concat(parts: &[Signal]) -> Signal {
     }
 }
 
-/// Signals side by side, the first most significant, as Verilog's `{a, b}`.
+/// The concatenation of signals, the first most significant, as Verilog's `{a, b}`.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -100,7 +100,7 @@ macro_rules! cat {
     };
 }
 
-/// The arms of [`select`] or [`case`], of which some are signals and some are numbers, registers or records of numbers.
+/// The arms of [`select`] or [`case`], if some are signals and others numbers, registers or records of numbers.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -120,7 +120,7 @@ macro_rules! arms {
     };
 }
 
-/// A select must have one bit.
+/// The select signal, which must have one bit.
 #[track_caller]
 pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
     let (loc, id) = (Loc::caller(), signal.id());
@@ -138,8 +138,8 @@ pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
     }
 }
 
-/// The operands as signals of one width: that of the first that has one, signals before constants; a problem if there
-/// are only integers.
+/// The operands as signals of one width: the width of the first signal, or else of the first constant with a width.
+/// Integers alone are a problem.
 #[track_caller]
 fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
     let loc = Loc::caller();
@@ -163,7 +163,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
                 Value::Literal(literal) => ("integers", format!("give one a width, as in `lit(8, {literal})`")),
                 _ => ("low bits", "give one a width, as in `.trunc(8)`".to_owned()),
             };
-            let message = format!("`{of}` has only {only} to choose from, which leaves its width open");
+            let message = format!("`{of}` has only {only} to choose from, which leaves its width unknown");
             let low = |value: &Value| if let Value::Low(signal) = value { Some(signal.id_at(loc)) } else { None };
             let operands: Vec<NodeId> = values.iter().filter_map(low).collect();
             let zero = elaboration::with(|e| {
@@ -174,7 +174,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
         }
     };
     values[first] = Value::Signal(signal);
-    // A loop, as a closure would be the caller that messages name.
+    // A loop: in a closure, the message would name the closure as the caller.
     let mut signals = Vec::with_capacity(values.len());
     for value in values {
         signals.push(value.with_width_of(signal, of));
@@ -182,7 +182,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
     signals
 }
 
-/// `on_true` where `select` is 1, else `on_false`: signals, numbers, or records, of which each field is chosen.
+/// `on_true` where `select` is 1, else `on_false`: signals, numbers or records. Records are chosen field by field.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -207,8 +207,8 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
     from_leaves(&shape, chosen)
 }
 
-/// The value of the first arm whose condition holds, else `default`: signals, numbers, or records, of which each field is
-/// chosen. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
+/// The value of the first arm whose condition is true, else `default`: signals, numbers or records. Records are
+/// chosen field by field. If the arms mix signals and numbers, put them in [`arms!`](crate::arms!).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -216,8 +216,8 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
 /// def!(level = m.reg(8).reset(0));
 /// level.next(level + 25);
 /// let warning = select([(level.gt(200), lit(2, 3)), (level.gt(100), lit(2, 1))], 0);
-/// m.assert(level.gt(200).implies(warning.eq(3)), "above 200 both hold, and the first wins");
-/// m.assert(level.le(100).implies(warning.eq(0)), "the default, where none holds");
+/// m.assert(level.gt(200).implies(warning.eq(3)), "above 200 both are true, and the first wins");
+/// m.assert(level.le(100).implies(warning.eq(0)), "the default, where none is true");
 /// # });
 /// ```
 #[track_caller]
@@ -246,8 +246,9 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
     from_leaves(&shape, chosen)
 }
 
-/// The value of the arm whose key equals `subject`, else `default`: signals, numbers, or records, of which each field is
-/// chosen. A key is a value of the subject, negative where that is signed; no two are alike. Arms of which some are signals and some are numbers stand in [`arms!`](crate::arms!).
+/// The value of the arm whose key equals `subject`, else `default`: signals, numbers or records. Records are chosen
+/// field by field. A key is a value of the subject and may be negative if the subject is signed; no two keys are
+/// equal. If the arms mix signals and numbers, put them in [`arms!`](crate::arms!).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -272,27 +273,27 @@ pub fn case<V: Data, K: Integer, A: Fits<V>>(
         let problem = if !fits {
             Some(format!("the key {number} of `case` does not fit in {}", bits_text(subject.width)))
         } else {
-            (!known.insert(key.clone())).then(|| format!("the key {number} of `case` stands twice"))
+            (!known.insert(key.clone())).then(|| format!("the key {number} of `case` occurs twice"))
         };
         keys.push(key);
         if let Some(problem) = problem {
             let (id, problem) = (subject.id_at(loc), Problem::new(loc, problem));
             elaboration::with(|e| {
-                e.report_instead_of(&[id], problem.help("each key is a value of the subject, once"));
+                e.report_instead_of(&[id], problem.help("each key is a value of the subject and occurs once"));
             });
         }
     }
     by_value(subject, &keys, given(values, default), "case")
 }
 
-/// For each code of an enum, in order, one of `values`.
+/// One of `values` for each code of an enum, in the sequence of its codes.
 #[track_caller]
 pub(crate) fn by_code<V: Data>(subject: Signal, values: Vec<Given<V>>) -> V {
     let keys: Vec<_> = (0..values.len() as u64).map(|code| Bits::new(subject.width, code)).collect();
     by_value(subject, &keys, values, "choose")
 }
 
-/// A value for each key, and a default behind them; without one, what most keys share is the default, and said once.
+/// A value for each key, and then a default. Without a default, the value that most keys share becomes the default.
 #[track_caller]
 fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: &str) -> V {
     let (loc, has_default) = (Loc::caller(), values.len() > keys.len());
@@ -325,7 +326,7 @@ fn by_value<V: Data>(subject: Signal, keys: &[Bits], values: Vec<Given<V>>, of: 
     from_leaves(&shape, chosen)
 }
 
-/// For each node a number, the same for what is the same node or the same constant.
+/// A number for each node, equal for equal nodes and equal constants.
 fn classes(nodes: &[NodeId]) -> Vec<usize> {
     elaboration::draft(|draft| {
         let (mut constants, mut others) = (HashMap::new(), HashMap::new());
@@ -339,17 +340,17 @@ fn classes(nodes: &[NodeId]) -> Vec<usize> {
     })
 }
 
-/// Which of these stands most often; of as many, the last.
+/// The most frequent class; in a tie, that of the last.
 fn most_often(classes: &[usize]) -> usize {
     let mut often = vec![0; classes.len()];
     classes.iter().for_each(|class| often[*class] += 1);
     (0..classes.len()).max_by_key(|at| often[classes[*at]]).expect("an enum has a code")
 }
 
-/// What the arms give, and then what the default does.
+/// The values of the arms, and then that of the default.
 #[track_caller]
 fn given<V: Data>(arms: Vec<impl Fits<V>>, default: impl Fits<V>) -> Vec<Given<V>> {
-    // A loop, as a closure would be the caller that messages name.
+    // A loop: in a closure, the message would name the closure as the caller.
     let mut given = Vec::with_capacity(arms.len() + 1);
     for arm in arms {
         given.push(arm.given());
@@ -358,7 +359,7 @@ fn given<V: Data>(arms: Vec<impl Fits<V>>, default: impl Fits<V>) -> Vec<Given<V
     given
 }
 
-/// For each field what it is in each arm, and one of the arms, whose fields all have.
+/// For each field its value in each arm, and one arm that serves as the layout.
 #[track_caller]
 fn fields<V: Data>(arms: Vec<Given<V>>, of: &str) -> (V::Like<Value>, Vec<Vec<Value>>) {
     let shape = arms.iter().find_map(|arm| if let Given::Each(fields) = arm { Some(fields.clone()) } else { None });

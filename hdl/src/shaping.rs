@@ -1,4 +1,4 @@
-//! Lanes of values that meet: a plain one is the same in every lane, anything else has to be spelled.
+//! Lanes of operands: a plain operand is the same in every lane; any other change of lanes must be explicit.
 
 use crate::elaboration::{self, Elaboration};
 use crate::integers::{Integer, count};
@@ -8,7 +8,7 @@ use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::signal::Signal;
 
-/// So many lanes side by side.
+/// A row of `lanes` lanes.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -20,13 +20,13 @@ use crate::signal::Signal;
 ///
 /// # Panics
 ///
-/// The number is negative. While a block is built, that is a problem of its description.
+/// The number is negative. While a block is built, this is a problem of its description instead.
 #[track_caller]
 pub fn row(lanes: impl Integer) -> Shape {
     Shape::Row(count(lanes))
 }
 
-/// So many rows of so many columns.
+/// A grid of `rows` rows and `columns` columns.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -38,13 +38,13 @@ pub fn row(lanes: impl Integer) -> Shape {
 ///
 /// # Panics
 ///
-/// A number is negative. While a block is built, that is a problem of its description.
+/// A number is negative. While a block is built, this is a problem of its description instead.
 #[track_caller]
 pub fn grid(rows: impl Integer, columns: impl Integer) -> Shape {
     Shape::Grid(count(rows), count(columns))
 }
 
-/// What says how many lanes there are: [`row`], [`grid`], or a number for a row of so many.
+/// A number of lanes: [`row`], [`grid`], or a number for a row of that length.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -73,7 +73,8 @@ impl<N: Integer> IntoShape for N {
     }
 }
 
-/// The shape of what is to have that one and is called `what`: no lanes, or too many, are a problem, and one stands in. What is made with it stands in, too.
+/// A valid shape for `what`. No lanes, or too many, are a problem, and one lane stands in. An object made with the
+/// stand-in is a stand-in itself.
 pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Loc) -> Shape {
     let sound = match shape {
         Shape::Plain => shape,
@@ -84,7 +85,7 @@ pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Lo
         e.report(Problem::new(loc, format!("{what} has no lanes")).help("a row, and a side of a grid, is at least 1"));
     } else if u64::from(sound.lanes()) > MOST_LANES {
         let message = format!("{what} has {sound}, more than {MOST_LANES}");
-        e.report(Problem::new(loc, message).help("make it smaller, or keep what is so large in a memory"));
+        e.report(Problem::new(loc, message).help("make it smaller, or keep large data in a memory"));
         return match sound {
             Shape::Grid(..) => Shape::Grid(1, 1),
             _ => Shape::Row(1),
@@ -93,14 +94,14 @@ pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Lo
     sound
 }
 
-/// The signals with the lanes of the first of them that has some, for `operator`.
+/// The signals with the lanes of the first that has any, for `operator`.
 #[track_caller]
 pub(crate) fn level<const N: usize>(mut signals: [Signal; N], operator: &str) -> [Signal; N] {
     level_all(&mut signals, operator);
     signals
 }
 
-/// As [`level`], of a list; gives the shape.
+/// Like [`level`], for a list; returns the shape.
 #[track_caller]
 pub(crate) fn level_all(signals: &mut [Signal], operator: &str) -> Shape {
     let Some(&first) = signals.iter().find(|signal| !signal.shape.is_plain()) else { return Shape::Plain };
@@ -111,27 +112,27 @@ pub(crate) fn level_all(signals: &mut [Signal], operator: &str) -> Shape {
 }
 
 impl Signal {
-    /// How many lanes it has, and how they are laid out.
+    /// The number and layout of its lanes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let index = constants(bits(8).of(row(4)), |lane| lane);
     /// let last = index.shape().lanes() - 1;
-    /// m.assert(index.lane(last).eq(3), "a helper needs not be told how many lanes there are");
+    /// m.assert(index.lane(last).eq(3), "a helper need not be told the number of lanes");
     /// # });
     /// ```
     pub fn shape(self) -> Shape {
         self.shape
     }
 
-    /// The signal in each lane of `shape`: what a plain one becomes by itself where it meets a row or a grid.
+    /// The signal repeated in each lane of `shape`, as happens to a plain signal that meets a row or a grid.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let ones = lit(8, 1).of(row(4));
-    /// m.assert(ones.sum().eq(4), "a plain signal has no lanes that could be added up");
+    /// m.assert(ones.sum().eq(4), "a plain signal has no lanes to add up");
     /// # });
     /// ```
     #[track_caller]
@@ -158,7 +159,7 @@ impl Signal {
         })
     }
 
-    /// The row as each of `rows` rows of a grid.
+    /// The row repeated as each of `rows` rows of a grid.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -172,7 +173,7 @@ impl Signal {
         self.repeated(0, count(rows), "to_rows")
     }
 
-    /// The row stood upright, as each of `columns` columns of a grid: lane `i` is the whole of row `i`.
+    /// The row repeated as each of `columns` columns of a grid: lane `i` fills row `i`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -210,7 +211,7 @@ impl Signal {
         })
     }
 
-    /// A plain signal in each lane of another shape.
+    /// A plain signal repeated in each lane of a shape.
     pub(crate) fn spread(self, shape: Shape, loc: Loc) -> Signal {
         let node = self.id_at(loc);
         elaboration::with(|e| Signal { node, ..self }.spread_in(e, shape, loc))
@@ -228,7 +229,7 @@ impl Signal {
         Signal::make_in(e, Op::Broadcast { of, axis: 0 }, self.width, shape, loc).kept_in(e, self.kind)
     }
 
-    /// The signal with the lanes of `left`, with which it meets in `operator`: a plain one is the same in all of them.
+    /// The signal with the lanes of `left`, for `operator`: a plain one is the same in all of them.
     #[track_caller]
     pub(crate) fn with_lanes_of(self, left: Signal, operator: &str) -> Signal {
         let loc = Loc::caller();
@@ -250,11 +251,11 @@ impl Signal {
                 .note(format!("`{left_text}` is made"), draft.node(left_id).loc)
                 .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
                 .help(match (left.shape, self.shape) {
-                    (Shape::Plain, _) => "only plain signals are the same in every lane by themselves; take a lane, or combine them all with `.or_all()` and its like",
+                    (Shape::Plain, _) => "only a plain signal is repeated in every lane by itself; take a lane, or combine all lanes with `.or_all()` and its like",
                     (Shape::Grid(..), Shape::Row(_)) | (Shape::Row(_), Shape::Grid(..)) => {
                         "a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`"
                     }
-                    _ => "both sides have as many lanes, laid out the same way",
+                    _ => "both sides need equal numbers of lanes, laid out the same way",
                 });
             e.report_instead_of(&[left_id, right_id], problem);
             Signal::zero_in(e, self.width, left.shape, self.kind, loc)

@@ -26,7 +26,7 @@ impl Signal {
             (Shift::Right, _) => this.slice(amount..this.width).zext(this.width),
             (Shift::RightSigned, _) => this.slice(amount..this.width).sext(this.width),
         };
-        // Not of the node, which may be an operand itself.
+        // The kind of the signal, not of the node, which may itself be the operand.
         Signal { kind: this.kind, ..shifted }
     }
 }

@@ -1,4 +1,4 @@
-//! What is made of other operations, by the names that people look for.
+//! Shorthands for combinations of other operations.
 
 use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 
@@ -14,7 +14,7 @@ use crate::width::{IntoWidth, bit};
 
 macro_rules! assignments {
     ($($trait:ident $method:ident $op:tt)*) => {$(
-        /// For a variable that stands for one signal after another, as in a loop over stages.
+        /// For a variable that takes one signal after another, as in a loop over stages.
         impl<R: Operand> $trait<R> for Signal {
             #[track_caller]
             fn $method(&mut self, right: R) {
@@ -26,7 +26,7 @@ macro_rules! assignments {
 assignments!(AddAssign add_assign +  SubAssign sub_assign -  BitAndAssign bitand_assign &  BitOrAssign bitor_assign |  BitXorAssign bitxor_assign ^);
 
 impl Signal {
-    /// So many bits from bit `low` on: `word.part(36, 12)` is Verilog's `word[36 +: 12]`.
+    /// `width` bits from bit `low` on: `word.part(36, 12)` is Verilog's `word[36 +: 12]`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -41,14 +41,14 @@ impl Signal {
         self.between(low.integer(), width.into_width().bits().into())
     }
 
-    /// The bits moved up by so many places; those that leave at the top come back at the bottom.
+    /// The bits rotated left by `places`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let word = lit(8, 0b1100_0001);
     /// m.assert(word.rotate_left(1).eq(0b1000_0011), "the top bit comes back");
-    /// m.assert(word.rotate_left(9).eq(word.rotate_left(1)), "8 places are once around");
+    /// m.assert(word.rotate_left(9).eq(word.rotate_left(1)), "a rotation by 8 changes nothing");
     /// # });
     /// ```
     #[track_caller]
@@ -56,7 +56,7 @@ impl Signal {
         self.rotated(places_in(self.width(), places))
     }
 
-    /// The bits moved down by so many places; those that leave at the bottom come back at the top.
+    /// The bits rotated right by `places`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -71,7 +71,7 @@ impl Signal {
         self.rotated((self.width() - places_in(self.width(), places)) % self.width())
     }
 
-    /// Rotated to the left by fewer places than there are bits.
+    /// Rotates to the left by fewer places than there are bits.
     #[track_caller]
     fn rotated(self, places: u32) -> Signal {
         if places == 0 {
@@ -81,7 +81,8 @@ impl Signal {
         concat(&[self.part(0, kept), self.part(kept, places)])
     }
 
-    /// 1 bit: `other` holds, or this does not; for what must hold, as in `m.assert(take.implies(!full), ..)`.
+    /// 1 bit: `other` is true, or this is false. It is meant for properties, as in
+    /// `m.assert(take.implies(!full), ..)`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -90,7 +91,7 @@ impl Signal {
     /// count.when(count.ne(9), count + 1);
     /// let full = count.eq(9);
     /// m.assert(full.implies(!count.bit(1)), "9 has no bit 1");
-    /// m.assert(lit(1, 0).implies(full), "what never holds implies anything");
+    /// m.assert(lit(1, 0).implies(full), "false implies anything");
     /// # });
     /// ```
     #[track_caller]
@@ -102,7 +103,7 @@ impl Signal {
     }
 }
 
-/// What is left of a rotation by so many places without those that go once around.
+/// `places` modulo the width.
 #[track_caller]
 fn places_in(width: u32, places: impl Integer) -> u32 {
     let places = places.integer();
@@ -116,7 +117,8 @@ fn places_in(width: u32, places: impl Integer) -> u32 {
 }
 
 impl Module {
-    /// A bit that turns over at each edge where `turns`, 1 bit, is high, 0 after a reset: which of two buffers is in front, say.
+    /// A bit that toggles at each edge where `turns`, 1 bit, is high, and is 0 after a reset; for example, which of
+    /// two buffers is in front.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -124,7 +126,7 @@ impl Module {
     /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// def!(front = m.toggle(count.eq(2)));
-    /// m.assert(front.implies(!m.rose(front) | count.eq(3)), "it turns behind the edge");
+    /// m.assert(front.implies(!m.rose(front) | count.eq(3)), "it toggles after the edge");
     /// # });
     /// assert_eq!(example.values("front"), [0, 0, 0, 1, 1, 1, 1, 0]);
     /// ```

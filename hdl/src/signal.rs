@@ -1,4 +1,4 @@
-//! Signals: handles to the expressions of a circuit, and what may be done with them.
+//! Signals: handles to the expressions of a circuit, and their operations.
 
 use crate::bits::Bits;
 use crate::elaboration::{self, Elaboration};
@@ -9,18 +9,18 @@ use crate::operand::{Operand, Value, operators};
 use crate::problem::Problem;
 use crate::shaping::level;
 
-/// An unsigned value in the circuit, 1 to 1,048,576 bits wide; the width is known while the circuit is built.
+/// An unsigned value in the circuit, 1 to 1,048,576 bits wide. Its width is known while the circuit is built.
 ///
-/// `+ - & | ^` need operands of equal widths and wrap; `*` gives the sum of the widths. A change of width is always
-/// spelled: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc), [`slice`](Signal::slice),
-/// [`cat!`](crate::cat!). An integer on the right takes the width of the left, and must fit. Signals are compared with
-/// [`eq`](Signal::eq) and its like; `==` does not compile.
+/// `+ - & | ^` need operands of equal widths and wrap; the width of a product is the sum of the operands' widths.
+/// Every change of width is explicit: [`zext`](Signal::zext), [`sext`](Signal::sext), [`trunc`](Signal::trunc),
+/// [`slice`](Signal::slice), [`cat!`](crate::cat!). An integer on the right takes the width of the left operand and
+/// must fit. Compare signals with [`eq`](Signal::eq) and its like; `==` does not compile.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let (sum, carry): (Signal, Signal) = (lit(8, 200) + 100, lit(8, 200).add_carry(100).msb());
-/// m.assert(sum.eq(44) & carry, "results wrap, unless a carry is asked for");
+/// m.assert(sum.eq(44) & carry, "results wrap, unless the carry is requested");
 /// # });
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -34,7 +34,7 @@ pub struct Signal {
     pub(crate) kind: Kind,
 }
 
-/// A handle from an elaboration that has ended is a mistake in Rust code, not in the hardware: a panic.
+/// Panics for a handle of an earlier elaboration: that is a mistake in Rust code, not in the hardware.
 pub(crate) fn check_stamp(e: &Elaboration, stamp: u32, loc: Loc) {
     assert!(
         stamp == e.stamp,
@@ -50,7 +50,7 @@ impl Signal {
         elaboration::with(|e| Signal::make_in(e, op, width, shape, loc))
     }
 
-    /// As [`Signal::make`], at `loc`: for closures, which are their own callers.
+    /// Like [`Signal::make`], at `loc`, for closures.
     pub(crate) fn make_at(op: Op, width: u32, shape: Shape, loc: Loc) -> Signal {
         elaboration::with(|e| Signal::make_in(e, op, width, shape, loc))
     }
@@ -60,7 +60,7 @@ impl Signal {
         Signal::at(e, node)
     }
 
-    /// This new node, whose bits stand for what those of `like` do.
+    /// This new node, read as the same kind of value as `like`.
     pub(crate) fn kept_as(self, kind: Kind) -> Signal {
         if self.kind != kind {
             elaboration::draft(|draft| draft.node_mut(self.node).kind = kind);
@@ -68,13 +68,13 @@ impl Signal {
         Signal { kind, ..self }
     }
 
-    /// As [`Signal::kept_as`], within [`elaboration::with`].
+    /// Like [`Signal::kept_as`], within [`elaboration::with`].
     pub(crate) fn kept_in(self, e: &mut Elaboration, kind: Kind) -> Signal {
         e.draft().node_mut(self.node).kind = kind;
         Signal { kind, ..self }
     }
 
-    /// A zero, where a mistake leaves nothing better.
+    /// A zero, as a stand-in after a mistake.
     pub(crate) fn zero_in(e: &mut Elaboration, width: u32, shape: Shape, kind: Kind, loc: Loc) -> Signal {
         let zero = Signal::make_in(e, Op::Const(Bits::zero(width)), width, shape, loc).kept_in(e, kind);
         e.draft().stand_ins.insert(zero.node);
@@ -88,13 +88,13 @@ impl Signal {
         Signal { stamp, module: draft.serial, node, width, shape, kind }
     }
 
-    /// The node in the module under construction; a signal of another module is a problem, and stands in as zero.
+    /// The node in the module under construction. A signal of another module is a problem, and a zero stands in.
     #[track_caller]
     pub(crate) fn id(self) -> NodeId {
         self.id_at(Loc::caller())
     }
 
-    /// As [`Signal::id`], used at `loc`: for closures, which are their own callers.
+    /// Like [`Signal::id`], used at `loc`, for closures.
     pub(crate) fn id_at(self, loc: Loc) -> NodeId {
         elaboration::with(|e| {
             check_stamp(e, self.stamp, loc);
@@ -130,7 +130,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let word = lit(12, 0xabc);
     /// let upper_half = word.part(word.width() / 2, word.width() / 2);
-    /// m.assert(upper_half.eq(0b101010), "a helper needs not be told how wide its signals are");
+    /// m.assert(upper_half.eq(0b101010), "a helper need not be told the width of its signals");
     /// # });
     /// ```
     pub fn width(self) -> u32 {
@@ -145,7 +145,7 @@ impl Signal {
     /// def!(count = m.reg(2).reset(0));
     /// count.next(count + 1);
     /// for bit in 0..2 {
-    ///     // A name that is made; `def!` names a net after its variable.
+    ///     // A computed name; `def!` names a net after its variable.
     ///     let _ = count.bit(bit).named(&format!("count_bit{bit}"));
     /// }
     /// # });
@@ -156,7 +156,7 @@ impl Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| {
             let node = e.draft().node_mut(id);
-            // A port or a register keeps its own name: the net is an alias.
+            // A port or register keeps its own name, and the net becomes an alias.
             let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
             let id = if has_own { e.draft().add(Op::Wire(id), self.width, self.shape, loc) } else { id };
             let node = e.draft().node_mut(id);
@@ -217,7 +217,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let byte = lit(8, 0b0110_0100);
     /// m.assert(byte.parity(), "three ones");
-    /// m.assert(!cat!(byte, byte.parity()).parity(), "with its parity a word has an even number of them");
+    /// m.assert(!cat!(byte, byte.parity()).parity(), "with its parity, a word has an even number of ones");
     /// # });
     /// ```
     #[track_caller]
@@ -237,7 +237,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let sum = lit(8, 0xff).add_carry(1);
     /// m.assert(sum.eq(0x100), "9 bits: the carry is the top one");
-    /// // Of signed operands the sign is kept.
+    /// // With signed operands, the sign is extended.
     /// m.assert(lit(8, 0x80).signed().add_carry(-1).eq(-129), "no overflow");
     /// # });
     /// ```
@@ -248,14 +248,14 @@ impl Signal {
         self.extend(self.width + 1, signed).binary(Binary::Add, right.extend(self.width + 1, signed))
     }
 
-    /// The product, in two's complement if both are signed; its width is the sum of the operands' widths.
+    /// The product, in two's complement if both are signed. Its width is the sum of the operands' widths.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let area = lit(8, 200).times(lit(4, 10));
     /// m.assert(area.eq(2000), "12 bits, so that no product overflows");
-    /// // `*` does the same, and takes a number too.
+    /// // `*` does the same, and also accepts a number.
     /// m.assert((lit(8, 200) * 10).eq(2000), "10 has 4 bits");
     /// # });
     /// ```
@@ -277,8 +277,8 @@ impl Signal {
         })
     }
 
-    /// Declares that another clock may sample this signal as it is, because it is stable whenever that happens. The
-    /// reason is printed in the header of the module's Verilog.
+    /// Declares that another clock may sample this signal without a synchronizer, because it is stable whenever that
+    /// happens. The header of the module's Verilog prints the reason.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -300,7 +300,7 @@ impl Signal {
     ///     }
     /// }
     ///
-    /// // Without the reason, `rgb` samples a register of another clock, which is a problem.
+    /// // Without the reason, it would be a problem that `rgb` samples a register of another clock.
     /// let design = elaborate(&Border)?;
     /// # let text = &tilewright_gen::verilog(&design)[0].text;
     /// # assert!(text.contains("// Stable      held: it is set while the screen is dark ("), "{text}");

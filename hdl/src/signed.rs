@@ -1,4 +1,4 @@
-//! Signed values: signals whose bits are read in two's complement, which do not mix with unsigned ones.
+//! Signed values: signals in two's complement, which do not mix with unsigned ones.
 
 use crate::elaboration;
 use crate::ir::{Binary, Kind, NodeId, Op, Shape};
@@ -9,12 +9,12 @@ use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
 use crate::{Bits, Width};
 
-/// What makes one kind of the other.
+/// The conversions between the two kinds.
 pub(crate) const READ_AS: &str =
     "`.signed()` reads bits in two's complement, `.code::<Enum>()` as a code, `.bits()` as a number";
 
 impl Width {
-    /// Read in two's complement: `m.reg("x", bits(12).signed())`.
+    /// A signed width, in two's complement: `m.reg("x", bits(12).signed())`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -30,15 +30,15 @@ impl Width {
 }
 
 impl Signal {
-    /// The same bits read as two's complement: `+ - *`, comparisons, `>>`, integers and what is made of it are signed then. Both sides of an
-    /// operator are, or neither.
+    /// The same bits read in two's complement. `+ - *`, comparisons, `>>` and integers are signed then, and so are
+    /// the results. Either both operands of an operator are signed or neither is.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let ones = lit(8, 0xff);
     /// m.assert(ones.gt(0), "255, ..");
-    /// m.assert(ones.signed().lt(0), ".. and read in two's complement -1");
+    /// m.assert(ones.signed().lt(0), ".. and -1 in two's complement");
     /// m.assert((ones.signed() >> 4).eq(-1), "shifted with its sign");
     /// # });
     /// ```
@@ -46,21 +46,21 @@ impl Signal {
         Signal { kind: Kind::Signed, ..self }
     }
 
-    /// The same bits as an unsigned number.
+    /// The same bits read as an unsigned number.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// let depth = lit(8, 0x80).signed();
-    /// m.assert(depth.bits().zext(12).eq(0x80), "only a number is widened by zeros");
-    /// m.assert(depth.sext(12).bits().eq(0xf80), "what is signed, by its sign");
+    /// m.assert(depth.bits().zext(12).eq(0x80), "only an unsigned number is extended with zeros");
+    /// m.assert(depth.sext(12).bits().eq(0xf80), "a signed one is extended with its sign");
     /// # });
     /// ```
     pub fn bits(self) -> Signal {
         Signal { kind: Kind::Number, ..self }
     }
 
-    /// The sign bit of a signed value: 1 for a negative one.
+    /// The sign bit of a signed value: 1 if it is negative.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -88,7 +88,7 @@ impl Signal {
         Literal::Integer(0, Radix::Any).for_signal(self, "-").binary(Binary::Sub, self)
     }
 
-    /// The signal, which stands for what `left` does, with which it meets in `operator`; if not, that is a problem.
+    /// The signal, which must have the kind of `left` in `operator`; otherwise a problem.
     #[track_caller]
     pub(crate) fn of_kind_of(self, left: Signal, operator: &str) -> Signal {
         if self.kind == left.kind {
@@ -110,7 +110,7 @@ impl Signal {
 }
 
 impl Literal {
-    /// The literal as wide as `left`, with which it meets in `operator`; a problem if it is none of what `left` stands for.
+    /// The literal as wide as `left`, for `operator`; a problem if it is not of the kind of `left`.
     #[track_caller]
     pub(crate) fn for_signal(self, left: Signal, operator: &str) -> Signal {
         let fits = match (&self, left.kind) {
@@ -134,7 +134,7 @@ impl Literal {
         })
     }
 
-    /// Its bits, cut to `width`, and whether nothing is lost.
+    /// Its bits, truncated to `width`, and whether that loses nothing.
     pub(crate) fn bits(&self, width: u32, kind: Kind) -> (Bits, bool) {
         match self {
             Literal::Exact(bits) => (bits.resize(width), bits.width() == width),
@@ -148,13 +148,13 @@ impl Literal {
         }
     }
 
-    /// The literal in `width` bits; one that does not fit is a problem.
+    /// The literal in `width` bits; a problem if it does not fit.
     #[track_caller]
     pub(crate) fn sized(self, width: u32, kind: Kind) -> Signal {
         self.sized_beside(None, width, kind)
     }
 
-    /// As [`Literal::sized`], beside what it takes its width from.
+    /// Like [`Literal::sized`], with the operand that gives the width.
     #[track_caller]
     fn sized_beside(self, left: Option<Signal>, width: u32, kind: Kind) -> Signal {
         let loc = Loc::caller();

@@ -1,5 +1,5 @@
-//! Pipelines of records: stages that are alike, with a register for each field after each of them. What a stage holds does not meet
-//! what another one does, as that is of another record.
+//! Pipelines of records: identical stages, each followed by a register for each field. Values of different stages do
+//! not mix, because they belong to different records.
 
 use crate::bits::Bits;
 use crate::bundle::Bundle;
@@ -18,8 +18,8 @@ use crate::signal::Signal;
 use crate::width::Width;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What enters a pipeline: a record, which fields of it a reset clears in each stage, and what is put before their names. A
-/// record alone is a start of which no field is cleared: see [`Module::stages`].
+/// The input of a pipeline: a record, the fields that a reset clears in each stage, and a prefix for the registers'
+/// names. A plain record is a start without cleared fields: see [`Module::stages`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -31,13 +31,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// let _ = m.stages(2, None, start, |_, sum| Sum { value: sum.value + 1, ..sum });
 /// # });
 /// assert_eq!(example.values("twice_valid2"), [0, 0, 1, 1]);
-/// assert_eq!(example.values("twice_value2"), [0, 1, 42, 42]); // not cleared: what it is before is not valid
+/// assert_eq!(example.values("twice_value2"), [0, 1, 42, 42]); // not cleared: its first values are not valid
 /// ```
 #[derive(Debug, Clone)]
 pub struct Start<B> {
     pub(crate) record: B,
     pub(crate) name: String,
-    /// For each field, in order of declaration.
+    /// For each field, in the sequence of declaration.
     cleared: Vec<bool>,
 }
 
@@ -52,7 +52,8 @@ impl<B> Start<B> {
         Start { record, name: String::new(), cleared: Vec::new() }
     }
 
-    /// Puts a name before those of the registers, where a module has two pipelines with the same fields: `depth_left1`.
+    /// Sets a prefix for the registers' names, for a module with two pipelines that have the same fields:
+    /// `depth_left1`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -83,21 +84,21 @@ pub fn cleared<B: Bundle, F: Fields<usize>>(record: B, which: impl FnOnce(B::Of<
 }
 
 impl Module {
-    /// A pipeline: `count` times `stage` of the record that comes out of the stage before, and then a register for each
-    /// field. The registers are named by the field and the stage, from `left1` on; that number is what `stage` gets. The
-    /// pipeline advances where `enable` is high; with `None` it always does.
+    /// A pipeline of `count` stages. Each stage applies `stage` to the record of the previous one and stores each
+    /// field in a register. The registers are named by field and stage, from `left1` on; `stage` gets this number.
+    /// The pipeline advances where `enable` is high, or always if `enable` is `None`.
     ///
-    /// The registers have no reset, but for the fields that the start says: `start.cleared(|race| race.valid)`, or
-    /// `|race| [race.valid, race.last]`, are 0 in all stages after a reset.
+    /// The registers have no reset, except for the fields that the start clears: `start.cleared(|race| race.valid)`,
+    /// or `|race| [race.valid, race.last]`. These are 0 in all stages after a reset.
     ///
     /// ```
     /// # use tilewright_hdl::{Block, Module, Width, bit, bits, bundle, elaborate};
     /// bundle! {
-    ///     /// The sum so far, and what is left to add up.
+    ///     /// The sum so far, and the numbers that remain.
     ///     pub struct Sum<T> { pub valid: T, pub sum: T, pub rest: T }
     /// }
     /// # bundle! {
-    /// #     /// What it adds up.
+    /// #     /// The numbers to add.
     /// #     pub struct AdderIn<T> { pub start: Sum<T> }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -119,11 +120,12 @@ impl Module {
     /// # assert_eq!(design.top().register_name(&design.top().registers[4]), "sum2");
     /// ```
     ///
-    /// What enters is of stage 0, and what stage `k` holds of stage `k`; so is what is computed of it. Values of different stages of a
-    /// pipeline do not meet in an operator, nor in what a register or a memory is given, unless they say
-    /// [`.any_stage()`](Signal::any_stage). What is of no pipeline meets all: constants, other inputs, registers made by
-    /// [`Module::reg`], which remember, and what an instance gives out of its registers. [`Module::pipe`] and synchronous reads with
-    /// the pipeline's own enable are one stage more.
+    /// The inputs belong to stage 0, the registers of stage `k` to stage `k`, and a value computed from them to the
+    /// same stage. Values of different stages of a pipeline do not mix: not in an operator, and not in an update of a
+    /// register or a memory, unless they say [`.any_stage()`](Signal::any_stage). Values outside of the pipeline mix
+    /// with all stages: constants, other inputs, registers made by [`Module::reg`], and outputs that come from
+    /// registers of an instance. [`Module::pipe`] and synchronous reads, if they have the pipeline's own enable, add
+    /// one stage.
     #[track_caller]
     pub fn stages<B: Bundle>(
         self,
@@ -134,7 +136,7 @@ impl Module {
     ) -> B {
         let loc = Loc::caller();
         let mut enable = enable.into();
-        // No closure, as it would be the caller that messages name.
+        // No closure: the message would name it as the caller.
         if let Some(enable) = &mut enable {
             *enable = condition(*enable, "stages");
         }
@@ -158,7 +160,7 @@ impl Module {
         record
     }
 
-    /// The registers of a stage, one for each field of what it makes.
+    /// The registers of a stage, one for each field of its result.
     pub(crate) fn stage_registers<V: Data>(
         self,
         pipeline: Pipeline,
@@ -169,7 +171,7 @@ impl Module {
     ) -> Vec<Reg> {
         let mut registers = Vec::new();
         next.map_fields("", &mut |path, signal| {
-            // A payload that is one signal has no name of its own.
+            // A payload that is one signal has no field name.
             let field = port_name(name, if path.is_empty() { "payload" } else { path });
             let register = self.register(&format!("{field}{number}"), Width::like(*signal), loc);
             register.give(signal.id_at(loc), loc);
@@ -181,7 +183,7 @@ impl Module {
     }
 }
 
-/// A stage of one of a module's pipelines; what enters is of stage 0.
+/// A stage of one of a module's pipelines; inputs are of stage 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Stage {
     pub pipeline: u32,
@@ -191,13 +193,13 @@ pub(crate) struct Stage {
 /// The pipelines of a module under construction.
 #[derive(Default)]
 pub(crate) struct Pipelines {
-    /// What lets each advance.
+    /// The enable of each.
     pub enables: Vec<Option<NodeId>>,
-    /// What enters a pipeline, and what a stage holds.
+    /// The inputs of a pipeline and the registers of its stages.
     pub held: BTreeMap<NodeId, Vec<Stage>>,
     /// Registers that [`Module::pipe`] made.
     pub delays: BTreeSet<NodeId>,
-    /// What meets values of any stage.
+    /// Values that mix with any stage.
     pub any_stage: BTreeSet<NodeId>,
 }
 
@@ -229,15 +231,15 @@ impl Pipeline {
 }
 
 impl Signal {
-    /// The same value, which may meet those of any stage of its pipeline: see [`Module::stages`]. For what one record is to learn of
-    /// another that entered the pipeline earlier or later, as where a result is forwarded.
+    /// The same value, freed from the pipeline check: it may meet values of any stage (see [`Module::stages`]). Use
+    /// it where one record needs another that entered the pipeline earlier or later, as in forwarding.
     ///
     /// ```
     /// # use tilewright_hdl::{Block, Module, Width, bits, bundle, elaborate};
     /// # bundle! {
     /// #     /// A sample.
     /// #     pub struct Sample<T> { pub x: T }
-    /// #     /// How much more it is than the one before.
+    /// #     /// The difference to the previous sample.
     /// #     pub struct Change<T> { pub rise: T }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! Pipelines between streams: each stage holds what it has while the next one is full.
+//! Pipelines between streams, whose stages wait while the next one is full.
 
 use crate::data::Data;
 use crate::integers::Integer;
@@ -17,19 +17,20 @@ impl<P: Data> From<Stream<P>> for Start<Stream<P>> {
 }
 
 impl Module {
-    /// A pipeline between streams: `count` times `stage` of the payload that comes out of the stage before, and then a register for each
-    /// field of it, beside one that says whether the stage is full. As in [`Module::stages`], registers are named by the field and the
-    /// stage, as `full1` and `left1`, with what [`Start::called`] says before that, and payloads of different stages do not meet. (`valid` may: by
-    /// it stages agree with each other, and a description sees whether anything is under way.)
+    /// A pipeline of `count` stages between streams. Each stage applies `stage` to the payload of the previous one
+    /// and stores each field in a register, beside a register that says whether the stage is full. As in
+    /// [`Module::stages`], registers are named by field and stage, as `full1` and `left1`, after the prefix of
+    /// [`Start::called`]. Payloads of different stages do not mix. (`valid` signals may: the stages use them to agree
+    /// with each other, and a description can read whether anything is under way.)
     ///
     /// ```text
     /// stream ===> stage 1 ==>[ 1 ]===> stage 2 ==>[ 2 ]===> ..
     ///   ready <-- !full1 | <---------- !full2 | <---------- ready
     /// ```
     ///
-    /// Latency `count` clocks, a payload a clock. A stage moves on where the next one is empty or moves on itself, so that bubbles close while the
-    /// receiver waits, and all stages fill. `valid` and the payload come from registers; `ready` passes through all stages within the clock,
-    /// which a register slice in front cuts.
+    /// The latency is `count` clocks at one payload a clock. A stage advances where the next one is empty or advances
+    /// too. So bubbles close while the receiver waits, and all stages can fill. `valid` and the payload come from
+    /// registers. `ready` passes through all stages within the clock; a register slice in front cuts that path.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -38,9 +39,9 @@ impl Module {
     ///     pub struct Sum<T> { pub x: T, pub y: T, pub sum: T }
     /// }
     /// # bundle! {
-    /// #     /// What comes in.
+    /// #     /// The stream that comes in.
     /// #     pub struct NormIn<T> { pub points: Stream<Sum<T>, T> }
-    /// #     /// What goes out.
+    /// #     /// The stream that goes out.
     /// #     pub struct NormOut<T> { pub norms: Stream<T, T> }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! What a parent needs to know of a finished module: which inputs and clocks each output depends on within a cycle.
+//! A finished module's summary for its parents: the inputs and clocks that each output depends on within a cycle.
 
 use crate::circuit::Circuit;
 use crate::draft::Draft;
@@ -6,28 +6,28 @@ use crate::graph::{Edges, Sets, components};
 use crate::ir::{Module, NodeId, Op};
 use std::collections::BTreeSet;
 
-/// For each output of a module, what it depends on without a register between; and what its inputs feed.
+/// For each output of a module, its dependencies that pass no register; and the synchronizers that its inputs feed.
 pub(crate) struct Summary {
     pub outputs: Vec<Dependence>,
     /// Indices of input ports that are wired to a synchronizer, with its name.
     pub synchronized: Vec<(u32, String)>,
-    /// The input ports whose declaration is faulty, and the outputs that follow a problem: both by their nodes.
+    /// The input ports whose declaration is faulty, and the outputs that follow from a problem: both by their nodes.
     pub faulty: BTreeSet<NodeId>,
 }
 
 pub(crate) struct Dependence {
     /// Indices of input ports.
     pub inputs: Vec<u32>,
-    /// Those of them whose clocks show: no quasi-static signal hides them.
+    /// Those whose clocks are visible, not hidden by a quasi-static signal.
     pub timed_inputs: Vec<u32>,
     /// Indices of clocks whose registers or memories it reads.
     pub clocks: Vec<u32>,
-    /// Whether it comes without logic, as [`wired_inputs`] says.
+    /// Whether it comes without logic, as defined by [`wired_inputs`].
     pub wired: bool,
 }
 
 impl Dependence {
-    /// As if the output were quasi-static.
+    /// Treats the output as quasi-static.
     pub fn hide_clocks(&mut self) {
         self.timed_inputs.clear();
         self.clocks.clear();
@@ -35,7 +35,7 @@ impl Dependence {
 }
 
 impl Summary {
-    /// Of a module that is not sound, of which nothing more is to be reported.
+    /// The summary of an unsound module, about which nothing more is reported.
     pub fn unknown(outputs: usize) -> Summary {
         let nothing = || Dependence { inputs: vec![], timed_inputs: vec![], clocks: vec![], wired: true };
         Summary {
@@ -46,12 +46,12 @@ impl Summary {
     }
 }
 
-/// The combinational edges of a module, from a node to those it is computed from.
+/// The combinational edges of a module, from a node to the nodes that it is computed from.
 pub(crate) fn combinational_edges(circuit: &impl Circuit, summaries: &[Summary]) -> Edges {
     Edges::new(circuit.nodes().len(), |node, push| operands(circuit, summaries, NodeId(node), &mut |id| push(id.0)))
 }
 
-/// Every node that `id` is computed from in the same cycle, through instances and asynchronous reads too.
+/// Visits every node that `id` is computed from in the same cycle, through instances and asynchronous reads too.
 pub(crate) fn operands(circuit: &impl Circuit, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
     let op = &circuit.node(id).op;
     match op {
@@ -70,7 +70,8 @@ pub(crate) fn operands(circuit: &impl Circuit, summaries: &[Summary], id: NodeId
     }
 }
 
-/// The operands whose clocks show in `id`: a quasi-static signal, here or in a child, hides what is behind it.
+/// The operands whose clocks are visible in `id`: a quasi-static signal, here or in a child, hides the clocks behind
+/// it.
 fn timed_operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut dyn FnMut(NodeId)) {
     match &draft.node(id).op {
         Op::QuasiStatic(..) => {}
@@ -83,8 +84,8 @@ fn timed_operands(draft: &Draft, summaries: &[Summary], id: NodeId, visit: &mut 
     }
 }
 
-/// The input ports that a node is wired to, if it is [wired](is_wired) to ports, state and constants: then it changes at most once
-/// a clock. None if there is logic, which glitches. A quasi-static signal is what its author declares it to be.
+/// The input ports that a node is wired to, if it is [wired](is_wired) to ports, state and constants; such a node
+/// changes at most once a clock. `None` if there is logic, which glitches. A quasi-static signal is trusted.
 pub(crate) fn wired_inputs(draft: &Draft, summaries: &[Summary], id: NodeId) -> Option<Vec<u32>> {
     let (mut seen, mut behind, mut inputs) = (BTreeSet::new(), vec![id], Vec::new());
     while let Some(id) = behind.pop() {
@@ -102,7 +103,7 @@ pub(crate) fn wired_inputs(draft: &Draft, summaries: &[Summary], id: NodeId) -> 
     Some(inputs)
 }
 
-/// Whether a node is no logic: a port, state, a constant, or wires and at most an inverter of what it is given.
+/// Whether a node has no logic: a port, state, a constant, or wires with at most an inverter.
 fn is_wired(draft: &Draft, summaries: &[Summary], id: NodeId) -> bool {
     match &draft.node(id).op {
         Op::Read(memory, port) => draft.memories[memory.0 as usize].memory.reads[*port as usize].clock.is_some(),
@@ -115,7 +116,7 @@ fn is_wired(draft: &Draft, summaries: &[Summary], id: NodeId) -> bool {
     }
 }
 
-/// For each node whether it comes without logic, as [`wired_inputs`] says.
+/// For each node, whether it comes without logic, as defined by [`wired_inputs`].
 fn wired(draft: &Draft, summaries: &[Summary], edges: &Edges) -> Vec<bool> {
     let mut wired = vec![true; draft.nodes.len()];
     components(edges, |component| {
@@ -134,15 +135,15 @@ fn timed_edges(draft: &Draft, summaries: &[Summary]) -> Edges {
     Edges::new(draft.nodes.len(), |node, push| timed_operands(draft, summaries, NodeId(node), &mut |id| push(id.0)))
 }
 
-/// Where the clocks of input ports count as theirs: inside the module they do, for a parent they do not, as it knows
-/// what it feeds them.
+/// Whether the clocks of input ports count as clocks of the value. Inside the module they do; for a parent they do
+/// not, because it knows the drivers.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum View {
     Inside,
     Outside,
 }
 
-/// The clocks whose state each node depends on within a cycle; a quasi-static signal hides what is behind it.
+/// The clocks whose state each node depends on within a cycle; a quasi-static signal hides the clocks behind it.
 pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Sets {
     let mut sets = Sets::new(draft.nodes.len(), draft.clocks.len());
     for (i, node) in draft.nodes.iter().enumerate() {
@@ -169,12 +170,12 @@ pub(crate) fn clock_sets(draft: &Draft, summaries: &[Summary], view: View) -> Se
     sets
 }
 
-/// The inputs whose clocks show in each node.
+/// The inputs whose clocks are visible in each node.
 pub(crate) fn timed_input_sets(draft: &Draft, summaries: &[Summary]) -> Sets {
     input_sets(draft, &timed_edges(draft, summaries))
 }
 
-/// The inputs that each node depends on by these edges.
+/// The inputs that each node depends on through these edges.
 fn input_sets(circuit: &impl Circuit, edges: &Edges) -> Sets {
     let mut inputs = Sets::new(circuit.nodes().len(), circuit.inputs().len());
     circuit.inputs().iter().enumerate().for_each(|(i, input)| inputs.insert(input.node.0, i));
@@ -182,7 +183,7 @@ fn input_sets(circuit: &impl Circuit, edges: &Edges) -> Sets {
     inputs
 }
 
-/// As much of a finished module's summary as its parents' loops depend on.
+/// The part of a finished module's summary that the check for loops in its parents needs.
 pub(crate) fn of_loops(module: &Module, summaries: &[Summary], outputs: &[NodeId]) -> Summary {
     let sets = input_sets(module, &combinational_edges(module, summaries));
     let mut summary = Summary::unknown(outputs.len());
@@ -192,7 +193,7 @@ pub(crate) fn of_loops(module: &Module, summaries: &[Summary], outputs: &[NodeId
     summary
 }
 
-/// The summary of a draft whose clocks are numbered as in the finished module by `renumber`.
+/// The summary of a draft; `renumber` maps its clocks to those of the finished module.
 pub(crate) fn summarize(draft: &Draft, summaries: &[Summary], outputs: &[NodeId], renumber: &[Option<u32>]) -> Summary {
     let edges = combinational_edges(draft, summaries);
     let inputs = input_sets(draft, &edges);

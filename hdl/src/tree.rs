@@ -1,4 +1,4 @@
-//! Trees: all lanes of a row combined two by two, in as many levels as the logarithm of their number.
+//! Trees: all lanes of a row combined in pairs, with logarithmic depth.
 
 use crate::elaboration;
 use crate::fields::Fields;
@@ -9,8 +9,8 @@ use crate::problem::Problem;
 use crate::record::from_leaves;
 use crate::signal::Signal;
 
-/// All lanes of a row, or of a record of rows, combined by a function that is associative, as the nearest of many is: neighbours first, lower
-/// lanes on the left. Combinational.
+/// Combines all lanes of a row, or of a record of rows, by an associative function, such as the nearest of two.
+/// Neighbours are combined first, with the lower lane on the left. Combinational.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -32,8 +32,9 @@ pub fn tree<B: Fields<Signal, With<Signal> = B> + Clone>(lanes: B, combine: impl
 }
 
 impl Module {
-    /// As [`tree`], with a register behind each level, named after it: `name1` behind the first. The result is as many clocks late as the number
-    /// of levels, which is that of the bits of [`below`](crate::below)`(lanes)`; none for a single lane.
+    /// Like [`tree`], with a register after each level, named by its level: `name1` after the first. The latency in
+    /// clocks is the number of levels, which is the width of [`below`](crate::below)`(lanes)`, or 0 for a single
+    /// lane.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -41,7 +42,7 @@ impl Module {
     /// let lanes = lit(5, 0b10111).unpack(5).zext(3);
     /// def!(hits = m.tree_of_stages("level", lanes, |a: Signal, b| a + b));
     /// # });
-    /// // Three levels, so the sum of five lanes is there after three clocks.
+    /// // Three levels: the sum of five lanes appears after three clocks.
     /// assert_eq!(example.values("hits"), [0, 0, 0, 4, 4]);
     /// ```
     #[track_caller]
@@ -60,7 +61,8 @@ impl Module {
     }
 }
 
-/// The record, if all of it are rows of as many lanes; if not, that is a problem, and rows of one lane stand in.
+/// The record, if all its fields are rows with equal numbers of lanes. If not, that is a problem, and rows of one
+/// lane stand in.
 #[track_caller]
 fn rows<B: Fields<Signal, With<Signal> = B>>(lanes: B) -> B {
     let loc = Loc::caller();
@@ -72,8 +74,10 @@ fn rows<B: Fields<Signal, With<Signal> = B>>(lanes: B) -> B {
     let nodes: Vec<_> = leaves.iter().map(|(_, signal)| signal.id_at(loc)).collect();
     elaboration::with(|e| {
         let text = e.draft().describe(odd.node);
-        let problem =
-            Problem::new(loc, format!("a tree needs rows, all of as many lanes, but `{text}` has {}", odd.shape()));
+        let problem = Problem::new(
+            loc,
+            format!("a tree needs rows with equal numbers of lanes, but `{text}` has {}", odd.shape()),
+        );
         e.report_instead_of(&nodes, problem.help("a grid is combined by `.rows()` and `.columns()`, one after the other, and their `sum()`, `minimum()` and so on"));
     });
     lanes.map(|signal| elaboration::with(|e| Signal::zero_in(e, signal.width, Shape::Row(1), signal.kind, loc)))
@@ -83,7 +87,7 @@ fn lanes_of<B: Fields<Signal>>(level: &B) -> u32 {
     level.leaves().first().map_or(1, |(_, signal)| signal.shape().lanes())
 }
 
-/// Neighbours combined; where their number is odd, the last one is left as it is.
+/// Pairs of neighbours combined; the last of an odd number passes unchanged.
 #[track_caller]
 fn paired<B: Fields<Signal, With<Signal> = B> + Clone>(level: &B, combine: &impl Fn(B, B) -> B) -> B {
     let lanes = lanes_of(level);

@@ -1,29 +1,29 @@
-//! Whether bundles of one type are of one shape: a `Vec` in them may be longer in one than in the other.
+//! Compares the shapes of bundles of one type: a `Vec` may be longer in one than in the other.
 
 use crate::bundle::join;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// A list that has another length than it needs.
+/// A list of the wrong length.
 #[doc(hidden)]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Uneven {
     /// Its path in the bundle.
     pub list: String,
-    /// How many elements it has.
+    /// Its number of elements.
     pub has: usize,
-    /// How many it needs.
+    /// The required number of elements.
     pub needs: usize,
 }
 
-/// The list's name with a space before it; nothing for one that has none.
+/// The list's name after a space; nothing for a list without a name.
 impl fmt::Display for Uneven {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         if self.list.is_empty() { Ok(()) } else { write!(f, " `{}`", self.list) }
     }
 }
 
-/// Finds a list in the leaves of a bundle that is longer or shorter than in those of another bundle of the same type.
+/// Finds a list in the leaves of a bundle that is longer or shorter than in another bundle of the same type.
 #[doc(hidden)]
 pub fn uneven<T, U>(has: &[(String, T)], needs: &[(String, U)]) -> Option<Uneven> {
     let paths = |path: &(String, T)| path.0.clone();
@@ -41,7 +41,7 @@ pub fn uneven<T, U>(has: &[(String, T)], needs: &[(String, U)]) -> Option<Uneven
         (None, Some(missing)) => (missing, &known),
         (None, None) => return None,
     };
-    // The element that the others do not have at all; only elements of lists are called by numbers.
+    // The element that is missing in the other; only list elements have numbers as names.
     let ends = path.match_indices('.').map(|(at, _)| at).chain([path.len()]);
     let elements = ends.map(|end| path[..end].rsplit_once('.').unwrap_or(("", &path[..end])));
     let mut lists = elements.filter(|(_, name)| name.starts_with(|c: char| c.is_ascii_digit()));
@@ -55,7 +55,7 @@ pub fn uneven<T, U>(has: &[(String, T)], needs: &[(String, U)]) -> Option<Uneven
     Some(Uneven { list: list.to_owned(), has: length(&known), needs: length(&needed) })
 }
 
-/// Whether `path` is `part` of a bundle, or something in it.
+/// Whether `path` is `part` of a bundle, or something within it.
 fn is_in(path: &str, part: &str) -> bool {
     path.strip_prefix(part).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }

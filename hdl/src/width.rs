@@ -7,13 +7,13 @@ use crate::loc::Loc;
 use crate::shaping::IntoShape;
 use crate::signal::Signal;
 
-/// The width of an input port, where it was written down, and the clock it is synchronous to if that is not the
-/// block's own. In a block with several named clocks and none of its own, an input that a register or memory samples must
-/// name its clock; with a single named clock, it is on that one.
+/// The width of an input port, with the place of its declaration and, if it is not the block's own, the clock to
+/// which it is synchronous. In a block with several named clocks and none of its own, an input that a register or
+/// memory samples must name its clock. With a single named clock, it is on that one.
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// // What is unlike in two ports: how many bits, how many lanes, how they are read.
+/// // The differences between two ports: bits, lanes, and signedness.
 /// let widths = [bit(), bits(24), below(12), bits(8).signed(), bits(8).of(row(4))];
 /// assert_eq!(widths.map(Width::bits), [1, 24, 4, 8, 8]);
 /// ```
@@ -53,7 +53,7 @@ impl Width {
         Width { clock: Some(clock), ..self }
     }
 
-    /// So much in each lane: `bits(8).of(row(4))`.
+    /// The same width in each lane: `bits(8).of(row(4))`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +65,7 @@ impl Width {
         Width { shape: shape.into_shape(), ..self }
     }
 
-    /// That of a signal.
+    /// The width of a signal.
     #[track_caller]
     pub(crate) fn like(signal: Signal) -> Width {
         Width { shape: signal.shape, kind: signal.kind, ..bits(signal.width) }
@@ -81,7 +81,7 @@ impl Width {
         self.bits
     }
 
-    /// How many lanes it has, and how they are laid out.
+    /// The number and layout of its lanes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -93,7 +93,7 @@ impl Width {
     }
 }
 
-/// A port of `width` bits. What no width can be is a problem of what is declared with it.
+/// A port of `width` bits. An invalid width is reported by the object declared with it.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -123,7 +123,7 @@ pub fn bit() -> Width {
     bits(1)
 }
 
-/// As wide as an index into `count` things: it holds every number below `count`. At least 1 bit.
+/// The width of an index into `count` things: wide enough for every number below `count`. At least 1 bit.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -133,29 +133,29 @@ pub fn bit() -> Width {
 ///
 /// # Panics
 ///
-/// The number is negative. While a block is built, that is a problem of its description.
+/// The number is negative. While a block is built, this is a problem of its description instead.
 #[track_caller]
 pub fn below(count: impl Integer) -> Width {
     bits(width_below(not_negative(count)))
 }
 
-/// Wide enough for every number from 0 to `most`, with that one: 3 bits for `up_to(4)`, where `below(4)` has 2.
+/// Wide enough for every number from 0 to `most` inclusive: `up_to(4)` has 3 bits, `below(4)` has 2.
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// // A counter of how many of 16 places are taken has 17 values.
+/// // A count of taken places, 0 to 16, has 17 values.
 /// assert_eq!((up_to(16).bits(), up_to(15).bits()), (5, 4));
 /// ```
 ///
 /// # Panics
 ///
-/// The number is negative. While a block is built, that is a problem of its description.
+/// The number is negative. While a block is built, this is a problem of its description instead.
 #[track_caller]
 pub fn up_to(most: impl Integer) -> Width {
     bits(width_below(not_negative(most) + 1))
 }
 
-/// How wide something is: a number of bits, or what [`bits`], [`below`] and [`up_to`] give.
+/// A width: a number of bits, or the result of [`bits`], [`below`] or [`up_to`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -167,7 +167,7 @@ pub fn up_to(most: impl Integer) -> Width {
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a `{Self}` is no width",
+    message = "a `{Self}` is not a width",
     note = "a width is a number of bits, or `bit()`, `below(n)` or `up_to(n)`; a record of a `bundle!` has one in \
             each field"
 )]
@@ -184,7 +184,7 @@ impl IntoWidth for Width {
 
 macro_rules! widths {
     ($($ty:ty)*) => {$(
-        /// So many bits. What no width can be is a problem of what is declared with it.
+        /// A number of bits. An invalid width is reported by the object declared with it.
         impl IntoWidth for $ty {
             #[track_caller]
             fn into_width(self) -> Width {
@@ -195,13 +195,13 @@ macro_rules! widths {
 }
 for_integers!(widths);
 
-/// The number of bits that hold every number below `count`: the width of an index into `count` things, at least 1.
+/// The width of an index into `count` things, enough for every number below `count`; at least 1.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// const PAGE: u32 = index_width(12);
 /// assert_eq!(PAGE, 4);
-/// // One thing needs no index, but nothing has 0 bits.
+/// // One thing needs no index, but no signal has 0 bits.
 /// assert_eq!((index_width(1), index_width(2), index_width(3)), (1, 1, 2));
 /// ```
 pub const fn index_width(count: u64) -> u32 {

@@ -1,4 +1,4 @@
-//! Forward wires: a net that is read before its driver is described, as a ready signal is.
+//! Forward wires: nets that are read before their driver is described, as a ready signal is.
 
 use crate::compare::compared_as_signal;
 use crate::elaboration;
@@ -9,7 +9,8 @@ use crate::problem::Problem;
 use crate::signal::Signal;
 use std::ops::Deref;
 
-/// A net, or a record of nets, declared before its driver. It reads as its value; [`drive`](Wire::drive) must be called exactly once.
+/// A net, or a record of nets, declared before its driver. It reads as its value; call [`drive`](Wire::drive) exactly
+/// once.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -41,7 +42,7 @@ compared_as_signal!(Wire);
 reads_as_signal!(Wire);
 
 impl Wire {
-    /// Says what drives the wire.
+    /// Drives the wire.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -62,8 +63,8 @@ impl Wire {
     }
 }
 
-/// Whether what reads as `signal` and is given `driver` belongs to the module under construction: in another its index
-/// means nothing. If not, that is a problem.
+/// Whether the wire, read as `signal`, and its `driver` belong to the module under construction; an index means
+/// nothing in another module. If not, that is a problem.
 pub(crate) fn is_here(signal: Signal, driver: NodeId, loc: Loc) -> bool {
     let _ = signal.id_at(loc);
     elaboration::draft(|draft| {
@@ -75,10 +76,10 @@ pub(crate) fn is_here(signal: Signal, driver: NodeId, loc: Loc) -> bool {
     })
 }
 
-/// What to do with two drivers.
+/// The remedy for two drivers.
 pub(crate) const CHOOSE: &str = "choose between the two with `mux` or `select`";
 
-/// A problem if `before` holds an earlier driver of `node`.
+/// A problem if `before` has an earlier driver of `node`.
 pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, help: &str, loc: Loc) {
     let Some((lost, first)) = before else { return };
     elaboration::with(|e| {

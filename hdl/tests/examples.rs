@@ -1,4 +1,4 @@
-//! The examples hold what they assert.
+//! The examples satisfy their own assertions.
 
 #[path = "../examples/counter.rs"]
 mod counter;
@@ -50,7 +50,7 @@ fn the_processor_runs() {
     assert_eq!([10, 13, 14].map(|number| left.registers[number]), [385, 0xffff_ff81, 0x81]);
 }
 
-/// Stores and loads words, halves and bytes at addresses that are no multiples of their size, and branches.
+/// Stores and loads words, halves and bytes at unaligned addresses, and branches.
 #[rustfmt::skip]
 const MISALIGNED: [u32; 25] = [
     0x1234_50b7, // lui  x1, 0x12345
@@ -108,7 +108,7 @@ fn the_processor_runs_a_binary_to_its_stop_address() {
         15,
     ];
     assert_eq!(left.registers[..15], expected);
-    // 19 to the loop, 5 times 3 in it, and a branch over an instruction.
+    // 19 instructions before the loop, 5 times 3 in it, and a branch over an instruction.
     assert_eq!((left.instructions, run(&["96", "35"]).unwrap().instructions), (35, 35));
     let refused = |more: &[&str]| run(more).err().unwrap();
     assert!(refused(&["0x60", "34"]).starts_with("it does not come to 0x60 in 34 instructions: correct the address"));

@@ -18,7 +18,7 @@ fn registers_and_wires_have_integers_on_their_left() {
     });
 }
 
-/// Each place for a number, with a 3 of that type.
+/// Each place for a number, with a 3 of this type.
 fn places<N: Integer + Leaf>(m: Module, three: N, name: &str) {
     let word = lit(8, 0b0001_1010);
     m.assert(word.bit(three) & word.part(three, 2).eq(0b11), "a bit");

@@ -1,4 +1,4 @@
-//! What a value keeps of the one that it is made of: its lanes, and whether it is signed.
+//! The properties that a derived value keeps from its operand: its lanes, and whether it is signed.
 
 use tilewright_hdl::*;
 use tilewright_sim::traced;
@@ -16,7 +16,7 @@ fn looks_back(m: Module, signed_first: bool) {
     m.assert(!m.stable(level.signed()), "it counts");
 }
 
-/// A past value stands for what its own operand does, whoever asked first for that of the same bits.
+/// A past value has the kind of its own operand, even if an equal one with another kind came first.
 #[test]
 fn a_past_is_signed_where_what_it_is_of_is() {
     for example in [traced(|m| looks_back(m, false)), traced(|m| looks_back(m, true))] {
@@ -39,7 +39,7 @@ fn a_shift_keeps_the_lanes_also_where_nothing_is_left() {
     });
 }
 
-/// What is put together of bits is bits, also where nothing moves.
+/// A concatenation of bits is an unsigned number, even if nothing moves.
 #[test]
 fn a_rotation_a_repetition_and_a_concatenation_are_numbers_by_any_amount() {
     let _ = traced(|m| {

@@ -53,7 +53,8 @@ fn registers_on_every_path_are_counted() {
     is(|_, i| [i.a + i.b, lit(1, 0)], "0 clocks");
     is(|m, i| [m.pipe("first", i.a), m.pipe("second", i.b)], "1 clock");
     is(|m, i| [m.stages(3, i.go, In { a: i.a + 1, ..i }, |_, now| now).a, lit(1, 0)], "3 clocks with `go`");
-    // An enable is on no path; a register that keeps what it holds under one condition is enabled by it.
+    // An enable is not on a path; a register that keeps its value unless one condition is true is enabled by that
+    // condition.
     is(
         |m, i| {
             let x = m.reg("held", 8);
@@ -62,7 +63,7 @@ fn registers_on_every_path_are_counted() {
         },
         "2 clocks with `go`",
     );
-    // Constants and what no input reaches come at any time.
+    // Constants, and values that no input reaches, have any latency.
     is(
         |m, i| {
             let count = m.reg("count", 8).reset(0);
@@ -97,7 +98,7 @@ fn what_has_no_single_latency_has_none() {
     is_none(|m, i| [m.pipe_when(i.go, "first", i.a), m.pipe_when(i.hold, "second", i.b)]);
     is_none(|m, i| [m.pipe("second", m.pipe_when(i.go, "first", i.a)), lit(1, 0)]);
     is_none(|m, i| [m.pipe_when(!i.hold, "first", i.a), lit(1, 0)]);
-    // A counter remembers how often it was enabled.
+    // A counter accumulates the number of its enabled clocks.
     is_none(|m, i| {
         let count = m.reg("count", 8).reset(0);
         count.enable(i.go).next(count + 1);
@@ -119,7 +120,7 @@ bundle! {
     struct Linked<T> { later: T }
 }
 
-/// Two clocks where `go` is high.
+/// Two clocks in which `go` is high.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Delay;
 
@@ -150,7 +151,7 @@ fn instances_count_with_what_is_in_them() {
     is_none(|m, i| [m.instance("u_delay", &Delay, Link { go: i.go, x: i.a }).later + i.a, lit(1, 0)]);
 }
 
-/// A delay of two clocks that states another.
+/// A delay of two clocks that states another latency.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Stated(&'static str, bool);
 
@@ -188,10 +189,10 @@ fn a_number_that_is_stated_is_the_one_counted() {
     elaborate(&Stated("3 clocks", false)).unwrap(); // words, where none is counted
     let several = text(Stated("2", false));
     assert!(
-        several.starts_with("`Stated` states a latency of 2, but has no single one\n  --> hdl/tests/latency.rs:"),
+        several.starts_with("`Stated` states a latency of 2, but has no single latency\n  --> hdl/tests/latency.rs:"),
         "{several}"
     );
     assert!(several.ends_with(
-        "a latency that is one number is counted, and needs no statement; where it is not one, words say what it is"
+        "a latency that is a single number is counted and need not be stated; otherwise, describe it in words"
     ));
 }

@@ -1,4 +1,4 @@
-//! The language: what descriptions mean, and what is said of those that are wrong.
+//! The language: the meaning of descriptions, and the messages for wrong ones.
 
 mod blocks;
 mod examples;

@@ -1,10 +1,10 @@
-//! What rustc says where a description does not compile: each message names what to write.
+//! rustc's messages for descriptions that do not compile: each names the remedy.
 
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::SystemTime;
 
-/// A description with mistakes that no library can report, as it does not compile.
+/// A description with mistakes that no library can report, because it does not compile.
 const WRONG: &str = r"
 use tilewright_hdl::*;
 bundle! { pub struct Pair<T> { pub x: T, pub y: T } }
@@ -33,24 +33,24 @@ pub fn build(m: Module, a: Signal, pair: Pair) {
 fn of_a_record<B: Bundle>(_: B) {}
 const TEXT: &str = stringify!(words);
 ";
-const NOT_COMPARED: &str = "signals are not compared by `==`, `<` and their like, which give a `bool`";
+const NOT_COMPARED: &str = "signals cannot be compared by `==`, `<` and their like, which return a `bool`";
 
 #[test]
 fn rustc_says_what_to_write() {
     let said = compile(WRONG);
     for (line, message, remedy) in [
-        ("words.write(1, a, a);", "a `{integer}` is no signal", "that always holds is `lit(1, 1)`"),
+        ("words.write(1, a, a);", "a `{integer}` is not a signal", "that is always true is `lit(1, 1)`"),
         ("let _ = a[3];", "a signal is not indexed by `[..]`", "one bit is `.bit(3)`"),
         ("let _ = a[0..4];", "a signal is not indexed by `[..]`", "bits 0 to 3 are `.slice(0..4)`"),
         ("let _ = a * 2.5;", "a `{float}` is neither a signal nor a number", "an integer"),
-        ("let _ = a + pair;", "a `Pair` is neither a signal nor a number", "of a record, name a field"),
-        ("mux(true, a, a);", "a `bool` is no signal", "that always holds is `lit(1, 1)`"),
+        ("let _ = a + pair;", "a `Pair` is neither a signal nor a number", "for a record, name a field"),
+        ("mux(true, a, a);", "a `bool` is not a signal", "that is always true is `lit(1, 1)`"),
         ("let _ = a == pair.x;", NOT_COMPARED, "is `a.eq(b)`"),
         ("let _ = *count != 3;", NOT_COMPARED, "`a.ne(b)`"),
         ("let _ = count == 3;", NOT_COMPARED, "is `a.eq(b)`"),
         ("let _ = a < count;", NOT_COMPARED, "`a.lt(b)`"),
         ("assert!(pair.y >= 1);", NOT_COMPARED, "`a.ge(b)`"),
-        ("m.reg(TEXT, a);", "`tilewright_hdl::Signal` is no width", "a width is a number of bits"),
+        ("m.reg(TEXT, a);", "`tilewright_hdl::Signal` is not a width", "a width is a number of bits"),
         (
             "m.reg(TEXT, pair.clone());",
             "nothing can be declared with a `Pair`",
@@ -58,13 +58,13 @@ fn rustc_says_what_to_write() {
         ),
         (
             "pair.clone(), a);",
-            "`tilewright_hdl::Signal` cannot be given where a `Pair` is wanted",
+            "`tilewright_hdl::Signal` cannot be given where a `Pair` is expected",
             "a record is given a",
         ),
-        ("of_a_record(a);", "`tilewright_hdl::Signal` is no record of signals", "is a struct that `bundle!` makes"),
+        ("of_a_record(a);", "`tilewright_hdl::Signal` is not a record of signals", "is a struct that `bundle!` makes"),
         ("bits(8).of(2.5);", "`{float}` does not say how many lanes there are", "`row(n)`, or `grid(rows, columns)`"),
-        ("lit(8, 2.5);", "a `{float}` is no integer", "known while the block is built"),
-        ("a.bit(a);", "a `tilewright_hdl::Signal` is no integer", "known while the block is built"),
+        ("lit(8, 2.5);", "a `{float}` is not an integer", "known while the block is built"),
+        ("a.bit(a);", "a `tilewright_hdl::Signal` is not an integer", "known while the block is built"),
     ] {
         let found =
             said.split("\n\n").any(|error| error.contains(message) && error.contains(remedy) && error.contains(line));
@@ -72,7 +72,7 @@ fn rustc_says_what_to_write() {
     }
 }
 
-/// The same without the mistakes compiles, so that nothing else is wrong with it.
+/// Without the mistakes it compiles, so nothing else is wrong with it.
 #[test]
 fn what_it_names_compiles() {
     let right = WRONG
@@ -97,7 +97,7 @@ fn what_it_names_compiles() {
     assert_eq!(compile(&right), "");
 }
 
-/// A test with a process where a group of them is wanted.
+/// A test with a process where a group is expected.
 const NO_GROUP: &str = r"
 use tilewright_sim::Testbench;
 pub fn test(t: Testbench) {
@@ -108,17 +108,17 @@ pub fn test(t: Testbench) {
 #[test]
 fn rustc_says_how_processes_are_run() {
     let said = compile(NO_GROUP);
-    assert!(said.contains("is no group of processes") && said.contains("t.run(t.wait(3));"), "{said}");
-    assert!(said.contains("and one alone is `(process,)`"), "{said}");
+    assert!(said.contains("is not a group of processes") && said.contains("t.run(t.wait(3));"), "{said}");
+    assert!(said.contains("and a single one is `(process,)`"), "{said}");
     assert_eq!(compile(&NO_GROUP.replace("(t.wait(3))", "((t.wait(3),))")), "");
 }
 
-/// What rustc says of a crate with this text.
+/// rustc's output for a crate with this text.
 fn compile(text: &str) -> String {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("wrong.rs");
     std::fs::write(&source, text).unwrap();
-    // The tests of this crate stand beside the library that they are linked with.
+    // The tests of this crate are in the directory of the library that they are linked with.
     let beside: PathBuf = std::env::current_exe().unwrap().parent().unwrap().to_owned();
     let rustc = std::env::var_os("RUSTC").unwrap_or("rustc".into());
     let output = Command::new(rustc)
@@ -137,7 +137,7 @@ fn compile(text: &str) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// The newest of the libraries of that name that were built for tests.
+/// The newest library of this name that was built for tests.
 fn library(name: &str, beside: &std::path::Path) -> PathBuf {
     let files = std::fs::read_dir(beside).unwrap().map(|entry| entry.unwrap().path());
     let is_library = |path: &PathBuf| {

@@ -1,4 +1,4 @@
-//! Descriptions of a size that would show anything worse than linear.
+//! Descriptions of a size that reveals superlinear cost.
 
 use std::time::{Duration, Instant};
 use tilewright_hdl::*;
@@ -101,7 +101,7 @@ fn a_block_that_twice_holds_its_next_smaller_self_is_built_once_a_size() {
     assert_eq!((BUILT.get(), design.modules().len()), (31, 31));
 }
 
-/// So long takes none of what follows, be the machine as busy as it likes; with a cost that is a square each takes minutes.
+/// A limit that no test reaches on any busy machine; with quadratic cost, each would take minutes.
 const LONG: Duration = Duration::from_secs(60);
 
 #[track_caller]

@@ -13,7 +13,7 @@ fn job() -> Job<Width> {
     Job { page: bits(4), last: bit() }
 }
 
-/// Holds one job.
+/// Stores one job.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Delay;
 
@@ -36,7 +36,7 @@ impl Block for Delay {
     }
 }
 
-/// Some of them, one after another.
+/// Several delays in sequence.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Chain {
     length: u32,
@@ -185,7 +185,7 @@ fn lanes_have_streams_of_their_own() {
 const FAST: Clock = Clock::new("fast", Period::ns(4));
 const SLOW: Clock = Clock::new("slow", Period::ns(10));
 
-/// Delays on two clocks, which have nothing to do with each other.
+/// Delays on two independent clocks.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct TwoClocks;
 

@@ -1,4 +1,4 @@
-//! Signals of another clock: what a synchronizer starts from, and how Verilog marks it.
+//! Signals of another clock: the start of a synchronizer, and its attributes in Verilog.
 
 use tilewright_gen::{testbench, tools, verilog};
 use tilewright_hdl::*;
@@ -39,7 +39,7 @@ impl Block for Receiver {
     }
 }
 
-/// The design's replay, and how often a start bit was seen: the line idles, then falls once.
+/// The design's replay, and the number of start bits seen: the line idles, then falls once.
 fn run(receiver: &Receiver) -> (Recording, u64) {
     let mut sim = Simulation::of(receiver).unwrap();
     let recorder = sim.recording();

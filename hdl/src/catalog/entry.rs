@@ -1,4 +1,4 @@
-//! What an entry of the catalogue is: a block, its parameters and its scenario.
+//! An entry of the catalogue: a block, its parameters and its scenario.
 
 use std::collections::BTreeMap;
 
@@ -30,9 +30,9 @@ use crate::scenario::Scenario;
 pub struct Entry {
     /// Its name on the command line, such as `merging-unit`.
     pub name: &'static str,
-    /// What it is, in a few words.
+    /// A short description.
     pub summary: &'static str,
-    /// What can be set.
+    /// The parameters that can be set.
     pub parameters: &'static [Parameter],
     /// Makes the circuit; called by [`Entry::design`].
     pub design: fn(&Values) -> Result<Design, CatalogError>,
@@ -40,7 +40,7 @@ pub struct Entry {
     pub scenario: fn(&Values) -> Result<Scenario, CatalogError>,
 }
 
-/// A number that can be set.
+/// A parameter: a number that can be set.
 ///
 /// ```
 /// # use tilewright_hdl::catalog::*;
@@ -51,13 +51,13 @@ pub struct Entry {
 pub struct Parameter {
     /// Its name.
     pub name: &'static str,
-    /// Its value where it is not set.
+    /// Its default value.
     pub default: u64,
     /// The least value.
     pub min: u64,
     /// The greatest value.
     pub max: u64,
-    /// What it is.
+    /// What it means.
     pub meaning: &'static str,
 }
 
@@ -74,7 +74,7 @@ pub struct Parameter {
 pub struct Values(BTreeMap<&'static str, u64>);
 
 impl Entry {
-    /// The defaults with `set` in their place.
+    /// The default values, overridden by `set`.
     ///
     /// ```
     /// # use tilewright_hdl::catalog::*;
@@ -86,7 +86,7 @@ impl Entry {
     ///
     /// # Errors
     ///
-    /// A name that is not a parameter's, or a value out of range.
+    /// An unknown parameter name, or a value out of range.
     pub fn values<'a>(&self, set: impl IntoIterator<Item = (&'a str, u64)>) -> Result<Values, CatalogError> {
         let mut values: BTreeMap<_, _> = self.parameters.iter().map(|p| (p.name, p.default)).collect();
         for (name, value) in set {
@@ -114,12 +114,12 @@ impl Entry {
     ///
     /// # Errors
     ///
-    /// The values do not go together.
+    /// The combination of values is not possible.
     pub fn design(&self, values: &Values) -> Result<Design, CatalogError> {
         (self.design)(values)
     }
 
-    /// A run that shows what the block does.
+    /// A scenario that shows what the block does.
     ///
     /// ```
     /// # use tilewright_hdl::catalog::*;
@@ -130,7 +130,7 @@ impl Entry {
     ///
     /// # Errors
     ///
-    /// The values do not go together.
+    /// The combination of values is not possible.
     pub fn scenario(&self, values: &Values) -> Result<Scenario, CatalogError> {
         (self.scenario)(values)
     }
@@ -148,7 +148,7 @@ impl Values {
     ///
     /// # Panics
     ///
-    /// The entry has no such parameter.
+    /// The entry has no parameter of this name.
     pub fn get(&self, name: &str) -> u64 {
         self.0[name]
     }
@@ -165,7 +165,7 @@ impl Values {
         self.0.iter().map(|(name, value)| (*name, *value))
     }
 
-    /// As [`Values::get`], for a parameter whose range is within 32 bits.
+    /// Like [`Values::get`], for a parameter whose range fits in 32 bits.
     ///
     /// ```
     /// # use tilewright_hdl::catalog::*;
@@ -177,7 +177,7 @@ impl Values {
     ///
     /// # Panics
     ///
-    /// It is larger.
+    /// The value needs more than 32 bits.
     pub fn get_u32(&self, name: &str) -> u32 {
         u32::try_from(self.get(name)).expect("every range is within 32 bits")
     }

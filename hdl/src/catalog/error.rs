@@ -1,11 +1,11 @@
-//! Why an entry of the catalogue cannot be had.
+//! Errors of the catalogue.
 
 use std::fmt;
 
 use crate::problem::Problems;
 use crate::ranges::OutOfRange;
 
-/// Why an entry cannot be had.
+/// Why an entry is not available.
 ///
 /// ```
 /// # use tilewright_hdl::catalog::*;
@@ -16,16 +16,16 @@ use crate::ranges::OutOfRange;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum CatalogError {
-    /// There is no such parameter.
+    /// The block has no such parameter.
     UnknownParameter {
         /// The block.
         block: &'static str,
         /// The name.
         name: String,
-        /// The names that there are.
+        /// The block's parameters.
         known: Vec<&'static str>,
     },
-    /// A value outside of the parameter's range.
+    /// The value is outside of the parameter's range.
     OutOfRange {
         /// The parameter.
         name: &'static str,
@@ -34,7 +34,7 @@ pub enum CatalogError {
         /// The least and the greatest value.
         range: [u64; 2],
     },
-    /// There is no hardware for these parameters; one sentence that says why, and what would do.
+    /// No hardware exists for these parameters. One sentence gives the reason and the values that would work.
     Parameters(String),
     /// The description has mistakes.
     Description(Problems),

@@ -1,5 +1,5 @@
-//! What a catalogue of blocks is made of: each by its name, with parameters and a scenario. Libraries have catalogues; the command line lists,
-//! prints and shows what is in them.
+//! The types of a catalogue of blocks: each entry has a name, parameters and a scenario. Libraries provide
+//! catalogues; the command line lists, prints and shows their entries.
 //!
 //! ```
 //! use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};

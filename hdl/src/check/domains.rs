@@ -1,4 +1,4 @@
-//! Paths from one clock domain into another that do not go through a declared crossing.
+//! Paths from one clock domain to another that bypass every declared crossing.
 
 use crate::draft::Draft;
 use crate::graph::Sets;
@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use crate::summary::{self, Summary, View};
 use std::collections::BTreeSet;
 
-/// Gives the outputs that mix clocks.
+/// Returns the outputs that mix clocks.
 pub(crate) fn check(
     draft: &Draft,
     done: &[Module],
@@ -65,15 +65,15 @@ struct Checker<'a> {
     draft: &'a Draft,
     summaries: &'a [Summary],
     sets: Sets,
-    /// The inputs whose clocks show in each node.
+    /// The inputs whose clocks are visible in each node.
     inputs: Sets,
-    /// Inputs that are sampled and of which no clock is known, as far as they are reported.
+    /// Sampled inputs without a known clock that have been reported.
     without_clock: BTreeSet<usize>,
     problems: &'a mut Vec<Problem>,
 }
 
 impl Checker<'_> {
-    /// `node` is sampled by `what` at edges of `clock`.
+    /// Records that `what` samples `node` at edges of `clock`.
     fn sampled(&mut self, node: NodeId, clock: ClockId, what: &str, place: NodeId) {
         let inputs: Vec<_> = self.inputs.members(node.0).collect();
         inputs.into_iter().for_each(|input| self.needs_clock(input, clock, what, place));
@@ -93,7 +93,7 @@ impl Checker<'_> {
         }
     }
 
-    /// Input `input` is sampled at edges of `clock`: its own clock must be known.
+    /// Records that `what` samples input `input` at edges of `clock`: the input's own clock must be known.
     fn needs_clock(&mut self, input: usize, clock: ClockId, what: &str, place: NodeId) {
         let port = &self.draft.inputs[input];
         if port.clock.is_some() || !self.without_clock.insert(input) {
@@ -110,7 +110,7 @@ impl Checker<'_> {
         self.problems.push(problem);
     }
 
-    /// Whether an output depends on several clocks; that is a problem.
+    /// Whether an output depends on several clocks, which is a problem.
     fn mixes(&mut self, path: &str, node: NodeId) -> bool {
         let clocks: Vec<_> = self.sets.members(node.0).collect();
         let [first, second, ..] = clocks[..] else { return false };
@@ -129,7 +129,7 @@ impl Checker<'_> {
         true
     }
 
-    /// The nearest node behind `node` where clock `from` comes in.
+    /// The nearest node behind `node` at which clock `from` enters.
     fn source(&self, node: NodeId, from: usize) -> NodeId {
         let mut at = node;
         let mut seen = std::collections::BTreeSet::new();

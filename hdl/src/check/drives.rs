@@ -1,4 +1,4 @@
-//! Registers and wires that nothing drives; the others get their drivers.
+//! Registers and wires without a driver; the others get their drivers.
 
 use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
@@ -8,7 +8,7 @@ use crate::stream::{inputs_of_stream, say_untaken};
 
 pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
     for register in draft.registers.iter().filter(|register| register.next.is_none()) {
-        let help = "say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`";
+        let help = "give its next value with `.next(value)`, or with `.when(condition, value)`";
         problems.push(undriven(draft, register.node, "register", help));
     }
     let mut untaken = Vec::new();
@@ -18,7 +18,7 @@ pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
                 problems.push(problem);
                 untaken.extend(inputs_of_stream(draft, wire.node));
             }
-            None => problems.push(undriven(draft, wire.node, "wire", "say what drives it with `.drive(value)`")),
+            None => problems.push(undriven(draft, wire.node, "wire", "drive it with `.drive(value)`")),
         }
     }
     draft.in_problems.extend(untaken);
@@ -31,7 +31,7 @@ fn undriven(draft: &Draft, node: NodeId, what: &str, help: &str) -> Problem {
     Problem::new(draft.node(node).loc, message).help(help)
 }
 
-/// Gives every wire its driver; one that has none stands at zero.
+/// Gives every wire its driver; a wire without one gets zero.
 fn connect_wires(draft: &mut Draft) {
     for i in 0..draft.wires.len() {
         let node = draft.wires[i].node;

@@ -1,4 +1,4 @@
-//! Combinational loops lane by lane: a chain from lane to lane is none unless it comes back to the same lane.
+//! Combinational loops, lane by lane: a chain from lane to lane is a loop only if it returns to the same lane.
 
 use crate::circuit::Circuit;
 use crate::graph::{Edges, cycle_through, cyclic_components};
@@ -6,8 +6,8 @@ use crate::ir::{NodeId, Op};
 use crate::summary::{self, Summary};
 use std::collections::BTreeMap;
 
-/// A loop through the lanes of these nodes, which depend on each other: nodes in the direction in which values flow, each
-/// with its lane.
+/// Finds a loop through the lanes of these mutually dependent nodes. The result lists each node with its lane, in the
+/// direction in which values flow.
 pub(super) fn find(circuit: &impl Circuit, summaries: &[Summary], component: &[u32]) -> Option<Vec<(NodeId, u32)>> {
     let lanes = Lanes::new(circuit, summaries, component);
     let edges = lanes.edges();
@@ -21,16 +21,16 @@ pub(super) fn find(circuit: &impl Circuit, summaries: &[Summary], component: &[u
     Some(hops.into_iter().filter_map(|vertex| lanes.node(vertex)).collect())
 }
 
-/// The lanes of some nodes as the vertices of a graph.
+/// The lanes of some nodes as vertices of a graph.
 struct Lanes<'a, C> {
     circuit: &'a C,
     summaries: &'a [Summary],
-    /// The first lane's vertex and the node, in this order.
+    /// The vertex of the first lane, then the node.
     firsts: Vec<(u32, NodeId)>,
     /// The vertex of each node's first lane.
     first: BTreeMap<NodeId, u32>,
-    /// For a node that feeds shaped ports of so many instances, the vertices that stand for a whole port each: what
-    /// depends on a port depends on all its lanes.
+    /// The vertices that stand for whole ports. The key is a node that feeds shaped ports, with the number of
+    /// instances. A value that depends on a port depends on all its lanes.
     ports: BTreeMap<(NodeId, u32), u32>,
     count: u32,
 }
@@ -98,7 +98,7 @@ impl<'a, C: Circuit> Lanes<'a, C> {
         }
     }
 
-    /// What one lane of a node is computed from.
+    /// Pushes the vertices that one lane of a node is computed from.
     fn lane(&self, id: NodeId, lane: u32, push: &mut dyn FnMut(u32)) {
         let node = self.circuit.node(id);
         let shape = node.shape;
@@ -131,7 +131,7 @@ impl<'a, C: Circuit> Lanes<'a, C> {
                 let instances = self.circuit.instances()[instance.0 as usize].shape.lanes();
                 self.output(id, instances, lane / (shape.lanes() / instances), push);
             }
-            // Elementwise, but for a memory's plain address.
+            // Elementwise, except for a memory's plain address.
             _ => summary::operands(self.circuit, self.summaries, id, &mut |operand| {
                 self.push(operand, if shape_of(&operand).is_plain() { 0 } else { lane }, push);
             }),
@@ -143,7 +143,7 @@ impl<'a, C: Circuit> Lanes<'a, C> {
         (0..shape.extent(axis)).for_each(|along| self.push(of, shape.lane(axis, along, across), push));
     }
 
-    /// What an output of instance `instance` of `instances` depends on: ports as a whole.
+    /// Pushes the dependencies of an output of instance `instance` of `instances`: whole ports.
     fn output(&self, output: NodeId, instances: u32, instance: u32, push: &mut dyn FnMut(u32)) {
         summary::operands(
             self.circuit,
@@ -159,7 +159,7 @@ impl<'a, C: Circuit> Lanes<'a, C> {
 
 enum Vertex {
     Lane(NodeId, u32),
-    /// The lanes of `driver` that feed a port of one of so many instances.
+    /// The lanes of `driver` that feed a port of one of several instances.
     Port {
         driver: NodeId,
         instances: u32,

@@ -1,25 +1,27 @@
-//! A latency that is stated as a number, which is then the one that the circuit has.
+//! Checks a latency that is stated as a number against the counted one.
 
 use crate::ir::Module;
 use crate::ir::latency::{Delay, latency, output_delays};
 use crate::problem::Problem;
 
-/// Adds the delays of `module` to those of the modules before it, if these have no problem.
+/// Adds the delays of `module` to those of the earlier modules, if these have no problem.
 pub(crate) fn check(block: &str, module: &Module, delays: &mut Vec<Vec<Delay>>, problems: &mut Vec<Problem>) {
     let own = output_delays(module, delays);
     let found = latency(module, &own);
     delays.push(own);
     let text = &module.about.latency;
-    // In words it may be one that is not counted, such as a FIFO's, but no other one than is.
+    // A latency in words is allowed if it cannot be counted, as with a FIFO. If it can, it must match.
     let in_words = text.strip_suffix(" clock").or(text.strip_suffix(" clocks"));
     let Ok(stated) = in_words.unwrap_or(text).parse::<u32>() else { return };
     let message = match found {
         None if in_words.is_some() => return,
         Some(found) if found.clocks == stated => return,
         Some(found) => format!("`{block}` states a latency of {stated}, but takes {found}"),
-        None => format!("`{block}` states a latency of {stated}, but has no single one"),
+        None => format!("`{block}` states a latency of {stated}, but has no single latency"),
     };
-    problems.push(Problem::new(module.loc, message).help(
-        "a latency that is one number is counted, and needs no statement; where it is not one, words say what it is",
-    ));
+    problems.push(
+        Problem::new(module.loc, message).help(
+            "a latency that is a single number is counted and need not be stated; otherwise, describe it in words",
+        ),
+    );
 }

@@ -1,4 +1,4 @@
-//! Combinational loops: on values, through instances, and lane by lane where values have lanes.
+//! Combinational loops: through values, through instances, and lane by lane for values with lanes.
 
 use super::lane_loops;
 use crate::circuit::Circuit;
@@ -8,7 +8,7 @@ use crate::limits::MOST_LOOPED_LANES;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
-/// Reports every loop; whether there is none.
+/// Reports every loop, and returns whether there is none.
 pub(crate) fn check(circuit: &impl Circuit, summaries: &[Summary], problems: &mut Vec<Problem>) -> bool {
     let edges = summary::combinational_edges(circuit, summaries);
     let before = problems.len();
@@ -47,12 +47,12 @@ fn too_many(circuit: &impl Circuit, component: &[u32], lanes: u64) -> Problem {
     Problem::new(circuit.node(node).loc, message).help("put a register into the path, or make the array smaller")
 }
 
-/// The node to begin the message with: one that the user named, if there is one.
+/// The node that begins the message: one that the user named, if possible.
 fn first_named(circuit: &impl Circuit, component: &[u32]) -> u32 {
     *component.iter().find(|node| circuit.node(NodeId(**node)).name.is_some()).unwrap_or(&component[0])
 }
 
-/// `hops` are nodes in the direction in which values flow, each with a lane of it.
+/// Reports a loop. `hops` are nodes in the direction in which values flow, each with one of its lanes.
 fn report(circuit: &impl Circuit, hops: Vec<(NodeId, u32)>) -> Problem {
     let text = |(node, lane): &(NodeId, u32)| {
         let lane = match circuit.node(*node).shape {

@@ -1,4 +1,4 @@
-//! The checks of a finished description. Each looks at one draft, and reports every mistake that it finds.
+//! The checks of a finished description. Each one looks at one draft and reports every mistake that it finds.
 
 pub(crate) mod domains;
 pub(crate) mod drives;

@@ -1,4 +1,4 @@
-//! Names: legal, unique in their module, and no reserved words.
+//! Names are legal, unique in their module, and not reserved.
 
 use crate::draft::Draft;
 use crate::ir::{Instance, Module, NodeId, Op};
@@ -8,7 +8,8 @@ use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// Returns the module's name: with a `_` where something in it has that name, for Verilator takes no such top.
+/// Returns the module's name. It gets a `_` if an object in the module has the same name, because Verilator rejects
+/// such a top module.
 pub(crate) fn check(
     draft: &mut Draft,
     done: &[Module],
@@ -35,7 +36,7 @@ pub(crate) fn check(
         let node = &draft.nodes[i];
         if let Some(name) = node.name.clone().filter(|_| !matches!(node.op, Op::Input(_))) {
             let driven_as = (NodeId(i as u32), name);
-            // A net that has the name of the output it drives is that output.
+            // A net with the name of the output that it drives is that output.
             if !driven.contains(&driven_as) {
                 let (_, name) = driven_as;
                 let loc = node.loc;
@@ -56,8 +57,8 @@ pub(crate) fn check(
     name
 }
 
-/// Inside of a module, its own nets and memories hide an instance of the same name: linters refuse that, but not an
-/// instance in one of the same name. Each lane of an array is an instance called `lane`.
+/// A module's own nets and memories hide an instance of the same name around it. Linters reject that, but they accept
+/// an instance within one of the same name. Each lane of an array is an instance called `lane`.
 fn check_hiding(instances: &[Instance], done: &[Module], problems: &mut Vec<Problem>) {
     let mut inside = HashMap::new();
     for instance in instances {
@@ -86,7 +87,7 @@ fn hides(instance: &Instance, name: &str, inside: Loc) -> Problem {
         }
         false => {
             let message =
-                format!("the lanes of `{}` hold something called `lane`, as each lane is called", instance.name);
+                format!("the lanes of `{}` contain something called `lane`, the name of each lane", instance.name);
             (message, "call it something else".to_owned())
         }
     };
@@ -112,7 +113,7 @@ struct Names<'a> {
 }
 
 impl Names<'_> {
-    /// A port is seen from outside: a reserved word is a problem, not something to rename.
+    /// A port is visible from outside, so a reserved word is a problem and is not renamed.
     fn port(&mut self, kind: &'static str, name: &str, loc: Loc) {
         let language = match name {
             _ if is_reserved(name) => Some("Verilog"),
@@ -135,7 +136,8 @@ impl Names<'_> {
     fn take(&mut self, kind: &'static str, name: &str, loc: Loc) {
         if !is_legal(name) {
             let problem = Problem::new(loc, format!("`{name}` cannot be the name of a {kind}"));
-            self.problems.push(problem.help("a name is letters, digits and `_`, and does not start with a digit"));
+            self.problems
+                .push(problem.help("a name consists of letters, digits and `_`, and does not start with a digit"));
         }
         if let Some((other, first)) = self.taken.get(name) {
             let (another, the) = match (kind == *other, other.starts_with(['a', 'e', 'i', 'o', 'u'])) {

@@ -1,4 +1,4 @@
-//! Whether the outputs have the widths that the block declares.
+//! Checks that the outputs have the declared widths.
 
 use crate::elaboration::Elaboration;
 use crate::problem::Problem;
@@ -7,9 +7,10 @@ use crate::uneven::uneven;
 use crate::width::Width;
 use std::collections::HashSet;
 
-/// Reports outputs that are not as they are declared: what `build` returned, and the widths, both by their paths.
+/// Reports outputs that differ from their declaration. `outputs` are the results of `build`, `declared` the widths,
+/// both by their paths.
 pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared: &[(String, Width)]) {
-    // Of an output that is declared without a width nothing is known.
+    // An output declared without a width is not checked.
     let ports: HashSet<&str> = declared.iter().map(|(path, _)| port(path)).collect();
     let returned: Vec<_> = outputs.iter().filter(|(path, _)| ports.contains(port(path))).cloned().collect();
     if let Some(uneven) = uneven(&returned, declared) {
@@ -17,7 +18,7 @@ pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared:
         let message = format!("output{uneven} is declared as a list of {}, but `build` returns {has}", uneven.needs);
         let place = declared.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list)));
         let loc = place.map_or(e.draft().loc, |(_, width)| width.loc);
-        return e.report(Problem::new(loc, message).help("`build` returns as many as are declared"));
+        return e.report(Problem::new(loc, message).help("return as many from `build` as are declared"));
     }
     let mut faulty = Vec::new();
     for ((path, signal), (_, width)) in returned.iter().zip(declared) {
@@ -26,11 +27,11 @@ pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared:
             faulty.push(signal.node);
         }
     }
-    // What they are in the block's instances is not known.
+    // Its instances cannot know these widths.
     e.draft().stand_ins.extend(faulty);
 }
 
-/// The port that a path leads into.
+/// The port that a path belongs to.
 fn port(path: &str) -> &str {
     path.split('.').next().unwrap_or(path)
 }
@@ -39,7 +40,7 @@ fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Opt
     if let Some(clock) = width.clock {
         let clock = clock.name;
         let message =
-            format!("output `{name}` is declared on clock `{clock}`, but an output is on the clock of what drives it");
+            format!("output `{name}` is declared on clock `{clock}`, but an output is on the clock of its driver");
         return Some(Problem::new(width.loc, message).help("leave `.on(..)` out"));
     }
     let draft = e.draft();
@@ -57,5 +58,5 @@ fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Opt
     };
     let problem = Problem::new(place, format!("output `{name}` is declared {declared}, but {driver} {has}"));
     let problem = problem.note(format!("`{name}` is declared"), width.loc);
-    Some(problem.help("change what drives it, or its declaration, on which the block's instances rely"))
+    Some(problem.help("change its driver, or its declaration, on which the block's instances rely"))
 }

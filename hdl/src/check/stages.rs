@@ -1,4 +1,4 @@
-//! Values of different stages of one pipeline that meet: the later one is of a record that entered earlier.
+//! Values from different stages of one pipeline that meet, although they belong to different records.
 
 use crate::draft::Draft;
 use crate::graph::{Edges, cyclic_components, targets_first};
@@ -9,7 +9,7 @@ use crate::stages::Stage;
 use crate::summary::{self, Summary};
 use std::collections::BTreeSet;
 
-/// A stage that a value is of, and what held by it the value comes from.
+/// The stage of a value, and the stage register that it comes from.
 #[derive(Clone, Copy)]
 struct Of {
     stage: Stage,
@@ -40,7 +40,7 @@ pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Pro
     check_writes(draft, &stages, problems);
 }
 
-/// Where values come from: in the same clock, or through what delays them as a stage does.
+/// The sources of values: in the same clock, or through a delay of one stage.
 struct Flow<'a> {
     draft: &'a Draft,
     edges: Edges,
@@ -59,12 +59,12 @@ impl Flow<'_> {
                 }
             })
         };
-        // What comes back to itself remembers: it is no stage.
+        // A value that depends on itself is stored state, not a stage.
         let looped = cyclic_components(&edges(&BTreeSet::new())).into_iter().flatten().collect();
         Flow { draft, edges: edges(&looped) }
     }
 
-    /// The stage that a value is of behind `node`; none if that delays it otherwise than the pipeline does.
+    /// The stage of a value after `node`; `None` if the node delays it differently than the pipeline does.
     fn after(&self, node: NodeId, of: Of) -> Option<Of> {
         let Some(delay) = delay(self.draft, node) else { return Some(of) };
         let own = self.draft.pipelines.enables[of.stage.pipeline as usize];
@@ -73,7 +73,7 @@ impl Flow<'_> {
     }
 }
 
-/// What a register made by `pipe`, or a synchronous read, gives one clock later, where it is enabled.
+/// A register made by `pipe`, or a synchronous read: a delay of one clock, with an enable.
 struct Delay {
     of: NodeId,
     enable: Option<NodeId>,
@@ -95,7 +95,7 @@ fn delay(draft: &Draft, node: NodeId) -> Option<Delay> {
     Some(Delay { of, enable: enable.map(|enable| plain(draft, enable)) })
 }
 
-/// What all lanes of a node are given, or the node.
+/// The plain node that all lanes of a node repeat, or the node itself.
 fn plain(draft: &Draft, mut node: NodeId) -> NodeId {
     while let Op::Broadcast { of, .. } = draft.node(node).op {
         node = of;
@@ -103,12 +103,12 @@ fn plain(draft: &Draft, mut node: NodeId) -> NodeId {
     node
 }
 
-/// The stages of what meets somewhere, one of each pipeline, and of the first pipeline with two of them both.
+/// The stages that meet at a place: one of each pipeline, and both stages of the first pipeline that has two.
 #[derive(Default)]
 struct Met {
     of: Vec<Of>,
     mixed: Option<[Of; 2]>,
-    /// Pipelines of which nothing more is said.
+    /// Pipelines that have been reported.
     spoilt: BTreeSet<u32>,
 }
 
@@ -128,13 +128,14 @@ impl Met {
     }
 }
 
-/// What a register takes is of the stage before its own; what another one takes, and when, is of one stage.
+/// The input of a stage register is of the stage before. The input and the enable of another register are of one
+/// stage.
 fn check_registers(draft: &Draft, stages: &[Vec<Of>], problems: &mut Vec<Problem>) {
     for register in &draft.registers {
         let Some((next, loc)) = register.next else { continue };
         let own = draft.pipelines.held.get(&register.node);
         let Some(own) = own.into_iter().flatten().find(|stage| stage.number > 0) else {
-            let what = format!("what `{}` takes, and when,", draft.describe(register.node));
+            let what = format!("the update of `{}`", draft.describe(register.node));
             let enable = register.enable.map(|(enable, _)| enable);
             let given: Vec<_> = [Some(next), enable].into_iter().flatten().collect();
             meet(draft, &what, &given, stages, loc, problems);
@@ -144,7 +145,7 @@ fn check_registers(draft: &Draft, stages: &[Vec<Of>], problems: &mut Vec<Problem
         let Some(of) = next_of.filter(|of| of.stage.number + 1 != own.number) else { continue };
         let (name, text) = (draft.describe(register.node), draft.describe(of.from));
         let message = format!(
-            "`{name}` of stage {} of a pipeline takes what is of stage {}: `{text}`",
+            "`{name}` of stage {} of a pipeline takes a value of stage {}: `{text}`",
             own.number, of.stage.number
         );
         let is_held = matches!(draft.node(next).op, Op::Register(_));
@@ -190,6 +191,6 @@ fn mix(draft: &Draft, what: &str, loc: Loc, [first, second]: [Of; 2]) -> Problem
         problem = problem.note(format!("`{}` is made", text(of)), draft.node(of.from).loc);
     }
     problem.help(
-        "bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet",
+        "bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet",
     )
 }

@@ -1,4 +1,4 @@
-//! Streams that are offered only to a receiver that is ready, which may wait for the offer in turn.
+//! Streams that are offered only when the receiver is ready. The receiver may wait for the offer in turn.
 
 use crate::draft::Draft;
 use crate::ir::NodeId;
@@ -16,7 +16,7 @@ pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], summary: &Summa
                 "stream `{name}` of `{}` waits for its receiver: its `valid` follows from its `ready`",
                 draft.block
             );
-            let help = "offer what there is, and let `sent` say whether it is taken: the receiver may wait for `valid`";
+            let help = "offer the payload in any case, and let `sent` tell whether it is taken: the receiver may wait for `valid`";
             problems.push(Problem::new(sent.loc, message).help(help));
         }
     }

@@ -1,4 +1,4 @@
-//! Logic that enters a synchronizer: the other clock may catch a glitch of it and take it for an event.
+//! Logic that feeds a synchronizer: the other clock may sample a glitch as an event.
 
 use crate::draft::Draft;
 use crate::ir::NodeId;
@@ -6,8 +6,8 @@ use crate::loc::Loc;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
-/// Gives the inputs that are wired to a synchronizer here or in an instance, with its name: what feeds them is checked
-/// by the parents.
+/// Returns the inputs that are wired to a synchronizer here or in an instance, with its name. The parents check what
+/// feeds them.
 pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Problem>) -> Vec<(u32, String)> {
     let mut synchronized = Vec::new();
     let mut enters = |node: NodeId, name: &str, loc: Loc| match summary::wired_inputs(draft, summaries, node) {

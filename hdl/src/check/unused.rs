@@ -24,7 +24,7 @@ pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], problems: &mut 
     draft.instances.iter().for_each(|instance| instance.inputs.iter().for_each(|node| mark(*node)));
     for input in draft.inputs.iter().filter(|input| !used[input.node.0 as usize]) {
         let message = format!("input `{}` of `{}` is never used", input.name, draft.block);
-        let help = format!("remove it, or say `m.ignore(&i.{})` if that is meant", input.path);
+        let help = format!("remove it, or say `m.ignore(&i.{})` if that is intended", input.path);
         problems.push(Problem::new(draft.node(input.node).loc, message).help(help));
     }
 }

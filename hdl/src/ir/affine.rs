@@ -1,7 +1,7 @@
-//! The rule by which a lane takes its value from another lane.
+//! The rule that maps each lane to a source lane.
 
-/// Lane `i` is lane `floor((mul * i + add) / div)` of the operand, computed in 64 bits: a neighbour, every second lane,
-/// the lanes in reverse, the parent in a tree.
+/// Lane `i` is lane `floor((mul * i + add) / div)` of the operand, computed in 64 bits. It can express a neighbour,
+/// every second lane, the lanes in reverse, or the parent in a tree.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -12,11 +12,11 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Affine {
-    /// What a lane's index is multiplied by.
+    /// The factor of a lane's index.
     pub mul: i32,
-    /// What is added to the product.
+    /// The summand.
     pub add: i32,
-    /// What the sum is divided by, at least 1; the quotient is rounded towards minus infinity.
+    /// The divisor, at least 1; the quotient rounds towards minus infinity.
     pub div: u32,
 }
 
@@ -27,7 +27,7 @@ impl Affine {
     /// # use tilewright_hdl::*;
     /// use tilewright_hdl::ir::Affine;
     ///
-    /// // What `previous` is: lane 3 is lane 2, and lane 0 comes from beyond the ends.
+    /// // The rule of `previous`: lane 3 takes lane 2, and lane 0 takes lane -1, which is out of range.
     /// let previous = Affine::shift(-1);
     /// assert_eq!([3, 0].map(|lane| previous.source(lane, 4)), [Some(2), None]);
     /// ```
@@ -35,7 +35,7 @@ impl Affine {
         Affine { mul: 1, add: by, div: 1 }
     }
 
-    /// Where lane `lane` comes from, also if there is no such lane.
+    /// The source of lane `lane`, even if it is out of range.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -45,11 +45,11 @@ impl Affine {
     /// assert_eq!([0, 3, 4].map(|lane| reversed.at(lane)), [3, 0, -1]);
     /// ```
     pub fn at(self, lane: u32) -> i64 {
-        // From -2 to the 63 on, and below it.
+        // From -2 to 63, and below.
         (i64::from(self.mul) * i64::from(lane) + i64::from(self.add)).div_euclid(i64::from(self.div.max(1)))
     }
 
-    /// The lane of an operand of `extent` lanes that lane `lane` comes from; `None` if it comes from beyond the ends.
+    /// The lane of an operand of `extent` lanes that lane `lane` takes; `None` if it is out of range.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -62,18 +62,18 @@ impl Affine {
         u32::try_from(self.at(lane)).ok().filter(|&from| from < extent)
     }
 
-    /// Whether each of `lanes` lanes comes from a lane of an operand of `extent` lanes.
+    /// Whether the source of each of `lanes` lanes is within an operand of `extent` lanes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// use tilewright_hdl::ir::Affine;
     ///
-    /// // Each of 8 lanes has one of 4, but a ninth would have none.
+    /// // Each of 8 lanes takes one of 4; a ninth would be out of range.
     /// let half = Affine { mul: 1, add: 0, div: 2 };
     /// assert!(half.stays_inside(8, 4) && !half.stays_inside(9, 4));
     /// ```
     pub fn stays_inside(self, lanes: u32, extent: u32) -> bool {
-        // The rule is monotonic: what the ends keep, all keep.
+        // The rule is monotonic: if both ends are in range, all lanes are.
         lanes == 0 || [0, lanes - 1].into_iter().all(|lane| self.source(lane, extent).is_some())
     }
 }

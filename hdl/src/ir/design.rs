@@ -3,7 +3,7 @@
 use super::{Module, ModuleId, validate};
 use crate::problem::Problems;
 
-/// A whole circuit, which keeps every rule of this module: its readers need not ask.
+/// A whole circuit. It satisfies every rule of this module, so its readers need no checks.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -12,7 +12,7 @@ use crate::problem::Problems;
 /// count.when(i.enable, count + 1);
 /// #     ShownOut { count: *count }
 /// # };
-/// // How many bits of state it has.
+/// // The bits of state.
 /// let bits = |module: &ir::Module| module.registers.iter().map(|register| module.width(register.node)).sum::<u32>();
 /// assert_eq!(design.modules().iter().map(bits).sum::<u32>(), 8);
 /// ```
@@ -22,11 +22,11 @@ pub struct Design {
 }
 
 impl Design {
-    /// The design of these modules, children before the modules that instantiate them; the top is the last.
+    /// The design of these modules, each after the modules that it instantiates. The top module is the last.
     ///
     /// # Errors
     ///
-    /// Every rule that the modules break, each at the place that the part in question was described.
+    /// Every violated rule, each with the place in the description.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -34,7 +34,7 @@ impl Design {
     /// let sum = i.word + 1;
     /// #     ShownOut { sum }
     /// # };
-    /// // The one of the sum becomes a two.
+    /// // One operand of the sum becomes a two.
     /// let mut modules = design.into_modules();
     /// for node in &mut modules[0].nodes {
     ///     if let ir::Op::Const(value) = &mut node.op {
@@ -42,7 +42,7 @@ impl Design {
     ///     }
     /// }
     /// assert!(Design::new(modules.clone()).is_ok());
-    /// // An output of a node that there is not.
+    /// // An output of a node that does not exist.
     /// modules[0].outputs[0].node = ir::NodeId(99);
     /// assert!(Design::new(modules).is_err());
     /// ```
@@ -52,7 +52,7 @@ impl Design {
         if problems.is_empty() { Ok(Design { modules }) } else { Err(Problems(problems)) }
     }
 
-    /// The modules, children before the modules that instantiate them; the top is the last.
+    /// The modules, each after the modules that it instantiates. The top module is the last.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -87,7 +87,7 @@ impl Design {
         &self.modules
     }
 
-    /// The modules, to be edited; [`Design::new`] makes a design of them again.
+    /// The modules, for editing; [`Design::new`] makes a design of them again.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -103,7 +103,7 @@ impl Design {
         self.modules
     }
 
-    /// The module that is not instantiated by another.
+    /// The module that no other one instantiates.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -111,13 +111,13 @@ impl Design {
     /// def!(late = m.pipe(i.word));
     /// #     ShownOut { late }
     /// # };
-    /// assert_eq!(design.top().inputs[0].name, "word"); // what a simulation sets
+    /// assert_eq!(design.top().inputs[0].name, "word"); // the inputs that a simulation sets
     /// ```
     pub fn top(&self) -> &Module {
         self.modules.last().expect("a design has a top module")
     }
 
-    /// The module of that id.
+    /// The module with this id.
     ///
     /// ```
     /// # use tilewright_hdl::*;

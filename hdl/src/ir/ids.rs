@@ -1,6 +1,6 @@
-//! Numbers of what a design and its modules consist of.
+//! Ids of the parts of designs and modules.
 
-/// A module's place in [`Design::modules`](super::Design::modules).
+/// The index of a module in [`Design::modules`](super::Design::modules).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -13,7 +13,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ModuleId(pub u32);
 
-/// A node's place in [`Module::nodes`](super::Module::nodes).
+/// The index of a node in [`Module::nodes`](super::Module::nodes).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -21,7 +21,7 @@ pub struct ModuleId(pub u32);
 /// let flipped = !i.word;
 /// #     ShownOut { flipped }
 /// # };
-/// // Operands come first, but for those that close a loop through a register.
+/// // Operands come first, except in a loop through a register.
 /// let top = design.top();
 /// let ir::Op::Unary(_, operand) = top.node(top.outputs[0].node).op else { panic!("a `not`") };
 /// assert!(operand < top.outputs[0].node);
@@ -29,7 +29,7 @@ pub struct ModuleId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub u32);
 
-/// A clock's place in [`Module::clocks`](super::Module::clocks).
+/// The index of a clock in [`Module::clocks`](super::Module::clocks).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -44,7 +44,7 @@ pub struct NodeId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ClockId(pub u32);
 
-/// A register's place in [`Module::registers`](super::Module::registers).
+/// The index of a register in [`Module::registers`](super::Module::registers).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -59,7 +59,7 @@ pub struct ClockId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct RegisterId(pub u32);
 
-/// A memory's place in [`Module::memories`](super::Module::memories).
+/// The index of a memory in [`Module::memories`](super::Module::memories).
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -73,7 +73,7 @@ pub struct RegisterId(pub u32);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MemoryId(pub u32);
 
-/// An instance's place in [`Module::instances`](super::Module::instances).
+/// The index of an instance in [`Module::instances`](super::Module::instances).
 ///
 /// ```
 /// # use tilewright_hdl::*;

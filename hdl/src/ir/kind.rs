@@ -1,10 +1,10 @@
-//! What the bits of a value stand for.
+//! The meaning of a value's bits.
 
 use super::Shift;
 use std::fmt;
 
-/// How the bits of a value are to be read, in each lane. Nothing is computed by it: operations say themselves whether they are signed.
-/// Waves and Verilog show codes by name.
+/// How to read the bits of a value, in each lane. It does not affect results: an operation itself says whether it is
+/// signed. Waves and Verilog show codes by name.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -17,12 +17,12 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// As a number from 0 on, or as nothing but bits.
+    /// An unsigned number, or bits without a further meaning.
     #[default]
     Number,
-    /// As a number in two's complement.
+    /// A number in two's complement.
     Signed,
-    /// As one of an enum.
+    /// A code of an enum.
     Code(Names),
 }
 
@@ -43,12 +43,12 @@ pub struct Names {
 }
 
 impl Kind {
-    /// How it is shifted to the right.
+    /// Its shift to the right.
     pub(crate) fn right_shift(self) -> Shift {
         if self == Kind::Signed { Shift::RightSigned } else { Shift::Right }
     }
 
-    /// The enum that it is a code of, if it is one.
+    /// The enum, if it is a code.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -67,7 +67,7 @@ impl Kind {
     }
 }
 
-/// As messages say it: `a number`, `signed`, `` a code of `Phase` ``.
+/// The text for messages: `a number`, `signed`, `` a code of `Phase` ``.
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {

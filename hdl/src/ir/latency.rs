@@ -1,11 +1,12 @@
-//! How many clocks a module takes from its inputs to its outputs, where that is one number: counted, as a statement of it could be wrong.
+//! The number of clocks from a module's inputs to its outputs, if it is a single number. It is counted, because a
+//! stated latency could be wrong.
 
 use super::{Design, Instance, Module, Node, NodeId, Op, Register};
 use crate::graph::{Edges, components, is_cyclic};
 use std::fmt;
 
-/// The clocks from every input of a module to every output that it has a part in, not through enables: the registers and synchronous
-/// reads between. See [`Design::latencies`].
+/// The clocks from every input of a module to every output that depends on it, except through enables: the number of
+/// registers and synchronous reads between. See [`Design::latencies`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -14,9 +15,9 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Latency {
-    /// How many.
+    /// The number of clocks.
     pub clocks: u32,
-    /// The input port without which none of them counts, if there is one: the enable of all those registers.
+    /// The input port that enables all those registers, if there is one: only clocks in which it is high count.
     pub enable: Option<String>,
 }
 
@@ -29,7 +30,8 @@ impl fmt::Display for Latency {
 }
 
 impl Design {
-    /// For each module its latency; none if it has no single one, as a state machine, a queue, or what has several clocks.
+    /// The latency of each module. `None` if it is not a single number, as for a state machine, a queue, or a module
+    /// with several clocks.
     ///
     /// ```
     /// use tilewright_hdl::*;
@@ -72,23 +74,23 @@ pub(crate) fn latency(module: &Module, delays: &[Delay]) -> Option<Latency> {
     }
 }
 
-/// When a value was an input.
+/// The time from an input to a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Delay {
-    /// No input has a part in it.
+    /// The value depends on no input.
     Nothing,
-    /// So many clocks ago.
+    /// This number of clocks.
     Clocks { clocks: u32, gate: Gate },
     /// There is no single answer.
     Several,
 }
 
-/// What the clocks of a delay count with.
+/// The clocks that a delay counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Gate {
-    /// All of them.
+    /// All clocks.
     Always,
-    /// Those where this input is high.
+    /// Those in which this input is high.
     Input(u32),
 }
 
@@ -101,12 +103,12 @@ impl Delay {
         }
     }
 
-    /// What is left of it in a value that remembers.
+    /// The delay of a value that accumulates such values.
     fn remembered(self) -> Delay {
         if self == Delay::Nothing { Delay::Nothing } else { Delay::Several }
     }
 
-    /// After so many clocks more; none if what lets them pass is no input.
+    /// The delay after `more` clocks; `None` if their enable is not an input.
     fn after(self, more: u32, by: Option<Gate>) -> Delay {
         match (self, by) {
             (Delay::Nothing, _) => Delay::Nothing,
@@ -119,7 +121,7 @@ impl Delay {
     }
 }
 
-/// The delay of each output of a module, whose children's are known.
+/// The delay of each output of a module; those of its children are known.
 pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Delay> {
     if module.clocks.len() > 1 {
         return vec![Delay::Several; module.outputs.len()];
@@ -132,7 +134,7 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
     }
     components(&edges, |component| {
         let own = match is_cyclic(&edges, component) {
-            // What follows from itself remembers, if only how often it was enabled.
+            // A value that depends on itself accumulates, even if only the number of enabled clocks.
             true => {
                 let operands = component.iter().flat_map(|node| edges.of(*node));
                 operands.fold(Delay::Nothing, |all, of| all.or(delays[*of as usize].remembered()))
@@ -144,7 +146,7 @@ pub(crate) fn output_delays(module: &Module, children: &[Vec<Delay>]) -> Vec<Del
     module.outputs.iter().map(|output| delays[output.node.0 as usize]).collect()
 }
 
-/// What the value of a node follows from, in whatever clock, but for enables.
+/// The nodes that determine the value of a node, in any clock, except for enables.
 fn operands(module: &Module, id: NodeId, visit: &mut dyn FnMut(NodeId)) {
     match &module.node(id).op {
         Op::Register(register) => {
@@ -164,7 +166,8 @@ fn operands(module: &Module, id: NodeId, visit: &mut dyn FnMut(NodeId)) {
     }
 }
 
-/// What a register takes, and when. One that takes a value under one condition and else keeps what it holds is enabled by that.
+/// The value that a register takes, and its enable. A register that takes a value under one condition and otherwise
+/// keeps its own is enabled by that condition.
 fn taken(module: &Module, register: &Register) -> (NodeId, Option<NodeId>) {
     match &module.node(register.next).op {
         Op::Select { arms, default } if *default == register.node && arms.len() == 1 && register.enable.is_none() => {
@@ -187,7 +190,7 @@ fn delay(module: &Module, children: &[Vec<Delay>], delays: &[Delay], id: NodeId)
             let memory = &module.memories[memory.0 as usize];
             let read = &memory.reads[*port as usize];
             let written = memory.writes.iter().flat_map(|write| [write.enable, write.address, write.data]);
-            // What an input wrote stays for as long as it likes.
+            // A word that an input has written stays for any time.
             let is_written = written.into_iter().any(|id| of(id) != Delay::Nothing);
             let data = if is_written { Delay::Several } else { of(read.address) };
             data.after(read.clock.is_some().into(), gate(module, read.enable))
@@ -204,7 +207,7 @@ fn delay(module: &Module, children: &[Vec<Delay>], delays: &[Delay], id: NodeId)
     }
 }
 
-/// What an instance with that delay makes of its inputs.
+/// The delay of an output of an instance, from the delays of the instance's inputs.
 fn through(module: &Module, instance: &Instance, delay: Delay, of: &dyn Fn(NodeId) -> Delay) -> Delay {
     let Delay::Clocks { clocks, gate: by } = delay else {
         return if delay == Delay::Nothing { Delay::Nothing } else { Delay::Several };
@@ -217,7 +220,7 @@ fn through(module: &Module, instance: &Instance, delay: Delay, of: &dyn Fn(NodeI
     inputs.fold(Delay::Nothing, |all, (_, input)| all.or(of(*input))).after(clocks, by)
 }
 
-/// What an enable lets pass; none if it is more than an input.
+/// The gate of an enable; `None` if the enable is more than an input.
 fn gate(module: &Module, enable: Option<NodeId>) -> Option<Gate> {
     let Some(mut enable) = enable else { return Some(Gate::Always) };
     loop {

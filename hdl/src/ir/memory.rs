@@ -4,7 +4,7 @@ use super::{Attribute, ClockId, NodeId, Shape};
 use crate::bits::Bits;
 use crate::loc::Loc;
 
-/// What a read gives when its word is written at the same edge.
+/// The result of a read whose word is written at the same edge.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -18,18 +18,18 @@ use crate::loc::Loc;
 /// }
 /// # });
 /// assert_eq!(example.values("old"), [0, 0, 0, 1, 2]);
-/// // What relies on it is to fail its tests.
+/// // A circuit that relies on the result must fail its tests.
 /// assert_eq!(example.values("any"), [0, 3, 3, 2, 1]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ReadUnderWrite {
-    /// The word as it was before the edge.
+    /// The word before the edge.
     Old,
-    /// Nothing that may be relied on; the cheapest memory on every FPGA. The simulator gives the old word inverted.
+    /// Undefined: the cheapest memory on every FPGA. The simulator gives the old word inverted.
     Any,
 }
 
-/// What a memory holds at the start.
+/// The contents of a memory at the start.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -39,11 +39,11 @@ pub enum ReadUnderWrite {
 /// #     ShownOut { square }
 /// # };
 /// let ir::Contents::Words(words) = &design.top().memories[0].contents else { panic!("words") };
-/// assert_eq!(words.len(), 3); // as many as were given: the rest is zero without being said
+/// assert_eq!(words.len(), 3); // only the given words: the rest is zero
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Contents {
-    /// Nothing that may be relied on.
+    /// Undefined.
     Unknown,
     /// The same word everywhere, in every lane.
     Fill(Bits),
@@ -53,12 +53,12 @@ pub enum Contents {
     Each(Vec<Vec<Bits>>),
 }
 
-/// A memory. At an edge every port on that clock samples at once; a later write port of the same clock wins over an
-/// earlier one. A read beyond the depth gives zero, a write beyond it does nothing.
+/// A memory. At an edge, every port on that clock samples at once. If two write ports of one clock write the same
+/// word, the later port wins. A read beyond the depth gives zero; a write beyond it has no effect.
 ///
-/// With a shape, every lane has words of its own. The address of a port is plain, the same for all lanes, or of the
-/// memory's shape; so is an enable. Each port has it its own way. Where all addresses are plain, this is one memory of
-/// wide words with a write mask for the lanes; else it is one memory a lane.
+/// With a shape, every lane has words of its own. The address of a port is either plain, the same for all lanes, or
+/// of the memory's shape; so is an enable. Each port chooses separately. If all addresses are plain, this is one
+/// memory of wide words with a write mask for the lanes; otherwise it is one memory for each lane.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -81,9 +81,9 @@ pub struct Memory {
     pub width: u32,
     /// Its lanes.
     pub shape: Shape,
-    /// What a synchronous read gives when its word is written at the same edge.
+    /// The result of a synchronous read whose word is written at the same edge.
     pub policy: ReadUnderWrite,
-    /// What it holds at the start.
+    /// The contents at the start.
     pub contents: Contents,
     /// Read ports.
     pub reads: Vec<ReadPort>,
@@ -109,12 +109,13 @@ pub struct Memory {
 /// ```
 #[derive(Debug, Clone)]
 pub struct ReadPort {
-    /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None`: asynchronous.
+    /// `Some` for a synchronous port: the data is a register that takes the word at the edge. `None` for an
+    /// asynchronous port.
     pub clock: Option<ClockId>,
     /// The address, of [`index_width`](crate::index_width)`(depth)` bits; plain or of the memory's shape.
     pub address: NodeId,
-    /// 1 bit, plain or of the memory's shape: a synchronous port keeps its data where this is low; `None` means always
-    /// reading.
+    /// 1 bit, plain or of the memory's shape: a synchronous port keeps its data while this is low. `None` means
+    /// always reading.
     pub enable: Option<NodeId>,
     /// The [`Op::Read`](super::Op::Read) node, of the memory's shape.
     pub node: NodeId,
@@ -137,7 +138,7 @@ pub struct ReadPort {
 pub struct WritePort {
     /// Its clock.
     pub clock: ClockId,
-    /// 1 bit, plain or of the memory's shape: whether it writes.
+    /// 1 bit, plain or of the memory's shape: writes while high.
     pub enable: NodeId,
     /// The address, as wide as those of the read ports; plain or of the memory's shape.
     pub address: NodeId,

@@ -1,14 +1,14 @@
-//! The circuit: what elaboration makes of a description, and what simulators and printers read.
+//! The circuit: the result of elaborating a description, which simulators and printers read.
 //!
-//! A [`Design`] is a list of modules; each was elaborated once for its block type and parameters, however many
-//! instances it has. A module is a graph of [`Node`]s, each an expression of a known width, with the objects of
-//! the schematic (registers, memories, instances) beside it. Everything in a `Design` has passed the checks:
-//! widths agree, every id leads somewhere, every wire is driven once, no combinational loop, every name unique and
-//! legal in Verilog. Modules that were edited become a design again by [`Design::new`], which checks all of that.
+//! A [`Design`] is a list of modules. Each module was elaborated once for its block type and parameters, however many
+//! instances it has. A module is a graph of [`Node`]s, which are expressions of known width, together with its
+//! registers, memories and instances. A `Design` has passed all checks: widths agree, every id is valid, every wire
+//! has one driver, there is no combinational loop, and names are unique and legal in Verilog. [`Design::new`] makes a
+//! design of edited modules and repeats these checks.
 //!
-//! Every value has a [`Shape`]: plain, a row or a grid of lanes. Most operations are elementwise, so that one node stands
-//! for as many gates as it has lanes; the lane operations of [`Op`] lead from one shape to another. Registers, memories,
-//! instances and properties have lanes as their nodes have. Nothing is broadcast but by [`Op::Broadcast`].
+//! Every value has a [`Shape`]: plain, a row or a grid of lanes. Most operations are elementwise: one node stands for
+//! as many gates as it has lanes. The lane operations of [`Op`] change the shape. Registers, memories, instances and
+//! properties have the lanes of their nodes. Only [`Op::Broadcast`] broadcasts.
 
 mod affine;
 mod design;
@@ -57,17 +57,17 @@ pub use state::State;
 pub struct Module {
     /// Its name in Verilog, unique in the design.
     pub name: String,
-    /// What it is, for people.
+    /// Its description in words.
     pub about: About,
-    /// The block's parameters as Rust prints them, such as `Counter { width: 8 }`.
+    /// The block's parameters in Rust's `Debug` format, such as `Counter { width: 8 }`.
     pub parameters: String,
-    /// Where the block is described.
+    /// The place of the block's description.
     pub loc: Loc,
     /// The clocks it uses, the default clock first if it uses that one.
     pub clocks: Vec<Clock>,
-    /// Input ports, in order of declaration.
+    /// Input ports, in the sequence of declaration.
     pub inputs: Vec<Input>,
-    /// Output ports, in order of declaration.
+    /// Output ports, in the sequence of declaration.
     pub outputs: Vec<Output>,
     /// The expressions.
     pub nodes: Vec<Node>,
@@ -77,7 +77,7 @@ pub struct Module {
     pub memories: Vec<Memory>,
     /// The instances and instance arrays.
     pub instances: Vec<Instance>,
-    /// What is stated of it.
+    /// The properties: assertions, assumptions and covers.
     pub properties: Vec<Property>,
 }
 
@@ -90,7 +90,7 @@ pub struct Module {
 ///     struct Adder;
 ///     source = "Shannon, 1938";
 ///     in AdderIn {
-///         /// What is added to.
+///         /// The first summand.
 ///         a: bits(8),
 ///         b: bits(8),
 ///     }
@@ -104,21 +104,22 @@ pub struct Module {
 ///
 /// let about = Adder.about();
 /// assert_eq!((&*about.summary, &*about.source), ("Adds two bytes.", "Shannon, 1938"));
-/// assert_eq!((&*about.inputs["a"], about.inputs.get("b")), ("What is added to.", None));
+/// assert_eq!((&*about.inputs["a"], about.inputs.get("b")), ("The first summand.", None));
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct About {
-    /// What the block does, one or a few sentences.
+    /// What the block does, in one or a few sentences.
     pub summary: String,
-    /// Clocks from an input to the output it causes: words, where it is not one number, and how often it can begin. Where it is one,
-    /// [`Design::latencies`] counts it; a number that stands here all the same, such as `4`, has to be that one.
+    /// Clocks from an input to the output that it causes. It is in words if it is not a single number, and says how
+    /// often a new input can begin. A single number is counted by [`Design::latencies`]; if one stands here anyway,
+    /// such as `4`, it must equal the count.
     pub latency: String,
-    /// The paper and the rule, such as `VC-1, section 3.3 (VC1-MU)`.
+    /// The paper and the section, such as `VC-1, section 3.3 (VC1-MU)`.
     pub source: String,
-    /// What the inputs stand for, and the records of inputs, by their paths, such as `scan` and `scan.enable`; what is in
-    /// a list has no number.
+    /// The documentation of the inputs, and of the records of inputs, by their paths, such as `scan` and
+    /// `scan.enable`. Paths within a list have no index.
     pub inputs: BTreeMap<String, String>,
-    /// What the outputs stand for, likewise.
+    /// The documentation of the outputs, in the same form.
     pub outputs: BTreeMap<String, String>,
 }
 
@@ -136,22 +137,22 @@ pub struct About {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Node {
-    /// How it is computed.
+    /// The operation.
     pub op: Op,
     /// Its width in bits, in one lane: 1 to 1,048,576.
     pub width: u32,
-    /// Its lanes, each of that width; plain without.
+    /// Its lanes, each of that width; plain if it has none.
     pub shape: Shape,
-    /// What the bits of a lane stand for.
+    /// The meaning of a lane's bits.
     pub kind: Kind,
-    /// The name that the description gave it; unique in the module, legal in Verilog and VCD. Inputs and registers
+    /// The name given in the description; unique in the module, and legal in Verilog and VCD. Inputs and registers
     /// always have one.
     pub name: Option<String>,
-    /// Where the description made it.
+    /// The place in the description.
     pub loc: Loc,
 }
 
-/// An instance, or an array of instances that differ only in what their lanes are fed.
+/// An instance, or an array of instances that differ only in the inputs of their lanes.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -186,17 +187,18 @@ pub struct Node {
 pub struct Instance {
     /// Its name, unique in the module, such as `u_merger`.
     pub name: String,
-    /// What it is an instance of.
+    /// The instantiated module.
     pub module: ModuleId,
     /// The array's lanes, at least 1; plain for a single instance.
     pub shape: Shape,
-    /// What drives the inputs, in the order of the child's ports; of the array's shape beside that of the port.
+    /// The drivers of the inputs, in the sequence of the child's ports. Each has the array's shape followed by that
+    /// of the port.
     pub inputs: Vec<NodeId>,
-    /// The [`Op::Output`] nodes, in the order of the child's ports.
+    /// The [`Op::Output`] nodes, in the sequence of the child's ports.
     pub outputs: Vec<NodeId>,
     /// For each clock of the child, the clock of this module that drives it.
     pub clocks: Vec<ClockId>,
-    /// Where it is made.
+    /// The place in the description.
     pub loc: Loc,
 }
 
@@ -214,7 +216,7 @@ impl Node {
 }
 
 impl Module {
-    /// The node of that id.
+    /// The node with this id.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -1,9 +1,9 @@
-//! How a node is computed.
+//! The operations of nodes.
 
 use super::{Affine, InstanceId, MemoryId, NodeId, RegisterId};
 use crate::bits::Bits;
 
-/// Operators of one operand.
+/// Operators with one operand.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -20,13 +20,13 @@ pub enum Unary {
     Not,
     /// 1 bit: all bits are one.
     AllOnes,
-    /// 1 bit: some bit is one.
+    /// 1 bit: at least one bit is one.
     AnyOne,
     /// 1 bit: the number of ones is odd.
     Parity,
 }
 
-/// Operators of two operands of equal widths, with a result of that width except where said.
+/// Operators with two operands of equal widths. The result has that width unless stated otherwise.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -34,7 +34,7 @@ pub enum Unary {
 /// let product = i.a.signed() * i.b;
 /// #     ShownOut { product }
 /// # };
-/// // The operation says that it is signed; what its operands stand for does not change it.
+/// // The operation says that it is signed; the kinds of its operands do not change it.
 /// let top = design.top();
 /// assert!(matches!(top.node(top.outputs[0].node).op, ir::Op::Binary(ir::Binary::MulSigned, ..)));
 /// ```
@@ -50,9 +50,9 @@ pub enum Binary {
     Add,
     /// Difference, modulo 2 to the width.
     Sub,
-    /// Unsigned product; operands of any widths, the result's width is their sum.
+    /// Unsigned product; the operands may differ in width, and the result's width is their sum.
     Mul,
-    /// Two's complement product; operands of any widths, the result's width is their sum.
+    /// Two's complement product; the operands may differ in width, and the result's width is their sum.
     MulSigned,
 }
 
@@ -92,7 +92,7 @@ pub enum Relation {
 /// let (by_signal, by_two) = (i.word << i.amount, i.word << 2);
 /// #     ShownOut { by_signal, by_two }
 /// # };
-/// // A shift by a constant is none: it is wiring.
+/// // A shift by a constant is wiring, not a shift.
 /// let top = design.top();
 /// let op = |output: usize| &top.node(top.outputs[output].node).op;
 /// assert!(matches!(op(0), ir::Op::Shift(ir::Shift::Left, ..)));
@@ -108,7 +108,7 @@ pub enum Shift {
     RightSigned,
 }
 
-/// Combinations of all lanes along an axis into one.
+/// Operators that combine all lanes along an axis into one.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -158,10 +158,10 @@ impl Reduction {
     }
 }
 
-/// How a node is computed.
+/// The operation of a node.
 ///
 /// Operations up to [`Output`](Op::Output) are elementwise: their operands have the node's shape, and each lane is
-/// computed from the same lane of them. The others lead from one shape to another, along one axis.
+/// computed from the same lane of the operands. The others change the shape along one axis.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -187,15 +187,15 @@ impl Reduction {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Op {
-    /// The input port of that index in [`Module::inputs`](crate::ir::Module::inputs).
+    /// The input port with this index in [`Module::inputs`](crate::ir::Module::inputs).
     Input(u32),
     /// A constant of the node's width, the same in every lane.
     Const(Bits),
-    /// An operator of one operand.
+    /// An operator with one operand.
     Unary(Unary, NodeId),
-    /// An operator of two operands.
+    /// An operator with two operands.
     Binary(Binary, NodeId, NodeId),
-    /// 1 bit; operands of equal widths; in two's complement if `signed`.
+    /// 1 bit. The operands have equal widths, and are compared in two's complement if `signed`.
     Compare {
         /// The relation.
         relation: Relation,
@@ -204,7 +204,8 @@ pub enum Op {
         /// Left and right operand.
         operands: [NodeId; 2],
     },
-    /// The operand shifted by an unsigned amount of any width; an amount of the width or more leaves only filling.
+    /// The operand shifted by an unsigned amount of any width. If the amount is the width or more, only fill bits
+    /// remain.
     Shift(Shift, NodeId, NodeId),
     /// `if select { on_true } else { on_false }`; `select` has 1 bit.
     Mux {
@@ -215,20 +216,20 @@ pub enum Op {
         /// The value where `select` is 0.
         on_false: NodeId,
     },
-    /// The value of the first arm whose 1-bit condition holds, else the default.
+    /// The value of the first arm whose 1-bit condition is true, else the default.
     Select {
         /// Condition and value, highest priority first.
         arms: Vec<(NodeId, NodeId)>,
-        /// The value where no condition holds.
+        /// The value if no condition is true.
         default: NodeId,
     },
-    /// The value of the arm whose key equals the subject, else the default; keys differ and have the subject's width.
+    /// The value of the arm whose key equals the subject, else the default. Keys differ and have the subject's width.
     Case {
-        /// What is compared.
+        /// The compared value.
         subject: NodeId,
         /// Key and value.
         arms: Vec<(Bits, NodeId)>,
-        /// The value where no key equals the subject.
+        /// The value if no key equals the subject.
         default: NodeId,
     },
     /// Bits `low .. low + width` of the operand.
@@ -240,7 +241,7 @@ pub enum Op {
     },
     /// The operands side by side, the most significant first.
     Concat(Vec<NodeId>),
-    /// The operand side by side with itself, so many times.
+    /// Copies of the operand side by side; the second field is their number.
     Repeat(NodeId, u32),
     /// The operand widened, with its sign bit if `signed`, otherwise with zeros.
     Extend {
@@ -251,15 +252,15 @@ pub enum Op {
     },
     /// The present value of a register.
     Register(RegisterId),
-    /// The data of a memory's read port of that index in [`Memory::reads`](crate::ir::Memory::reads).
+    /// The data of the memory's read port with this index in [`Memory::reads`](crate::ir::Memory::reads).
     Read(MemoryId, u32),
     /// A named net declared before its driver.
     Wire(NodeId),
-    /// The operand, which the description declares stable whenever another clock samples it, with the reason.
+    /// The operand, which the description declares stable whenever another clock samples it, and the reason.
     QuasiStatic(NodeId, String),
-    /// The output port of an instance; of the instance's shape beside that of the port.
+    /// The output port of an instance; of the instance's shape followed by that of the port.
     Output(InstanceId, u32),
-    /// The operand, which lacks that axis, in every lane along it.
+    /// The operand, which lacks the axis, repeated in every lane along it.
     Broadcast {
         /// The operand, of the node's shape without the axis.
         of: NodeId,
@@ -268,51 +269,52 @@ pub enum Op {
     },
     /// Lane `i` along the axis is part `i`.
     Stack {
-        /// As many as the node has lanes along the axis, of its shape without the axis.
+        /// One for each of the node's lanes along the axis, of the node's shape without the axis.
         parts: Vec<NodeId>,
         /// An axis of the node.
         axis: u32,
     },
-    /// Lane `i` along the axis is lane `index(i)` of the operand, or `edge` where there is no such lane.
+    /// Lane `i` along the axis is lane `index(i)` of the operand, or `edge` if that is out of range.
     Map {
-        /// The operand; it may have another number of lanes along the axis than the node.
+        /// The operand; its number of lanes along the axis may differ from the node's.
         of: NodeId,
         /// An axis of both.
         axis: u32,
-        /// Which lane it takes.
+        /// The rule that gives the source lane.
         index: Affine,
-        /// What lanes take that come from beyond the ends, of the node's shape without the axis; given if and only if
-        /// there are such lanes.
+        /// The value of lanes whose source is out of range, of the node's shape without the axis; given if and only
+        /// if there are such lanes.
         edge: Option<NodeId>,
     },
-    /// Lane `i` along the axis is lane `i / k` of part `i % k`, of `k` parts.
+    /// Lane `i` along the axis is lane `i / k` of part `i % k`, where `k` is the number of parts.
     Interleave {
-        /// All of one shape; the node has as many lanes along the axis as all of them have together.
+        /// All of one shape; the node's lanes along the axis are those of all parts together.
         parts: Vec<NodeId>,
         /// An axis of the node and of the parts.
         axis: u32,
     },
-    /// One lane of the operand along the axis, which is dropped.
+    /// One lane of the operand along the axis; the axis is dropped.
     Lane {
         /// The operand.
         of: NodeId,
         /// An axis of the operand.
         axis: u32,
-        /// Which lane, below the operand's number along the axis.
+        /// The lane, below the operand's number of lanes along the axis.
         index: u32,
     },
-    /// The lane of the operand along the axis that a signal says; the axis is dropped. Zero beyond the last lane.
+    /// The lane of the operand along the axis that a signal selects; the axis is dropped. Zero if the index is out of
+    /// range.
     Pick {
         /// The operand.
         of: NodeId,
         /// An axis of the operand.
         axis: u32,
-        /// Which lane, unsigned, of any width and of the node's shape.
+        /// The selected lane, unsigned, of any width and of the node's shape.
         index: NodeId,
     },
     /// All lanes of the operand along the axis combined; the axis is dropped.
     Reduce {
-        /// How two are combined.
+        /// The operator that combines two lanes.
         by: Reduction,
         /// The operand.
         of: NodeId,
@@ -336,7 +338,8 @@ pub enum Op {
 }
 
 impl Op {
-    /// Whether the node is its operands, or a constant or the state of a register, without logic: at most inverted.
+    /// Whether the node is its operands, a constant or the state of a register, without logic except for an
+    /// inversion.
     pub(crate) fn is_wiring(&self) -> bool {
         matches!(
             self,
@@ -359,8 +362,8 @@ impl Op {
         )
     }
 
-    /// Calls `visit` with every node of the same module that this one is computed from in the same clock cycle,
-    /// except through an instance or an asynchronous read.
+    /// Calls `visit` with every node of the same module that this one depends on in the same clock cycle, except
+    /// through an instance or an asynchronous read.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -370,7 +373,7 @@ impl Op {
     /// let mut operands = Vec::new();
     /// Op::Mux { select, on_true, on_false }.for_each_operand(|node| operands.push(node.0));
     /// assert_eq!(operands, [5, 3, 4]);
-    /// // What a register is does not depend on anything in the same clock.
+    /// // The value of a register depends on nothing in the same clock.
     /// Op::Register(ir::RegisterId(0)).for_each_operand(|_| unreachable!("no operand"));
     /// ```
     pub fn for_each_operand(&self, mut visit: impl FnMut(NodeId)) {

@@ -3,7 +3,7 @@
 use super::{ClockId, Kind, NodeId};
 use crate::clock::Period;
 
-/// A clock port of a module, and the reset that goes with it.
+/// A clock port of a module, and its reset.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -13,7 +13,7 @@ use crate::clock::Period;
 /// # };
 /// let clock = &design.top().clocks[0];
 /// assert_eq!((&*clock.port, clock.name), ("clk", None));
-/// assert_eq!(clock.reset, None); // a register of a pipeline has no reset, so the module has no port for it
+/// assert_eq!(clock.reset, None); // a pipeline register has no reset, so the module has no reset port
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clock {
@@ -21,10 +21,10 @@ pub struct Clock {
     pub port: String,
     /// The reset port's name, `rst` or `NAME_rst`; `None` if nothing on this clock has a reset.
     pub reset: Option<String>,
-    /// `None` for the default clock of a module that takes whatever clock its instance is given. At the top of a
-    /// design every clock has a period.
+    /// The period; `None` for the default clock of a module, which takes the clock that its instance is given. At the
+    /// top of a design, every clock has a period.
     pub period: Option<Period>,
-    /// `None` for the default clock, otherwise the clock's name.
+    /// The clock's name; `None` for the default clock.
     pub name: Option<&'static str>,
 }
 
@@ -58,7 +58,7 @@ pub struct Input {
     pub path: String,
     /// The [`Op::Input`](super::Op::Input) node.
     pub node: NodeId,
-    /// The clock that its values are synchronous to; `None` in a module without clocks.
+    /// The clock to which its values are synchronous; `None` in a module without clocks.
     pub clock: Option<ClockId>,
 }
 
@@ -70,7 +70,7 @@ pub struct Input {
 /// let same = i.word.signed();
 /// #     ShownOut { same }
 /// # };
-/// // No operation, but read in another way.
+/// // No operation: the bits are only read in another way.
 /// let (top, output) = (design.top(), &design.top().outputs[0]);
 /// assert_eq!(output.node, top.inputs[0].node);
 /// assert_eq!((output.kind, top.node(output.node).kind), (ir::Kind::Signed, ir::Kind::Number));
@@ -81,8 +81,8 @@ pub struct Output {
     pub name: String,
     /// The path in the bundle, such as `pixel.z`.
     pub path: String,
-    /// What drives it.
+    /// The driver.
     pub node: NodeId,
-    /// What its bits stand for, whatever those of its driver do.
+    /// The meaning of its bits, which may differ from that of its driver's.
     pub kind: Kind,
 }

@@ -1,39 +1,39 @@
-//! What is stated of a circuit, and said to synthesizers.
+//! Properties of a circuit, and attributes for synthesizers.
 
 use super::{ClockId, NodeId};
 use crate::loc::Loc;
 
-/// A statement about a condition, in every lane, at every edge of its clock while that clock's reset is low.
+/// A property: a condition that is checked in every lane, at every edge of its clock while that clock's reset is low.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
-/// m.assert(i.take.implies(!i.empty), "nothing is taken of what is empty");
+/// m.assert(i.take.implies(!i.empty), "nothing is taken while it is empty");
 /// #     ShownOut { taken: i.take }
 /// # };
 /// let (top, property) = (design.top(), &design.top().properties[0]);
-/// assert_eq!((top.width(property.condition), &*property.message), (1, "nothing is taken of what is empty"));
+/// assert_eq!((top.width(property.condition), &*property.message), (1, "nothing is taken while it is empty"));
 /// ```
 #[derive(Debug, Clone)]
 pub struct Property {
-    /// What is stated.
+    /// The kind of property.
     pub directive: Directive,
     /// Its clock.
     pub clock: ClockId,
     /// 1 bit, of any shape.
     pub condition: NodeId,
-    /// What is wrong if it does not hold; of a cover, what it is that happens.
+    /// The error message if the condition is false; for a cover, the event that it counts.
     pub message: String,
-    /// Where it is stated.
+    /// The place in the description.
     pub loc: Loc,
 }
 
-/// What a [`Property`] states of its condition.
+/// The kind of a [`Property`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = tilewright_sim::shown! { |m, i| in { take: bit(), empty: bit() } out { taken: bit() }
-/// m.assume(i.take.implies(!i.empty), "nothing is taken of what is empty");
+/// m.assume(i.take.implies(!i.empty), "nothing is taken while it is empty");
 /// m.cover("something is taken", i.take);
 /// #     ShownOut { taken: i.take }
 /// # };
@@ -42,11 +42,11 @@ pub struct Property {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Directive {
-    /// It always holds; if not, the circuit is wrong.
+    /// The condition is always true; if not, the circuit is wrong.
     Assert,
-    /// It always holds; if not, what the inputs are given is wrong.
+    /// The condition is always true; if not, the stimulus is wrong.
     Assume,
-    /// It holds at some time.
+    /// The condition is true at some time.
     Cover,
 }
 
@@ -66,6 +66,6 @@ pub enum Directive {
 pub struct Attribute {
     /// The name, a plain identifier.
     pub name: String,
-    /// The value, a text.
+    /// The value, as text.
     pub value: String,
 }

@@ -1,9 +1,9 @@
-//! Registers, and what they hold at first.
+//! Registers, and their values at the start.
 
 use super::{Attribute, ClockId, NodeId};
 use crate::bits::Bits;
 
-/// What the lanes of a register hold after a reset.
+/// The values of a register's lanes after a reset.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -25,7 +25,7 @@ use crate::bits::Bits;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Init {
-    /// The same in every lane; of a plain register always so.
+    /// The same in every lane; a plain register always has this form.
     Same(Bits),
     /// A value for each lane, in row-major order.
     Each(Vec<Bits>),
@@ -37,7 +37,7 @@ impl Init {
     /// ```
     /// # use tilewright_hdl::*;
     /// let zeros = ir::Init::Same(Bits::zero(8));
-    /// assert_eq!(zeros.lane(100), &Bits::zero(8)); // of as many lanes as there may be
+    /// assert_eq!(zeros.lane(100), &Bits::zero(8)); // for any number of lanes
     /// ```
     pub fn lane(&self, lane: u32) -> &Bits {
         match self {
@@ -47,8 +47,8 @@ impl Init {
     }
 }
 
-/// A register, in each of its lanes. At an edge of its clock: `reset` if that clock's reset is high and there is a reset value; else `next`
-/// if `enable` is absent or high; else unchanged.
+/// A register, in each of its lanes. At an edge of its clock it takes `reset` if that clock's reset is high and there
+/// is a reset value; otherwise it takes `next` if `enable` is absent or high; otherwise it is unchanged.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -63,20 +63,20 @@ impl Init {
 /// ```
 #[derive(Debug, Clone)]
 pub struct Register {
-    /// The [`Op::Register`](super::Op::Register) node, which has the name, the width, the shape and the place.
+    /// The [`Op::Register`](super::Op::Register) node, which has its name, width, shape and place.
     pub node: NodeId,
     /// Its clock.
     pub clock: ClockId,
-    /// The value after a reset; `None` for a register that a reset does not touch.
+    /// The value after a reset; `None` if a reset does not affect it.
     pub reset: Option<Init>,
-    /// The value at power-on, the same in each lane; `None` if nothing may be relied on.
+    /// The value at power-on, the same in each lane; `None` if it is undefined.
     pub initial: Option<Bits>,
-    /// 1 bit, of the register's shape: whether it takes `next`; `None` means always.
+    /// 1 bit, of the register's shape: takes `next` while high. `None` means always.
     pub enable: Option<NodeId>,
-    /// The value it takes.
+    /// The next value.
     pub next: NodeId,
-    /// Whether it is one of the two registers of a synchronizer, which a synthesizer is to keep as they are and close
-    /// together: `ASYNC_REG` in Verilog.
+    /// Whether it is one of the two registers of a synchronizer. A synthesizer must not change these, and must place
+    /// them close together: `ASYNC_REG` in Verilog.
     pub is_synchronizer: bool,
     /// For synthesizers.
     pub attributes: Vec<Attribute>,

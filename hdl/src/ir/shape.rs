@@ -1,11 +1,11 @@
-//! The shape of a value: plain, a row of lanes, or a grid of them.
+//! The shape of a value: plain, a row of lanes, or a grid of lanes.
 
 use std::fmt;
 
-/// How many elements a value has, and how they are laid out. Each element, called a lane, has the node's width.
+/// The number and layout of a value's elements. Each element, called a lane, has the node's width.
 ///
-/// Axis 0 of a row counts its lanes. Axis 0 of a grid counts its rows, axis 1 its columns. Lanes are in row-major order
-/// wherever they stand in one line: lane `(row, column)` of a grid is lane `row * columns + column`.
+/// Axis 0 of a row counts its lanes. Axis 0 of a grid counts its rows, axis 1 its columns. Linear lists of lanes are
+/// in row-major order: lane `(row, column)` of a grid is lane `row * columns + column`.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -17,14 +17,14 @@ pub enum Shape {
     /// A single value, without lanes.
     #[default]
     Plain,
-    /// So many lanes.
+    /// A row with this number of lanes.
     Row(u32),
-    /// So many rows, each of so many columns.
+    /// A grid with this number of rows and of columns.
     Grid(u32, u32),
 }
 
 impl Shape {
-    /// The number of lanes in all; 1 for a plain value. A product beyond [`u32::MAX`] stops there.
+    /// The total number of lanes; 1 for a plain value. It saturates at [`u32::MAX`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -42,7 +42,7 @@ impl Shape {
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // A row of one lane is none: it does not go where a plain value does by itself.
+    /// // A row of one lane is not plain: it does not broadcast as a plain value does.
     /// assert!(Shape::Plain.is_plain() && !row(1).is_plain());
     /// ```
     pub fn is_plain(self) -> bool {
@@ -63,7 +63,7 @@ impl Shape {
         }
     }
 
-    /// The number of lanes along an axis; 1 along an axis that there is not.
+    /// The number of lanes along an axis; 1 if the shape has no such axis.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -79,11 +79,11 @@ impl Shape {
         }
     }
 
-    /// The shape that is left where an axis is dropped; itself if there is no such axis.
+    /// The shape without an axis; unchanged if there is no such axis.
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // Without its rows, a grid is as long as a row of it.
+    /// // A grid without its row axis has the shape of one row.
     /// assert_eq!((grid(3, 4).without(0), grid(3, 4).without(1)), (row(4), row(3)));
     /// ```
     pub fn without(self, axis: u32) -> Shape {
@@ -95,8 +95,8 @@ impl Shape {
         }
     }
 
-    /// The shape with an axis of `count` lanes put in as that axis, the reverse of [`without`](Shape::without); `None`
-    /// if that would be a third axis, or leave a gap.
+    /// The shape with an axis of `count` lanes inserted, the reverse of [`without`](Shape::without). `None` if that
+    /// would be a third axis or leave a gap.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -112,11 +112,11 @@ impl Shape {
         }
     }
 
-    /// The product of the extents behind an axis: how far neighbours along that axis are apart in row-major order.
+    /// The product of the extents after an axis: the distance of neighbours along that axis in row-major order.
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // The lane below is 4 further, that on the right the next one.
+    /// // The lane below is 4 further; the lane to the right is the next one.
     /// assert_eq!((grid(3, 4).inner(0), grid(3, 4).inner(1)), (4, 1));
     /// ```
     pub fn inner(self, axis: u32) -> u32 {
@@ -140,7 +140,7 @@ impl Shape {
         }
     }
 
-    /// Where lane `lane` stands along an axis.
+    /// The index of lane `lane` along an axis.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -151,11 +151,11 @@ impl Shape {
         lane / self.inner(axis) % self.extent(axis)
     }
 
-    /// Where lane `lane` stands in the shape [`without`](Shape::without) an axis.
+    /// The index of lane `lane` in the shape [`without`](Shape::without) an axis.
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // Where lane 11 of 3 x 5 stands in its row, and in its column.
+    /// // The position of lane 11 of 3 x 5 in its row, and in its column.
     /// assert_eq!((grid(3, 5).across(0, 11), grid(3, 5).across(1, 11)), (1, 2));
     /// ```
     pub fn across(self, axis: u32, lane: u32) -> u32 {
@@ -163,7 +163,7 @@ impl Shape {
         lane / inner / self.extent(axis) * inner + lane % inner
     }
 
-    /// The lane that stands at `along` of an axis and at `across` of the shape without it.
+    /// The lane at index `along` of an axis and index `across` of the shape without it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -176,12 +176,12 @@ impl Shape {
         (across / inner * self.extent(axis) + along) * inner + across % inner
     }
 
-    /// This shape followed by another: what a port of shape `other` is, seen from outside an array of this shape. `None`
-    /// above two axes.
+    /// This shape followed by another: the shape, seen from outside, of a port of shape `other` of an array of this
+    /// shape. `None` for more than two axes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
-    /// // A row of 2 blocks, each with a port of 3 lanes, has a grid of them.
+    /// // A row of 2 blocks, each with a port of 3 lanes, needs a 2 x 3 grid.
     /// assert_eq!(row(2).beside(row(3)), Some(grid(2, 3)));
     /// assert_eq!(grid(2, 3).beside(row(4)), None);
     /// ```
@@ -194,7 +194,7 @@ impl Shape {
     }
 }
 
-/// As messages say it: `no lanes`, `1 lane`, `5 lanes`, `3 x 4 lanes`.
+/// The text for messages: `no lanes`, `1 lane`, `5 lanes`, `3 x 4 lanes`.
 impl fmt::Display for Shape {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn a_lane_stands_along_an_axis_and_across_it() {
-        // Lane 11 of a grid of 3 x 5 is in row 2, column 1.
+        // Lane 11 of a 3 x 5 grid is in row 2, column 1.
         assert_eq!((Grid(3, 5).along(0, 11), Grid(3, 5).across(0, 11)), (2, 1));
         assert_eq!((Grid(3, 5).along(1, 11), Grid(3, 5).across(1, 11)), (1, 2));
         for (shape, axis) in [(Row(7), 0), (Grid(3, 5), 0), (Grid(3, 5), 1)] {

@@ -1,8 +1,8 @@
-//! What a circuit keeps from one clock to the next, in bits.
+//! The state of a circuit, in bits.
 
 use super::{Design, Module};
 
-/// The bits that a circuit keeps, those of each instance counted.
+/// The bits of state of a circuit, with those of each instance counted.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -19,12 +19,12 @@ pub struct State {
     pub registers: u64,
     /// In memories that have a write port.
     pub memories: u64,
-    /// In memories that have none, and so hold for ever what they hold at the start.
+    /// In memories without a write port, whose contents never change.
     pub tables: u64,
 }
 
 impl State {
-    /// What of it can change.
+    /// The state that can change.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -42,7 +42,7 @@ impl State {
         }
     }
 
-    /// Of a module without its instances.
+    /// The state of a module without its instances.
     fn own(module: &Module) -> State {
         let registers = module.registers.iter().map(|register| {
             let node = module.node(register.node);
@@ -57,7 +57,7 @@ impl State {
 }
 
 impl Design {
-    /// The bits that the circuit keeps.
+    /// The bits of state of the circuit.
     ///
     /// ```
     /// # use tilewright_hdl::*;

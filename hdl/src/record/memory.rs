@@ -1,4 +1,4 @@
-//! Memories of records: one memory, in whose words the fields stand side by side.
+//! Memories of records: one memory with the fields side by side in its words.
 
 use crate::bundle::Bundle;
 use crate::clock::Clock;
@@ -9,9 +9,9 @@ use crate::record::{sound_fields, split};
 use crate::select::concat;
 use crate::width::Width;
 
-/// A memory of records is one memory, in whose words the fields stand side by side, the first most significant, as in
-/// [`cat!`](crate::cat!). What is read is a record; a name for it, as in `def!(step = ..)`, names
-/// its word and its fields, `step_address`, in waves and in Verilog.
+/// A memory of records is one memory. Its words have the fields side by side, the first most significant, as in
+/// [`cat!`](crate::cat!). A read gives a record. Naming it, as in `def!(step = ..)`, names its word and its fields
+/// (`step_address`) in waves and in Verilog.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -37,7 +37,7 @@ use crate::width::Width;
 /// assert_eq!(example.values("step_ends"), [0, 0, 1, 1]);
 /// ```
 impl<B: Bundle> Mem<B> {
-    /// The same memory; ports made through this handle are on `clock`.
+    /// The same memory, with its next ports on `clock`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -79,14 +79,14 @@ impl<B: Bundle> Mem<B> {
     ///
     /// def!(table = m.memory(12, Entry { resident: bit(), page: below(100) }, ReadUnderWrite::Any).fill(0));
     /// let last = lit(table.address_width(), 11);
-    /// m.assert(!table.read_async(last).resident, "4 bits lead to 12 records");
+    /// m.assert(!table.read_async(last).resident, "4 bits address 12 records");
     /// # });
     /// ```
     pub fn address_width(&self) -> u32 {
         self.address_width
     }
 
-    /// The width of a word in bits: of all fields together.
+    /// The width of a word in bits: that of all fields together.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -101,7 +101,7 @@ impl<B: Bundle> Mem<B> {
         self.word.bits
     }
 
-    /// Allows more than one write port. Few FPGAs have such memories: elsewhere this becomes registers.
+    /// Allows more than one write port. Few FPGAs have such memories; on others, this memory becomes registers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -145,7 +145,7 @@ impl<B: Bundle> Mem<B> {
         split(&self.layout, self.word().read(address))
     }
 
-    /// As a read, where `enable` is high; elsewhere the data stays.
+    /// Like a read, but only where `enable` is high; elsewhere the data keeps its value.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -166,7 +166,7 @@ impl<B: Bundle> Mem<B> {
         split(&self.layout, self.word().read_when(enable, address))
     }
 
-    /// An asynchronous read: the record at `address`, in the same cycle. On an FPGA it costs distributed memory.
+    /// An asynchronous read: the record at `address` in the same cycle. On an FPGA it needs distributed memory.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -195,7 +195,7 @@ impl<B: Bundle> Mem<B> {
     /// count.next(count + 1);
     /// def!(table = m.memory(2, Entry { resident: bit(), page: bits(3) }, ReadUnderWrite::Old).fill(0));
     /// def!(entry = table.read_async(1));
-    /// table.write(count.bit(0), 1, Entry { page: *count, ..entry }); // the other field is written as it is
+    /// table.write(count.bit(0), 1, Entry { page: *count, ..entry }); // the other field is written back unchanged
     /// # });
     /// assert_eq!(example.values("entry_page"), [0, 0, 1, 1, 3, 3, 5]);
     /// ```
@@ -227,7 +227,7 @@ impl<B: Bundle> Mem<B> {
         Mem { clock: word.clock, ..self.clone() }
     }
 
-    /// The fields' paths, and how they are declared.
+    /// The fields' paths and their declared widths.
     fn fields(&self) -> Vec<(String, Width)> {
         sound_fields(&self.layout)
     }

@@ -1,5 +1,5 @@
-//! Records of signals, made by [`bundle!`](crate::bundle!), as values: packed into a word, named, held by registers, wires
-//! and memories.
+//! Records of signals, made by [`bundle!`](crate::bundle!), as values: packed into words, named, and stored in
+//! registers, wires and memories.
 
 mod memory;
 mod register;
@@ -43,10 +43,11 @@ pub fn named<B: Bundle>(record: &B, name: &str) -> B {
     from_leaves(record, nets)
 }
 
-/// As [`pack`], of anything that a stream carries; of nothing a zero. A field with lanes that the word does not have is packed itself.
+/// Like [`pack`], for any payload of a stream; the word of no fields is a zero. A field with lanes that the word does
+/// not have is packed itself.
 #[track_caller]
 pub(crate) fn pack_any<V: Data>(value: &V, word: Shape) -> Signal {
-    // A loop, as a closure would be the caller that messages name.
+    // A loop: in a closure, the message would name the closure as the caller.
     let mut fields = Vec::new();
     for (_, signal) in value.leaves() {
         fields.push(match signal.shape {
@@ -58,7 +59,7 @@ pub(crate) fn pack_any<V: Data>(value: &V, word: Shape) -> Signal {
     if fields.is_empty() { lit(1, 0) } else { concat(&fields).bits() }
 }
 
-/// What [`pack_any`] made the word of, if that was like this.
+/// Undoes [`pack_any`] for a word whose record was like `like`.
 #[track_caller]
 pub(crate) fn unpack_any<V: Data>(like: &V, word: Signal) -> V {
     if like.leaves().is_empty() {
@@ -81,7 +82,8 @@ pub(crate) fn unpack_any<V: Data>(like: &V, word: Signal) -> V {
     like.map(|_| fields.next().expect("a part for each field"))
 }
 
-/// The word that the fields are all of, as that which a memory reads, gets the name of the record, unless it has one.
+/// Names the word that all fields are parts of, such as the data of a memory read, after the record, unless it has a
+/// name.
 fn name_word(fields: &[NodeId], name: &str) {
     elaboration::draft(|draft| {
         let slice = |id: &NodeId| if let Op::Slice { of, .. } = draft.node(*id).op { Some(of) } else { None };
@@ -95,7 +97,7 @@ fn name_word(fields: &[NodeId], name: &str) {
     });
 }
 
-/// The record of these values, one for each field of another, in order of declaration.
+/// A record like `like` with these values, one for each field, in the sequence of declaration.
 pub(crate) fn from_leaves<T: Leaf, F: Fields<T>, U: Leaf>(like: &F, values: impl IntoIterator<Item = U>) -> F::With<U> {
     let mut values = values.into_iter();
     like.map(|_| values.next().expect("a value for each field"))
@@ -115,19 +117,22 @@ pub fn unpack<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
             let message =
                 format!("a record of {width} bits is unpacked from `{text}`, which has {}", bits_text(word.width));
             let problem = Problem::new(loc, message).note(format!("`{text}` is made"), place);
-            e.report_instead_of(&[id], problem.help("a word has just the bits of the record's fields, side by side"));
+            e.report_instead_of(
+                &[id],
+                problem.help("a word has exactly the bits of the record's fields, side by side"),
+            );
         });
     }
     split(layout, word)
 }
 
-/// The fields of a layout, each with the nearest width that a signal can have.
+/// The fields of a layout, each with the nearest valid width.
 pub(crate) fn sound_fields<F: Fields<Width>>(layout: &F) -> Vec<(String, Width)> {
     let sound = |(path, width): (String, Width)| (path, Width { bits: width.bits.clamp(1, WIDEST), ..width });
     layout.leaves().into_iter().map(sound).collect()
 }
 
-/// The parts of `word`; zeros if it has another width than all fields together, which is a problem already.
+/// The parts of `word`; zeros if its width is not that of all fields together, which has been reported.
 #[track_caller]
 fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
     let loc = Loc::caller();
@@ -144,14 +149,14 @@ fn split<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
         }
     }
     for (field, (_, Width { kind, .. })) in fields.iter_mut().zip(layout.leaves()) {
-        // A field that is the whole word is not a node of its own.
+        // A field that is the whole word needs no node of its own.
         *field = if field.node == word.node { Signal { kind, ..*field } } else { field.kept_as(kind) };
     }
     let mut fields = fields.into_iter();
     layout.map_fields("", &mut |_, _| fields.next().expect("a part for each field"))
 }
 
-/// The widths of the fields; one that no signal can have is a problem.
+/// The widths of the fields; an invalid width is a problem.
 fn sound_widths<F: Fields<Width>>(layout: &F, of: &str, loc: Loc) -> Vec<u32> {
     let sound = |(path, width): (String, Width)| {
         elaboration::with(|e| sound_width(e, &[], &format!("field `{path}` of {of}"), width.bits.into(), loc))
@@ -159,7 +164,8 @@ fn sound_widths<F: Fields<Width>>(layout: &F, of: &str, loc: Loc) -> Vec<u32> {
     layout.leaves().into_iter().map(sound).collect()
 }
 
-/// The width and the lanes of a word that has these fields; the one field of a plain word has no path, and is checked by the memory.
+/// The width and lanes of a word with these fields. The single field of a plain word has no path and is checked by
+/// the memory.
 pub(crate) fn word<F: Fields<Width>>(layout: &F, memory: &str, loc: Loc) -> Width {
     let fields = layout.leaves();
     let Some((path, first)) = fields.first() else { return crate::width::bits(0) };
@@ -168,7 +174,8 @@ pub(crate) fn word<F: Fields<Width>>(layout: &F, memory: &str, loc: Loc) -> Widt
     }
     if let Some((other, width)) = fields.iter().find(|(_, width)| width.shape != first.shape) {
         let (has, shape) = (first.shape, width.shape);
-        let message = format!("memory `{memory}` holds records, whose field `{path}` has {has}, but `{other}` {shape}");
+        let message =
+            format!("memory `{memory}` stores records, whose field `{path}` has {has}, but `{other}` {shape}");
         let problem =
             Problem::new(loc, message).help("each lane of a memory has whole records: all fields have its lanes");
         elaboration::with(|e| e.report(problem));

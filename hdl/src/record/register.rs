@@ -8,8 +8,8 @@ use crate::operand::{IntoSignal, Value};
 use crate::register::{Reg, Updates};
 use crate::select::condition;
 
-/// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of them are
-/// enabled and updated together.
+/// A register of a record is one register for each field, named `entry_page` for the field `page` of `entry`. All of
+/// them are updated together.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Module, Width, below, bit, bundle, def, elaborate};
@@ -18,7 +18,7 @@ use crate::select::condition;
 ///     pub struct Entry<T> { pub resident: T, pub page: T }
 /// }
 /// # bundle! {
-/// #     /// What comes and goes.
+/// #     /// The enable and the value.
 /// #     pub struct KeeperIn<T> { pub clear: T, pub take: T, pub found: Entry<T> }
 /// # }
 /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -82,7 +82,7 @@ impl<B: Bundle> Reg<B> {
         self
     }
 
-    /// Takes its next values only where `condition`, 1 bit, is high.
+    /// Takes its next values only where `enable`, 1 bit, is high.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -125,8 +125,8 @@ impl<B: Bundle> Reg<B> {
         }
     }
 
-    /// Takes `record` where `condition`, 1 bit, is high; else what a further [`when`](RecordUpdates::when) of the same chain
-    /// says; else it keeps what it holds. The first condition that holds wins.
+    /// Takes `record` where `condition`, 1 bit, is high. Elsewhere, further [`when`](RecordUpdates::when)s of the
+    /// same chain decide; if none applies, the register keeps its value. The first true condition wins.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -157,7 +157,7 @@ impl<B: Bundle> Reg<B> {
         leaves.map(|(i, (_, signal))| Reg { signal, index: self.index + i }).collect()
     }
 
-    /// What each field is given.
+    /// The value for each field.
     #[track_caller]
     fn values(&self, record: impl Fits<B>, of: &str) -> Vec<Value> {
         let fields = self.signal.leaves();
@@ -169,7 +169,8 @@ impl<B: Bundle> Reg<B> {
     }
 }
 
-/// What a register of a record takes, and when: made by its [`when`](Reg::when). It reads as the register, as [`Updates`] does.
+/// The update chain of a register of a record, made by its [`when`](Reg::when). Like [`Updates`], it reads as the
+/// register.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -197,7 +198,7 @@ impl<B> Deref for RecordUpdates<B> {
 }
 
 impl<B: Bundle> RecordUpdates<B> {
-    /// Takes `record` where `condition`, 1 bit, is high and no condition before it is.
+    /// Takes `record` where `condition`, 1 bit, is high and no earlier condition is.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -207,7 +208,7 @@ impl<B: Bundle> RecordUpdates<B> {
     /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(0));
     /// point
     ///     .when(point.x.eq(3), 0)
-    ///     .when(point.y.lt(4), Point { x: point.x + 1, y: point.y + 2 }); // else it stays as it is
+    ///     .when(point.y.lt(4), Point { x: point.x + 1, y: point.y + 2 }); // else it keeps its value
     /// # });
     /// assert_eq!(example.values("point_y"), [0, 2, 4, 4, 4]);
     /// ```
@@ -220,7 +221,7 @@ impl<B: Bundle> RecordUpdates<B> {
         self
     }
 
-    /// Takes `record` where no condition holds, instead of keeping what it holds.
+    /// Takes `record` where no condition is true, instead of keeping its value.
     ///
     /// ```
     /// # use tilewright_hdl::*;

@@ -6,7 +6,7 @@ use crate::wire::Wire;
 
 /// A wire of a record is one wire for each field, named `sent_page` for the field `page` of `sent`.
 impl<B: Bundle> Wire<B> {
-    /// Says what drives the wires.
+    /// Drives the wires.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -15,7 +15,7 @@ impl<B: Bundle> Wire<B> {
     ///
     /// def!(nearest = m.wire(Pixel { z: bits(16), rgb: bits(24) }));
     /// nearest.drive(0);
-    /// m.assert(nearest.z.eq(nearest.rgb.trunc(16)), "0 alone stands for a record of zeros");
+    /// m.assert(nearest.z.eq(nearest.rgb.trunc(16)), "0 means a record of zeros");
     /// # });
     /// ```
     #[track_caller]

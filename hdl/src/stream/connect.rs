@@ -1,4 +1,4 @@
-//! How a stream's `ready` finds its way back: a net that whoever takes the stream drives.
+//! The way back of a stream's `ready`: a net that the receiver of the stream drives.
 
 use crate::clock::Clock;
 use crate::draft::{Draft, DraftWire, UNDRIVEN};
@@ -14,28 +14,28 @@ use crate::wire::is_here;
 /// A stream that can be taken in the module under construction.
 pub(crate) struct DraftStream {
     pub origin: Origin,
-    /// The place of its `ready` among the wires.
+    /// The index of its `ready` among the wires.
     pub wire: usize,
-    /// That of its sender.
+    /// The sender's clock.
     pub clock: Option<Clock>,
     pub loc: Loc,
 }
 
-/// A stream that the module offers and that leaves it.
+/// A stream that the module sends to its parent.
 pub(crate) struct Sent {
     /// The path of its `valid` among the outputs.
     pub valid: String,
-    /// The place of its `ready` among the inputs.
+    /// The index of its `ready` among the inputs.
     pub ready: u32,
     pub loc: Loc,
 }
 
-/// Where a stream comes from.
+/// The origin of a stream.
 #[derive(Clone)]
 pub(crate) enum Origin {
-    /// It is an input of that path.
+    /// An input with this path.
     Input(String),
-    /// It is an output of an instance.
+    /// An output of an instance.
     Instance { instance: String, port: String },
     /// The module itself offers it.
     Offered,
@@ -47,7 +47,7 @@ impl DraftStream {
         matches!(self.origin, Origin::Input(_))
     }
 
-    /// The stream for messages, and what was done with it where it begins.
+    /// The stream's description for messages, and the verb for how it begins.
     pub fn text(&self) -> (String, &'static str) {
         match &self.origin {
             Origin::Input(path) => (format!("stream `{}`", port_name("", path)), "is declared"),
@@ -57,7 +57,7 @@ impl DraftStream {
     }
 }
 
-/// For each leaf whether it runs against the others, as the `ready` of a stream does.
+/// For each leaf, whether it runs backwards, as the `ready` of a stream does.
 pub(crate) fn backwards<T: Leaf>(bundle: &impl Fields<T>) -> Vec<bool> {
     let mut backwards = Vec::new();
     bundle.visit(&mut |part| match part {
@@ -82,7 +82,7 @@ pub(crate) fn untaken(e: &mut Elaboration, origin: Origin, shape: Shape, clock: 
 }
 
 impl Module {
-    /// The `ready`, at that path, of a stream that an instance sends; one for each of the instance's lanes.
+    /// The `ready`, at this path, of a stream that an instance sends, with the instance's lanes.
     pub(crate) fn unanswered(self, e: &mut Elaboration, id: InstanceId, path: &str, shape: Shape, loc: Loc) -> Signal {
         let draft = e.drafts.last().expect("a module is being built");
         let instance = &draft.instances[id.0 as usize];
@@ -96,7 +96,7 @@ impl Module {
     }
 }
 
-/// Says what the `ready` of a stream is, which whoever takes the stream does once.
+/// Drives the `ready` of a stream, which its receiver does once.
 pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
     if !is_here(ready, driver.node, loc) {
         return;
@@ -121,13 +121,13 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
         };
         let draft = e.draft();
         if is_port {
-            // What drives the port is told by the line that takes the stream.
+            // The port's driver gets the line that takes the stream.
             draft.node_mut(ready.node).loc = loc;
         }
         let before = draft.wires[wire].driver.replace((driver.node, loc));
         if let Some((lost, first)) = before {
             let mut problem = Problem::new(loc, format!("{text} is taken twice"));
-            // What is returned has no line but that where it begins.
+            // A returned stream has no line other than that of its origin.
             for (note, place) in [("the first time is".to_owned(), first), (format!("{text} {begins}"), began)] {
                 problem = if place == loc { problem } else { problem.note(note, place) };
             }
@@ -139,21 +139,21 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
 fn report_no_stream(e: &mut Elaboration, ready: Signal, driver: NodeId, loc: Loc) {
     let draft = e.draft();
     let (text, place) = (draft.describe(ready.node), draft.node(ready.node).loc);
-    let mut problem = Problem::new(loc, format!("`{text}` stands as the `ready` of a stream, but is that of none"));
+    let mut problem = Problem::new(loc, format!("`{text}` is used as the `ready` of a stream, but is not one"));
     if place != loc {
         problem = problem.note(format!("`{text}` is made"), place);
     }
     let problem = problem.help(
-        "a stream is an input, an output of an instance, or made by `m.offer`; registers and memories hold its payload",
+        "a stream is an input, an output of an instance, or made by `m.offer`; registers and memories store its payload",
     );
     e.report_instead_of(&[ready.node, driver], problem);
 }
 
-/// The stream of that `ready` leaves the module: its receiver's answer is the input port of that path.
+/// The stream of this `ready` leaves the module: its receiver's answer is the input port with this path.
 pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
     let (port, loc) = elaboration::with(|e| {
         let draft = e.draft();
-        // A mistake is told where the stream begins: the return value has no line.
+        // A mistake is reported at the stream's origin, because the return value has no line.
         let is_own = draft.serial == ready.module;
         let stream = draft.streams.get(&ready.node).filter(|_| is_own);
         let clock = stream.and_then(|stream| stream.clock);
@@ -178,7 +178,7 @@ pub(crate) fn leave(path: &str, ready: Signal, loc: Loc) {
     take(ready, port, loc);
 }
 
-/// The inputs that come in with the stream of that `ready`, if it is one that comes in.
+/// The inputs that belong to the stream of this `ready`, if the stream is an input.
 pub(crate) fn inputs_of_stream(draft: &Draft, ready: NodeId) -> Vec<NodeId> {
     let Some(Origin::Input(stream)) = draft.streams.get(&ready).map(|stream| &stream.origin) else { return Vec::new() };
     let is_in_it = |path: &str| path.strip_prefix(stream.as_str()).is_some_and(|rest| rest.starts_with('.'));

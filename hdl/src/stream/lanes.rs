@@ -1,4 +1,4 @@
-//! Streams that have lanes, as an array of instances sends them: one by one.
+//! Streams with lanes, as an array of instances sends them, one by one.
 
 use crate::data::Data;
 use crate::elaboration::{self, Elaboration};
@@ -10,13 +10,13 @@ use crate::signal::Signal;
 use crate::stream::{Origin, Stream, take, untaken};
 
 impl<P: Data> Stream<P> {
-    /// The streams of a row, each to be taken by a receiver of its own: what an array of instances sends, on its way to an arbiter.
-    /// [`stack`](crate::stack()) makes a row of streams, for an array to take.
+    /// The streams of a row, each for a receiver of its own: for example, from an array of instances to an arbiter.
+    /// [`stack`](crate::stack()) makes a row of streams for an array.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # block! {
-    /// #     /// Sends on.
+    /// #     /// Passes a stream on.
     /// #     struct Stage;
     /// #     in StageIn { into: stream(8) }
     /// #     out StageOut { out: stream(8) }
@@ -41,19 +41,19 @@ impl<P: Data> Stream<P> {
     /// # Ok::<(), Problems>(())
     /// ```
     ///
-    /// A stream without lanes, or one of a grid, is a mistake.
+    /// A stream without lanes, or with those of a grid, is a mistake.
     #[track_caller]
     pub fn lanes(&self) -> Vec<Stream<P>> {
         let loc = Loc::caller();
         let valid = self.valid.along("lanes").to_vec();
         if !matches!(self.valid.shape, Shape::Row(_)) {
-            // That is reported; as if it had none.
+            // That is reported; the result is the stream itself.
             return vec![self.clone()];
         }
         let mut streams = Vec::with_capacity(valid.len());
         for (lane, valid) in (0..).zip(valid) {
             let ready = elaboration::with(|e| part(e, self.ready, Some(lane), Shape::Plain, loc));
-            // A loop, as a closure would be the caller that messages name.
+            // A loop: in a closure, the message would name the closure as the caller.
             let mut fields = Vec::new();
             for (_, signal) in self.payload.leaves() {
                 let is_grid = matches!(signal.shape, Shape::Grid(..));
@@ -66,7 +66,7 @@ impl<P: Data> Stream<P> {
     }
 }
 
-/// The `ready` of what is made of the stream with that `ready`: of one of its lanes, or of a row that it is a lane of.
+/// The `ready` of a stream derived from the stream of that `ready`: one of its lanes, or a row that has it as a lane.
 fn part(e: &mut Elaboration, of: Signal, lane: Option<u32>, shape: Shape, loc: Loc) -> Signal {
     let stream = e.draft().streams.get(&of.node);
     let clock = stream.and_then(|stream| stream.clock);
@@ -79,7 +79,7 @@ fn part(e: &mut Elaboration, of: Signal, lane: Option<u32>, shape: Shape, loc: L
     untaken(e, origin, shape, clock, loc)
 }
 
-/// The `ready` of streams side by side, of which each is a lane.
+/// The `ready` of a row of streams.
 #[track_caller]
 pub(crate) fn stack_ready(lanes: &[Signal]) -> Signal {
     let loc = Loc::caller();

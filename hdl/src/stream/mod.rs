@@ -1,4 +1,4 @@
-//! Streams: a payload that goes where its sender has it valid and its receiver is ready.
+//! Streams: a payload that is transferred where its sender is valid and its receiver is ready.
 
 mod connect;
 mod lanes;
@@ -17,29 +17,30 @@ use crate::fields::{Fields, Leaf, Visited};
 use crate::width::{Width, bit};
 use std::ops::Deref;
 
-/// A payload with its handshake. At an edge where `valid` and `ready` are high it goes over. The sender must not wait for `ready`
-/// before it says `valid`, and holds both `valid` and the payload until then.
+/// A payload with its handshake. It is transferred at an edge where `valid` and `ready` are both high. The sender
+/// must not wait for `ready` before it raises `valid`. Once `valid` is high, the sender keeps `valid` and the payload
+/// unchanged until the transfer.
 ///
-/// In a [`bundle!`](crate::bundle!) it is a field that runs both ways: `ready` of a stream among a block's inputs is an output port, and
-/// that of one among its outputs is an input port. The ports of `jobs: Stream<Job<T>, T>` are `jobs_valid`, `jobs_ready` and
-/// one for each field of the payload, as `jobs_page`; a payload that is one signal has the port `jobs_payload`. A payload's fields can
-/// be read at once: `i.jobs.page`.
+/// In a [`bundle!`](crate::bundle!), a stream is a field that runs both ways: the `ready` of an input stream is an
+/// output port, and the `ready` of an output stream is an input port. The ports of `jobs: Stream<Job<T>, T>` are
+/// `jobs_valid`, `jobs_ready` and one for each field of the payload, such as `jobs_page`. A payload that is one
+/// signal has the port `jobs_payload`. The payload's fields can be read directly: `i.jobs.page`.
 ///
-/// A stream is taken once: by [`take_when`](Stream::take_when), by an instance that is given it, or by being returned. What a block
-/// sends it makes with [`Module::offer`](crate::Module::offer).
+/// A stream is taken exactly once: by [`take_when`](Stream::take_when), by an instance that it feeds, or by being
+/// returned. A block makes the streams that it sends with [`Module::offer`](crate::Module::offer).
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// bundle! {
-///     /// What is looked up.
+///     /// A request.
 ///     pub struct Job<T> { pub page: T, pub last: T }
-///     /// What comes in.
+///     /// The stream that comes in.
 ///     pub struct DelayIn<T> { pub jobs: Stream<Job<T>, T> }
-///     /// What goes out.
+///     /// The stream that goes out.
 ///     pub struct DelayOut<T> { pub delayed: Stream<Job<T>, T> }
 /// }
 ///
-/// /// Holds one job; latency one clock.
+/// /// Stores one job; latency one clock.
 /// #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 /// struct Delay { pages: u32 }
 ///
@@ -74,7 +75,7 @@ pub struct Stream<P = crate::Signal, T = crate::Signal> {
     pub valid: T,
     /// The receiver takes it.
     pub ready: T,
-    /// What goes over: a signal or a record.
+    /// The data: a signal or a record.
     pub payload: P,
 }
 
@@ -87,8 +88,8 @@ impl<P, T> Deref for Stream<P, T> {
 }
 
 impl<P, T: Default> Stream<P, T> {
-    /// What a testbench drives: `Stream::of(1, Job { page: 7, last: 0 })`. It has no say in `ready` of a stream that comes in, which is the
-    /// block's.
+    /// The values for a testbench to drive: `Stream::of(1, Job { page: 7, last: 0 })`. They do not include `ready`,
+    /// which the block itself drives.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -103,7 +104,7 @@ impl<P, T: Default> Stream<P, T> {
     }
 }
 
-/// A port that is a stream, whose payload is a signal of that width or a record of those: `stream(8)`,
+/// The width of a stream's port; the payload is a signal of this width or a record of widths: `stream(8)`,
 /// `stream(Job { page: below(12), last: bit() })`.
 ///
 /// ```

@@ -1,4 +1,4 @@
-//! What a description does with streams: it takes them, offers them, and gives them another payload.
+//! Operations on streams: taking them, offering them, and changing their payload.
 
 use crate::data::Data;
 use crate::elaboration;
@@ -31,11 +31,11 @@ use std::ops::Deref;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Taken<P> {
-    /// The payload goes over at this edge: it is valid, and this side is ready.
+    /// The payload is transferred at this edge: it is valid, and this side is ready.
     pub taken: Signal,
     /// The sender has a payload.
     pub valid: Signal,
-    /// What goes over where `taken` is high.
+    /// The data, transferred where `taken` is high.
     pub payload: P,
 }
 
@@ -48,7 +48,8 @@ impl<P> Deref for Taken<P> {
 }
 
 impl<P: Data> Stream<P> {
-    /// Takes the stream's payload at each edge where it is valid and `can_accept`, 1 bit, is high, which is its `ready`.
+    /// Takes the stream's payload at each edge where it is valid and `can_accept`, 1 bit, is high. `can_accept`
+    /// drives the stream's `ready`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -62,7 +63,7 @@ impl<P: Data> Stream<P> {
     /// let token = tokens.take_when(!*wait);
     /// def!(taken = token.taken);
     /// # });
-    /// // It is ready from the second clock on, and there are three.
+    /// // It is ready from the second clock on, and takes three payloads.
     /// assert_eq!(example.values("taken"), [0, 1, 1, 1, 0]);
     /// ```
     #[track_caller]
@@ -76,7 +77,7 @@ impl<P: Data> Stream<P> {
         Taken { taken: self.valid & ready, valid: self.valid, payload: self.payload.clone() }
     }
 
-    /// The stream with another payload, which is made of this one in the same cycle: `jobs.with(jobs.page)`.
+    /// The stream with another payload, computed from this one in the same cycle: `jobs.with(jobs.page)`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -93,8 +94,8 @@ impl<P: Data> Stream<P> {
         Stream { valid: self.valid, ready: self.ready, payload }
     }
 
-    /// The stream with its payload's fields side by side in one signal, the first most significant; so are the lanes of a field, lane 0 in the
-    /// lowest bits.
+    /// The stream with its payload packed into one signal: the fields side by side, the first most significant; the
+    /// lanes of a field with lane 0 in the lowest bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -103,7 +104,7 @@ impl<P: Data> Stream<P> {
     ///
     /// let (jobs, _) = m.offer(lit(1, 1), Job { page: lit(4, 0xa), last: lit(1, 1) });
     /// let words = jobs.packed();
-    /// m.assert(words.take_when(1).eq(0b1010_1), "for what carries words and knows no records");
+    /// m.assert(words.take_when(1).eq(0b1010_1), "for a block that carries words, not records");
     /// # });
     /// ```
     #[track_caller]
@@ -113,7 +114,7 @@ impl<P: Data> Stream<P> {
 }
 
 impl Stream {
-    /// The stream with a payload like `like`, which its own one is packed of.
+    /// The stream with its packed payload unpacked again, to a payload like `like`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -123,7 +124,7 @@ impl Stream {
     /// let like = Job { page: lit(4, 0), last: lit(1, 0) };
     /// let (words, _) = m.offer(lit(1, 1), lit(5, 0b1010_1));
     /// let job = words.unpacked(&like).take_when(1);
-    /// m.assert(job.page.eq(0xa) & job.last, "of `like` only the widths count");
+    /// m.assert(job.page.eq(0xa) & job.last, "only the widths of `like` matter");
     /// # });
     /// ```
     #[track_caller]
@@ -133,11 +134,11 @@ impl Stream {
 }
 
 impl Module {
-    /// A stream that this block sends: `payload`, where `valid`, 1 bit, is high. Given back are the stream, which is returned among the
-    /// outputs or fed to an instance, and a signal that says that its receiver takes the payload at this edge. `valid` must not wait
-    /// for that signal.
+    /// A stream that this block sends: `payload`, where `valid`, 1 bit, is high. It returns the stream and a signal
+    /// that is high when the receiver takes the payload at this edge. Return the stream among the outputs, or feed an
+    /// instance with it. `valid` must not wait for that signal.
     ///
-    /// See [`Stream`] for a block that does it. The stream's `ready` belongs to this handle's clock.
+    /// See [`Stream`] for a block that uses it. The stream's `ready` belongs to this handle's clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;

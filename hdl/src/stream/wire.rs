@@ -1,4 +1,4 @@
-//! A stream that is taken before it is made: what a loop of blocks begins with.
+//! A stream that is taken before it is made, for a loop of blocks.
 
 use crate::data::{Data, Layout};
 use crate::fields::Fields;
@@ -10,8 +10,8 @@ use crate::width::bit;
 use crate::wire::Wire;
 use std::ops::Deref;
 
-/// A stream declared before its sender, made by [`Module::stream_wire`]. It reads as the stream; [`drive`](StreamWire::drive) must be
-/// called exactly once.
+/// A stream declared before its sender, made by [`Module::stream_wire`]. It reads as the stream; call
+/// [`drive`](StreamWire::drive) exactly once.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -19,14 +19,14 @@ use std::ops::Deref;
 /// def!(words = m.stream_wire(8));
 /// let word = words.take_when(1); // taken here, ..
 /// words.drive(m.offer(lit(1, 1), lit(8, 7)).0); // .. made there
-/// m.assert(word.taken & word.eq(7), "as if it had been the other way round");
+/// m.assert(word.taken & word.eq(7), "as in the opposite sequence");
 /// # });
 /// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
 pub struct StreamWire<P = Signal> {
     stream: Stream<P>,
-    /// Of `valid`; those of the payload's fields follow.
+    /// The index of `valid`; the payload's fields follow.
     index: usize,
 }
 
@@ -39,14 +39,14 @@ impl<P> Deref for StreamWire<P> {
 }
 
 impl Module {
-    /// A stream that is taken before it is described, as what a block sends comes back to it. Its payload is declared as that of a
-    /// [`stream`](crate::stream()), and its nets are named as those of a port. In the loop both directions need a register: a queue, or
-    /// a slice that cuts both.
+    /// A stream that is taken before it is described, as in a loop of blocks. Its payload is declared like that of a
+    /// [`stream`](crate::stream()), and its nets are named like those of a port. In the loop, both directions need a
+    /// register: a queue, or a slice that cuts both.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # block! {
-    /// #     /// Holds a number.
+    /// #     /// Stores a number.
     /// #     struct Slot { full: bool }
     /// #     in SlotIn { into: stream(8) }
     /// #     out SlotOut { out: stream(8) }
@@ -63,7 +63,7 @@ impl Module {
     /// #     }
     /// # }
     /// # block! {
-    /// #     /// A number that goes round, one more each time.
+    /// #     /// A number that circulates and grows by one each time.
     /// #     struct Ring;
     /// #     out RingOut { number: bits(8) }
     /// # }
@@ -95,7 +95,7 @@ impl Module {
 }
 
 impl<P: Data> StreamWire<P> {
-    /// Says which stream it is, and takes that.
+    /// Says which stream it is, and takes that stream.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -104,7 +104,7 @@ impl<P: Data> StreamWire<P> {
     /// let (sent, takes) = m.offer(lit(1, 1), lit(8, 7));
     /// words.drive(sent);
     /// let _ = words.take_when(0);
-    /// m.assert(!takes, "its `ready` is that of whoever takes the wire");
+    /// m.assert(!takes, "its `ready` comes from the receiver of the wire");
     /// # });
     /// ```
     #[track_caller]

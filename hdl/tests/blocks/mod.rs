@@ -1,4 +1,4 @@
-//! Blocks in one declaration: every form of it, and what comes out.
+//! Blocks in one declaration: every form of it, and the result.
 
 use std::marker::PhantomData;
 

@@ -26,13 +26,13 @@ fn conditions_of_more_than_one_bit() {
 fn choices_that_leave_something_open() {
     expect(
         |_, i| mux(i.c, 1, 0),
-        "`mux` has only integers to choose from, which leaves its width open
+        "`mux` has only integers to choose from, which leaves its width unknown
          --> [|_, i| mux(i.c, 1, 0),]
          help: give one a width, as in `lit(8, 1)`",
     );
     expect(
         |_, i| mux(i.c, i.a.low(), i.b.low()),
-        "`mux` has only low bits to choose from, which leaves its width open
+        "`mux` has only low bits to choose from, which leaves its width unknown
          --> [|_, i| mux(i.c, i.a.low(), i.b.low()),]
          help: give one a width, as in `.trunc(8)`",
     );
@@ -40,5 +40,5 @@ fn choices_that_leave_something_open() {
     assert!(widths.contains("8 bits") && widths.contains("7'h01") && widths.contains("let widths ="), "{widths}");
     elaborate(&Case(|_, i| mux(i.c, Bits::new(8, 3), 0))).expect("one width is enough");
     assert!(problems(&Case(|_, i| case(i.c, [(2, i.a)], 0))).starts_with("the key 2 of `case` does not fit in 1 bit"));
-    assert!(problems(&Case(|_, i| case(i.a, [(2, i.a), (2, i.a)], 0))).starts_with("the key 2 of `case` stands twice"));
+    assert!(problems(&Case(|_, i| case(i.a, [(2, i.a), (2, i.a)], 0))).starts_with("the key 2 of `case` occurs twice"));
 }

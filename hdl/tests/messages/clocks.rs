@@ -32,7 +32,7 @@ fn declared_crossings_are_fine() {
 
 #[test]
 fn a_child_may_declare_the_crossing() {
-    /// Hands on an input of another clock as stable.
+    /// Passes on an input of another clock as stable.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Held;
     impl Block for Held {
@@ -98,7 +98,7 @@ fn inputs_of_a_block_without_a_clock_of_its_own_name_theirs() {
     );
     let text = problems(&TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build });
     assert!(text.starts_with("`x` is on clock `fast` but reaches register `s` on clock `slow`"), "{text}");
-    // What is sampled by no clock, or may be by any, needs none.
+    // A value that no clock samples, or that any clock may sample, needs no clock.
     let crossed = |fast: Module, slow: Module, x: Signal| {
         let flag = slow.synchronize("flag", x.bit(0));
         (fast.pipe("r", x.quasi_static("held")), slow.pipe("s", x.quasi_static("held")) + flag.zext(8))
@@ -124,7 +124,7 @@ fn outputs_that_mix_clocks() {
   `s`, on clock `slow`, is declared at [let s = slow.pipe(\"s\", lit(8, 1));]
   help: give each clock an output of its own, or cross with `m.synchronize` or `.quasi_static(reason)` before"
     );
-    // A parent that passes it on, or takes it, says nothing more.
+    // A parent that passes it on, or samples it, adds no message.
     let parent = |m: Module, _: In| {
         let mixed =
             |fast: Module, slow: Module, _: Signal| (fast.pipe("r", lit(8, 1)) + slow.pipe("s", lit(8, 1)), lit(8, 0));
@@ -149,7 +149,7 @@ fn logic_that_enters_a_synchronizer() {
          `r.eq(3)` is made at [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
          help: put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`",
     );
-    // Wiring and an inverter do no harm.
+    // Wiring and an inverter are harmless.
     elaborate(&Case(|m, i| {
         let wire = m.wire("w", 8);
         let cells = m.array("u_cell", 2, &Inverter { registered: true }, |_| Link { x: i.a });

@@ -1,4 +1,4 @@
-//! The blocks that the tests describe wrongly, and what compares the problems of a description with a text.
+//! The blocks that the tests describe wrongly, and the comparison of a description's problems with a text.
 
 use tilewright_hdl::*;
 
@@ -87,7 +87,7 @@ impl Block for Through {
 
 pub const FAST: Clock = Clock::new("fast", Period::ns(4));
 
-/// What a block may wrongly keep from the module that instantiates it.
+/// A handle that a block may wrongly keep from the module that instantiates it.
 #[derive(Clone, Copy)]
 pub enum Kept {
     Memory(Mem),
@@ -97,7 +97,7 @@ pub enum Kept {
 
 thread_local!(pub static KEPT: std::cell::Cell<Option<Kept>> = const { std::cell::Cell::new(None) });
 
-/// Uses what another module left.
+/// Uses a handle of another module.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Keeper;
 

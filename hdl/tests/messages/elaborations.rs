@@ -1,4 +1,4 @@
-//! Elaborations inside of others, and those that a panic ends.
+//! Elaborations inside others, and elaborations that a panic ends.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -20,7 +20,7 @@ fn a_panic_in_a_description_leaves_nothing_behind() {
     elaborate(&Case(|_, i| i.a)).expect("the arena was cleared");
 }
 
-/// Has an endless inside.
+/// Contains itself endlessly.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Doll(u32);
 
@@ -42,6 +42,6 @@ fn blocks_that_instantiate_themselves() {
         "`Doll(99)` is nested more than 100 deep
          --> [m.instance(\"u_inner\", &Doll(self.0 + 1), ())]
          the outermost `Doll` is instantiated at [|m, _| m.instance(\"u_doll\", &Doll(0), ()).out,]
-         help: does it instantiate itself? Then a parameter has to become smaller each time, and to end it",
+         help: if it instantiates itself, a parameter must become smaller each time, and end the recursion",
     );
 }

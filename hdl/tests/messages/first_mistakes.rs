@@ -1,4 +1,4 @@
-//! One mistake is one problem: nothing false follows from what stands in for it.
+//! One mistake is one problem: a stand-in causes no false ones.
 
 use crate::messages::common::{FAST, Inverter, Lamp, Link};
 use tilewright_hdl::*;
@@ -12,7 +12,7 @@ bundle! {
 
 type Describe = fn(Module, Given) -> Signal;
 
-/// A block whose 8 bits some other block takes, and which uses all that it is given.
+/// A block whose 8-bit output another block takes, and which uses all its inputs.
 #[derive(Clone, PartialEq, Eq, Hash)]
 #[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct First(Describe);
@@ -32,7 +32,7 @@ impl Block for First {
     }
 
     fn build(&self, m: Module, i: Given) -> Made {
-        // What is made of the one value is registered, added to, compared, chosen, and read as something else.
+        // A value derived from it is registered, added to, compared, chosen, and read as another kind.
         let value = (self.0)(m, i);
         def!(held = m.reg(8).reset(0).when(value.eq(3), value).when(i.c, value + 1).when(i.b.eq(1), i.a));
         def!(driven = m.wire(8));
@@ -87,7 +87,7 @@ fn one(message: &str, describe: Describe) {
     assert!(problems.0.len() == 1 && problems.0[0].message.starts_with(message), "for `{message}`:\n{problems}");
 }
 
-/// What is right but for that.
+/// The valid remainder of a description.
 fn taken(i: &Given) -> Signal {
     i.words.take_when(1).taken & i.words.bit(0)
 }
@@ -105,17 +105,17 @@ fn of_choices() {
     one("`mux` has only low bits", |_, i| mux(taken(&i), i.a.low(), i.words.low()));
     one("the condition of `mux` is 1 bit", |_, i| mux(i.b, i.a, taken(&i).repeat(8)));
     one("the key 900 of `case` does not fit", |_, i| case(i.a, [(900, i.a), (0, i.a)], taken(&i).repeat(8)));
-    one("the key 4 of `case` stands twice", |_, i| case(i.a, [(4, i.a), (4, i.a)], taken(&i).repeat(8)));
+    one("the key 4 of `case` occurs twice", |_, i| case(i.a, [(4, i.a), (4, i.a)], taken(&i).repeat(8)));
     one("`mux` needs equal widths", |_, i| mux(taken(&i), i.a, i.b));
     one("`mux` mixes", |_, i| mux(taken(&i), i.a.signed(), i.words.payload).bits());
     one("`mux` gives a record the number 5", |_, i| mux(taken(&i), Point { x: i.a, y: i.b }, 5).x);
     one("`mux` gives a list", |_, i| {
         mux(taken(&i), Points { all: vec![i.a, i.a] }, Points { all: vec![i.words.payload] }).all[0]
     });
-    one("`choose` is over a code of `Lamp`", |_, i| {
+    one("`choose` needs a code of `Lamp`", |_, i| {
         (i.c & taken(&i)).choose(|lamp: Lamp| if lamp == Lamp::On { i.a } else { i.words.payload })
     });
-    one("`is_code` is of codes", |_, i| (i.a.is_code() & taken(&i)).repeat(8));
+    one("`is_code` needs a code", |_, i| (i.a.is_code() & taken(&i)).repeat(8));
 }
 
 #[test]
@@ -234,7 +234,7 @@ fn of_streams_instances_and_clocks() {
     one("`crossed` is on clock `clk` but", |m, i| i.a ^ taken(&i).repeat(8) ^ crossed(m));
 }
 
-/// A register of the module's own clock, which one of another takes.
+/// A register of the module's own clock, which one of another clock samples.
 fn crossed(m: Module) -> Signal {
     def!(crossed = m.reg(8).reset(0));
     crossed.next(crossed + 1);

@@ -1,4 +1,4 @@
-//! Handles used where they mean nothing: in another module, in another elaboration, outside of one.
+//! Handles used where they are invalid: in another module, in another elaboration, outside of any.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -30,7 +30,7 @@ fn signals_of_another_module() {
     );
 }
 
-/// What is read as a code has that one problem.
+/// A value read as a code has that one problem.
 #[test]
 fn a_code_of_another_module() {
     use std::cell::Cell;
@@ -88,7 +88,7 @@ fn memories_of_another_module() {
     }));
 }
 
-/// The register's node has the number of the stand-in for it in the module that drives it.
+/// In the module that drives it, the stand-in for the register has the register's node number.
 #[test]
 fn registers_of_another_module() {
     /// Lends its register to an instance in it.
@@ -115,7 +115,7 @@ fn registers_of_another_module() {
 
 #[test]
 fn signals_of_a_finished_module() {
-    /// Leaves its output where others find it.
+    /// Stores its output where others find it.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Leaver;
     impl Block for Leaver {

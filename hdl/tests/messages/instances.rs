@@ -1,4 +1,4 @@
-//! What feeds instances and arrays.
+//! The inputs of instances and arrays.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -11,7 +11,7 @@ fn instances_fed_with_another_width() {
          --> [|m, i| m.instance(\"u_inverter\", &Inverter { registered: true }, Link { x: i.b }).out,]
          `x` is declared at [Link { x: bits(8) }]
          `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
-         help: spell the change of width where the instance is fed",
+         help: make the change of width explicit where the instance is fed",
     );
 }
 

@@ -1,4 +1,4 @@
-//! Numbers that no place, width or value can be.
+//! Numbers that are no valid place, width or value.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;

@@ -1,4 +1,4 @@
-//! What is signed, what is a code of an enum, and where they do not mix.
+//! Signed values and codes of enums, and operations that mix them.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -52,7 +52,7 @@ fn codes_and_numbers() {
         ("`lt` computes with `operation`, a code of `Operation`", |m, _| operation(m).lt(Operation::And)),
         ("`+` mixes `a`, a number, and `Operation::And`", |_, i| i.a + Operation::And),
         ("a `Operation` has 2 bits, but `a` has 8 bits", |_, i| i.a.code::<Operation>().is(Operation::Add)),
-        ("`choose` is over a code of `Source`, but `operation` is a code of `Operation`", |m, _| {
+        ("`choose` needs a code of `Source`, but `operation` is a code of `Operation`", |m, _| {
             operation(m).choose(|source| match source {
                 Source::Memory => 1,
                 Source::Constant => 0,
@@ -65,7 +65,7 @@ fn codes_and_numbers() {
     }
 }
 
-/// A constant of the circuit is held to what a number is.
+/// A constant of the circuit must satisfy the same rules as a number.
 #[test]
 fn constants_that_are_signals() {
     bundle! { struct Step<T> { operation: T, by: T } }
@@ -107,7 +107,7 @@ fn operation(m: Module) -> Signal {
     *operation
 }
 
-/// What comes out of an instance is what the block says that it is, whatever it made it of.
+/// The output of an instance has the declared kind, whatever drives it.
 #[test]
 fn outputs_stand_for_what_the_block_says() {
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! Numbers of any size: each is taken, or is a problem with its line.
+//! Numbers of any size: each is accepted, or is a problem with its line.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -25,7 +25,7 @@ bundle! {
 
 type Describe = fn(Module, Signal, i128) -> Signal;
 
-/// 8 bits in, something out, described by a function of a number.
+/// 8 bits in and any output, described by a function of a number.
 #[derive(Clone, PartialEq, Eq, Hash)]
 #[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct Sized(Describe, i128);
@@ -54,7 +54,7 @@ impl Block for Sized {
     }
 }
 
-/// Has ports of that size.
+/// Has ports of this size.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Ported(i128, bool);
 

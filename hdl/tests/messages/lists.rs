@@ -1,4 +1,4 @@
-//! Lists in bundles, and lanes of arrays, of another length than where they go.
+//! Lists in bundles, and lanes of arrays, of the wrong length.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -28,7 +28,7 @@ impl Block for Adder {
     }
 }
 
-/// Rows of so many cells each.
+/// Rows with these numbers of cells.
 fn rows(lengths: &[usize], i: &In) -> Rows {
     Rows { rows: lengths.iter().map(|&n| Row { cells: vec![i.a; n] }).collect(), first: i.c }
 }
@@ -93,14 +93,14 @@ fn lanes_fed_lists_of_different_lengths() {
 fn choices_between_lists_of_different_lengths() {
     expect(
         |_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],
-        "`mux` gives a list `rows.1.cells` of 1 where one of 2 is wanted
+        "`mux` gives a list `rows.1.cells` of 1 where one of 2 is expected
          --> [|_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],]
          help: both records have lists of the same lengths",
     );
     let text = problems(&Case(|_, i| mux(i.c, rows(&[1], &i), rows(&[1, 1], &i)).first));
-    assert!(text.starts_with("`mux` gives a list `rows` of 2 where one of 1 is wanted\n"), "{text}");
+    assert!(text.starts_with("`mux` gives a list `rows` of 2 where one of 1 is expected\n"), "{text}");
     let text = problems(&Case(|_, i| mux(i.c, vec![i.a, i.a], vec![i.a])[1]));
-    assert!(text.starts_with("`mux` gives a list of 1 where one of 2 is wanted\n"), "{text}");
+    assert!(text.starts_with("`mux` gives a list of 1 where one of 2 is expected\n"), "{text}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
-//! Every message that a mistake in a description can give, with the user's own lines that it names.
+//! Every message for a mistake in a description, with the user's own lines that it names.
 //!
-//! In the expected texts a place stands as the source line it points to, so that they survive edits of this file.
+//! In the expected texts, the source line replaces each place, so that the texts survive edits of this file.
 
 mod choices;
 mod clocks;

@@ -1,4 +1,4 @@
-//! Names that clash or that no port, net, instance or module may have.
+//! Names that clash, or that no port, net, instance or module may have.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -27,7 +27,7 @@ fn ports_with_reserved_names() {
 #[test]
 fn ports_with_names_reserved_in_cpp() {
     bundle! { struct Distance<T> { near: T } }
-    /// Has a port that Verilator refuses.
+    /// Has a port that Verilator rejects.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Near;
     impl Block for Near {
@@ -52,7 +52,7 @@ fn instances_that_hide_something() {
          the inner `y` is declared at [Out { out: if self.registered { m.pipe(\"y\", !i.x) } else { !i.x } }]
          help: call the instance `u_y`",
     );
-    /// Has a register called as every lane is.
+    /// Has a register with the name of every lane.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Street;
     impl Block for Street {
@@ -66,7 +66,7 @@ fn instances_that_hide_something() {
         }
     }
     let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |_| Link { x: i.a }).out.last()));
-    assert!(text.starts_with("the lanes of `u_street` hold something called `lane`"), "{text}");
+    assert!(text.starts_with("the lanes of `u_street` contain something called `lane`"), "{text}");
 }
 
 #[test]
@@ -77,7 +77,7 @@ fn inner_names_that_are_reserved_get_an_underscore() {
 
 #[test]
 fn modules_of_one_name_and_different_contents() {
-    /// Named alike whatever its parameter.
+    /// Has the same name for every parameter.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Twin(u32);
     impl Block for Twin {
@@ -102,7 +102,7 @@ fn modules_of_one_name_and_different_contents() {
 
 #[test]
 fn modules_with_illegal_names() {
-    /// Called by a word of Verilog.
+    /// Named by a reserved word of Verilog.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Unnameable;
     impl Block for Unnameable {
@@ -123,7 +123,7 @@ fn modules_with_illegal_names() {
     assert!(text.contains("`endmodule` cannot be the name of a module"), "{text}");
 }
 
-/// A table of constants that prints no more than its length.
+/// A table of constants whose `Debug` text is its length only.
 #[derive(Clone, PartialEq, Eq, Hash)]
 struct Rom(&'static [u64]);
 
@@ -158,7 +158,7 @@ fn different_blocks_that_print_alike() {
          `Rom { words: 2 }` is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
          the other one is instantiated at [let one = m.instance(\"u_one\", &Rom(&[1, 2]), Link { x: i.a }).out;]
          the other one is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
-         help: tell them apart in the block's `fn name`, or in what `Debug` prints of it",
+         help: distinguish them in the block's `fn name`, or in its `Debug` text",
     );
     let same = elaborate(&Case(|m, i| {
         let one = m.instance("u_one", &Rom(&[1, 2]), Link { x: i.a }).out;

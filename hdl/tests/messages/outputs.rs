@@ -1,4 +1,4 @@
-//! Outputs that are not as their block declares them.
+//! Outputs that differ from their block's declaration.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -10,7 +10,7 @@ bundle! {
 codes! { enum Side { Left, Right } }
 
 block! {
-    /// Declares one thing and builds another.
+    /// Declares one output and builds another.
     struct Liar {
         outputs: u32,
     }
@@ -38,24 +38,24 @@ fn outputs_of_another_width_shape_or_kind_than_declared() {
     let expected = "output `narrow` is declared with 7 bits, but `a` has 8 bits
          --> [in LiarIn { a: bits(8) }]
          `narrow` is declared at [narrow: bits(7),]
-         help: change what drives it, or its declaration, on which the block's instances rely
+         help: change its driver, or its declaration, on which the block's instances rely
 
          output `pair_right` is declared with 9 bits, but `!a` has 8 bits
          --> [let pair = Pair { left: a, right: !a };]
          `pair_right` is declared at [pair: Pair { left: bits(8), right: bits(9) },]
-         help: change what drives it, or its declaration, on which the block's instances rely
+         help: change its driver, or its declaration, on which the block's instances rely
 
          output `lanes` is declared with 4 lanes, but `a + 1` has no lanes
          --> [LiarOut { narrow: a, pair, lanes: a + 1, side: a.bit(0), clocked: a, list: vec![a; 2], free: a }]
          `lanes` is declared at [lanes: bits(8).of(row(4)),]
-         help: change what drives it, or its declaration, on which the block's instances rely
+         help: change its driver, or its declaration, on which the block's instances rely
 
          output `side` is declared as a code of `Side`, but `a.bit(0)` is a number
          --> [LiarOut { narrow: a, pair, lanes: a + 1, side: a.bit(0), clocked: a, list: vec![a; 2], free: a }]
          `side` is declared at [side: one_of::<Side>(),]
-         help: change what drives it, or its declaration, on which the block's instances rely
+         help: change its driver, or its declaration, on which the block's instances rely
 
-         output `clocked` is declared on clock `fast`, but an output is on the clock of what drives it
+         output `clocked` is declared on clock `fast`, but an output is on the clock of its driver
          --> [clocked: bits(8).on(FAST),]
          help: leave `.on(..)` out
 
@@ -70,11 +70,11 @@ fn a_list_of_outputs_of_another_length_than_declared() {
     assert_eq!(
         text,
         "output `list` is declared as a list of 3, but `build` returns 2\n  --> [list: [bits(8); self.outputs],]\n  \
-         help: `build` returns as many as are declared"
+         help: return as many from `build` as are declared"
     );
 }
 
-/// What a reader of the module sees of the port: its own name says which it is.
+/// A reader of the module sees the port: its own name identifies it.
 #[test]
 fn an_output_that_is_a_register_of_its_name() {
     block! {

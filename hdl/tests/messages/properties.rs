@@ -45,10 +45,10 @@ fn a_cover_has_a_name_of_its_own() {
         },
         "a second cover is called `a is 3`
          --> [m.cover(\"a is 3\", i.a.gt(3));]
-         the first one stands at [m.cover(\"a is 3\", i.a.eq(3));]
-         help: give each a name of its own: a test asks for it by that",
+         the first one is stated at [m.cover(\"a is 3\", i.a.eq(3));]
+         help: give each cover its own name: a test asks for it by name",
     );
-    // What is asserted may be said of several conditions.
+    // An assertion may combine several conditions.
     elaborate(&Case(|m, i| {
         m.assert(i.a.ne(3), "no threes");
         m.assert(i.b.ne(3), "no threes");
@@ -107,7 +107,7 @@ fn a_past_has_the_name_of_its_signal_or_says_what_it_is_of() {
     );
     let design = elaborate(&Case(|m, i| {
         def!(a_past = !i.a);
-        // The same past once more is the same register.
+        // The same past value again is the same register.
         m.past(i.a) & m.past(i.a) & m.past(a_past) & m.past(m.past(i.a)) & m.past(i.a + 1) & m.past(i.a + 2)
     }))
     .unwrap();
@@ -173,7 +173,7 @@ fn attributes() {
         "`no name` cannot be the name of an attribute\n",
         "the attribute `keep` is given twice\n",
         "`begin` cannot be",
-        "the value of the attribute `mark` ends it: `a *) b`\n",
+        "the value of the attribute `mark` would end it: `a *) b`\n",
     ] {
         assert!(text.contains(part), "{text}");
     }

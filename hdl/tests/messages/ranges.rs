@@ -4,7 +4,7 @@ use crate::messages::common::*;
 use tilewright_hdl::*;
 
 block! {
-    /// Holds words.
+    /// Stores words.
     struct Queue {
         depth: u32,
         width: u32,
@@ -15,8 +15,7 @@ block! {
     in(self) QueueIn { word: bits(self.width) }
     ranges(self) {
         depth: 2..=8,
-        /// A word has bits,
-        /// and [`u64`] holds it.
+        /// A word has bits, and [`u64`] can represent it.
         ///
         /// So do tests.
         width: 1..65,
@@ -42,7 +41,7 @@ fn the_first_parameter_out_of_its_range_is_named_with_what_would_do() {
     assert_eq!(problem(Queue { depth: 9, ..QUEUE }), "`depth` of `Queue` is 9: it has to be from 2 to 8");
     assert_eq!(
         problem(Queue { width: 65, ..QUEUE }),
-        "`width` of `Queue` is 65: it has to be at least 1 and below 65. A word has bits, and `u64` holds it."
+        "`width` of `Queue` is 65: it has to be at least 1 and below 65. A word has bits, and `u64` can represent it."
     );
     assert_eq!(problem(Queue { gap: 0, ..QUEUE }), "`gap` of `Queue` is 0: it has to be at most -1");
     assert_eq!(problem(Queue { r#loop: 1000, ..QUEUE }), "`loop` of `Queue` is 1000: it has to be below 1000");

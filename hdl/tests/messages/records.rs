@@ -1,4 +1,4 @@
-//! Records that do not fit where they are given.
+//! Records that do not fit their targets.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -34,20 +34,20 @@ fn registers_of_records_name_the_field() {
         },
         "`-1` does not fit in the 1 bit of `entry_resident`
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
-         help: a number takes the width of what is declared, and its sign
+         help: a number takes the width and the sign of the declaration
 
          `256` does not fit in the 8 bits of `entry_page`
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
-         help: a number takes the width of what is declared, and its sign
+         help: a number takes the width and the sign of the declaration
 
          the condition of `when` is 1 bit, but `a` has 8 bits
          --> [entry.when(i.a, 0).when(i.c, 7);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: compare it, as in `.ne(0)`, or take one `.bit(i)`
 
-         `when` gives a record the number 7, which is no record
+         `when` gives a record the number 7, which is not a record
          --> [entry.when(i.a, 0).when(i.c, 7);]
-         help: of all numbers, 0 alone stands for a whole record: each field is 0
+         help: the only number that means a whole record is 0: each field is 0
 
          4 problems in this description",
     );
@@ -78,7 +78,7 @@ fn words_of_records_name_the_field() {
         },
         "`2` does not fit in the 1 bit of field `resident` of word 1 of memory `entries`
          --> [.words([Entry { resident: 1, page: 255 }, Entry { resident: 2, page: 0 }]);]
-         help: a number takes the width of what is declared, and its sign
+         help: a number takes the width and the sign of the declaration
 
          field `page` of memory `entries` has 8 bits, but `b` has 7 bits
          --> [entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });]
@@ -93,11 +93,11 @@ fn words_of_records_name_the_field() {
             let entries = m.memory("entries", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });
             entries.read_async(i.a).page
         },
-        "field `resident` of the contents of memory `entries` is a constant of 1 bit, but `c` is none
+        "field `resident` of the contents of memory `entries` is a constant of 1 bit, but `c` is not
          --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
          help: contents are numbers known while the block is built
 
-         field `page` of the contents of memory `entries` is a constant of 8 bits, but `a` is none
+         field `page` of the contents of memory `entries` is a constant of 8 bits, but `a` is not
          --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
          help: contents are numbers known while the block is built
 
@@ -131,7 +131,7 @@ fn words_that_a_record_is_not_unpacked_from() {
         "a record of 9 bits is unpacked from `a`, which has 8 bits
          --> [|_, i| entry().unpack(i.a).page,]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
-         help: a word has just the bits of the record's fields, side by side",
+         help: a word has exactly the bits of the record's fields, side by side",
     );
 }
 
@@ -143,7 +143,7 @@ fn lists_of_another_length_than_the_registers() {
             row.next(Row { cells: vec![i.a, i.a, i.a] });
             row.cells[0]
         },
-        "`next` gives a list `cells` of 3 where one of 2 is wanted
+        "`next` gives a list `cells` of 3 where one of 2 is expected
          --> [row.next(Row { cells: vec![i.a, i.a, i.a] });]
          help: both records have lists of the same lengths",
     );

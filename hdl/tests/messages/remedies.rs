@@ -1,4 +1,4 @@
-//! What messages say to do, where other tests show what they say is wrong.
+//! The remedies in messages; other tests check the problems.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -13,7 +13,7 @@ fn operation(m: Module) -> Signal {
     *operation
 }
 
-/// A row of a register of its own.
+/// A row of a new register.
 fn line(m: Module, lanes: u32) -> Signal {
     let line = m.reg("line", bits(8).of(lanes));
     line.next(0);
@@ -35,19 +35,19 @@ fn each_says(cases: &[(&str, &str, Build)]) {
 fn of_choices_and_codes() {
     let reads_bits = "`.code::<Enum>()` reads bits as a code of an enum";
     each_says(&[
-        ("the key 2 of `case` does not fit in 1 bit", "each key is a value of the subject, once", |_, i| {
+        ("the key 2 of `case` does not fit in 1 bit", "each key is a value of the subject and occurs once", |_, i| {
             case(i.c, [(2, i.a)], 0)
         }),
-        ("the key 2 of `case` stands twice", "each key is a value of the subject, once", |_, i| {
+        ("the key 2 of `case` occurs twice", "each key is a value of the subject and occurs once", |_, i| {
             case(i.a, [(2, i.a), (2, i.a)], 0)
         }),
-        ("`is_code` is of codes, but `a` is a number", reads_bits, |_, i| i.a.is_code().zext(8)),
-        ("`choose` is over a code of `Operation`, but `a.slice(0..2)` is a number", reads_bits, |_, i| {
+        ("`is_code` needs a code, but `a` is a number", reads_bits, |_, i| i.a.is_code().zext(8)),
+        ("`choose` needs a code of `Operation`, but `a.slice(0..2)` is a number", reads_bits, |_, i| {
             i.a.trunc(2).choose(|operation: Operation| if operation == Operation::Add { lit(8, 1) } else { lit(8, 0) })
         }),
         (
             "a `Operation` has 2 bits, but `a` has 8 bits",
-            "take the bits that hold the code, as in `.part(low, width)`",
+            "take the bits of the code, as in `.part(low, width)`",
             |_, i| i.a.code::<Operation>().bits(),
         ),
         (
@@ -64,7 +64,7 @@ fn of_registers_and_memories() {
     each_says(&[
         (
             "memory `words` has 2 words, but its contents have 3",
-            "the contents are at most as many words as the memory has",
+            "give at most as many words as the memory has",
             |m, i| m.memory("words", 2, 8, ReadUnderWrite::Old).words([1, 2, 3]).read(i.c),
         ),
         ("memory `words` of 0 words of 8 bits holds nothing", "depth and width are at least 1", |m, i| {
@@ -72,11 +72,11 @@ fn of_registers_and_memories() {
         }),
         (
             "memory `words` has 4294967296 words, more than 4294967295",
-            "make wider words, or several memories",
+            "use wider words, or several memories",
             |m, i| m.memory("words", 1u64 << 32, 8, ReadUnderWrite::Old).read(i.a.zext(32)),
         ),
         (
-            "memory `entries` holds records, whose field `resident` has no lanes, but `page` 4 lanes",
+            "memory `entries` stores records, whose field `resident` has no lanes, but `page` 4 lanes",
             "each lane of a memory has whole records: all fields have its lanes",
             |m, i| {
                 let entry = Entry { resident: bit(), page: bits(8).of(4) };
@@ -84,8 +84,8 @@ fn of_registers_and_memories() {
             },
         ),
         (
-            "`3` is no code of `Operation`, as the contents of memory `program` is",
-            "a number takes the width of what is declared, and its sign",
+            "`3` is not a code of `Operation`, the enum of the contents of memory `program`",
+            "a number takes the width and the sign of the declaration",
             |m, i| m.memory("program", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(3).read(i.c).bits(),
         ),
         (
@@ -96,14 +96,14 @@ fn of_registers_and_memories() {
                 words.read_async(line(m, 3).trunc(1)).sum()
             },
         ),
-        ("`r` has 3 lanes, but 2 reset values", "`.reset(value)` gives all lanes the same", |m, _| {
+        ("`r` has 3 lanes, but 2 reset values", "`.reset(value)` gives all lanes the same value", |m, _| {
             let register = m.reg("r", bits(8).of(3)).reset_each([1, 2]);
             register.next(0);
             register.sum()
         }),
         (
             "`no name` cannot be the name of an attribute",
-            "a name is letters, digits and `_`, and no reserved word of Verilog",
+            "a name consists of letters, digits and `_`, and is not a reserved word of Verilog",
             |m, i| {
                 let r = m.reg("r", 8).attribute("no name", "1");
                 r.next(i.a);
@@ -112,7 +112,7 @@ fn of_registers_and_memories() {
         ),
         (
             "`1st` cannot be the name of a net",
-            "a name is letters, digits and `_`, and does not start with a digit",
+            "a name consists of letters, digits and `_`, and does not start with a digit",
             |m, i| m.pipe("1st", i.a),
         ),
     ]);
@@ -123,7 +123,7 @@ fn of_lanes() {
     let two_axes = "shapes have two at most: rows and columns";
     each_says(&[
         (
-            "a tree needs rows, all of as many lanes, but `a` has no lanes",
+            "a tree needs rows with equal numbers of lanes, but `a` has no lanes",
             "a grid is combined by `.rows()` and `.columns()`, one after the other, and their `sum()`, `minimum()` and so on",
             |_, i| tree(i.a, |a: Signal, b| a + b),
         ),
@@ -187,7 +187,7 @@ fn of_more_lanes_than_are_looked_through() {
     )]);
 }
 
-/// What stands in for a bad slice is a zero that nobody wrote, and of which nothing is said.
+/// The stand-in for a bad slice is a zero that nobody wrote, and about which nothing is reported.
 #[test]
 fn of_a_bad_slice_that_is_used_further() {
     let cases: [Build; 6] = [

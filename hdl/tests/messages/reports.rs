@@ -1,9 +1,9 @@
-//! How problems are reported: all at once, each at the user's own line.
+//! The report of problems: all at once, each at the user's own line.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
 
-/// Also where the language calls itself in a closure, which is its own caller.
+/// Even if the language calls itself in a closure, which is its own caller.
 #[test]
 fn messages_from_closures_name_the_users_line() {
     let cases: [(&str, Build); 5] = [

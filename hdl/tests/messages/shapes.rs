@@ -20,7 +20,7 @@ fn lanes_that_do_not_meet() {
          --> [(three + four).sum()]
          `three` is made at [let register = m.reg(name, bits(8).of(shape));]
          `four` is made at [let register = m.reg(name, bits(8).of(shape));]
-         help: both sides have as many lanes, laid out the same way",
+         help: both sides need equal numbers of lanes, laid out the same way",
     );
     expect(
         |m, _| {
@@ -35,7 +35,7 @@ fn lanes_that_do_not_meet() {
     );
 }
 
-/// Has a long row inside.
+/// Contains a long row.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Long;
 
@@ -62,7 +62,7 @@ fn what_is_too_large_is_the_place() {
         },
         "register `x` has 8192 x 4096 lanes, more than 16777216
          --> [let x = m.reg(\"x\", bits(8).of(grid(1 << 13, 1 << 12)));]
-         help: make it smaller, or keep what is so large in a memory",
+         help: make it smaller, or keep large data in a memory",
     );
     expect(
         |m, i| {
@@ -97,7 +97,7 @@ fn what_has_no_lanes_is_given_some() {
          --> [total.next(line);]
          `total` is made at [let total = m.reg(\"total\", 8);]
          `line` is made at [let register = m.reg(name, bits(8).of(shape));]
-         help: only plain signals are the same in every lane by themselves; take a lane, or combine them all with `.or_all()` and its like",
+         help: only a plain signal is repeated in every lane by itself; take a lane, or combine all lanes with `.or_all()` and its like",
     );
 }
 
@@ -115,7 +115,7 @@ fn what_is_asked_of_another_shape() {
         ("lane 3 of `.take` would be lane 3 of a signal of 3 lanes", |m, _| {
             lanes(m, "line", row(3)).take(4, |i| i).sum()
         }),
-        ("the rule of `.take` is none that a row of wires can follow", |m, _| {
+        ("the rule of `.take` is one that a row of wires cannot follow", |m, _| {
             lanes(m, "line", row(3)).take(3, |i| i / 2 * 2).sum()
         }),
         ("the index of `.pick`, `which`, has 2 lanes, but a lane of `line` has no lanes", |m, _| {
@@ -127,7 +127,7 @@ fn what_is_asked_of_another_shape() {
         }),
         ("`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes", |_, i| i.a.unpack(row(3)).sum()),
         ("a stack of grids, of 2 x 2 lanes each, would have three axes", |_, i| stack([i.a.of(grid(2, 2))]).sum()),
-        ("a tree needs rows, all of as many lanes, but `a` has no lanes", |_, i| tree(i.a, |a: Signal, b| a + b)),
+        ("a tree needs rows with equal numbers of lanes, but `a` has no lanes", |_, i| tree(i.a, |a: Signal, b| a + b)),
     ];
     for (start, build) in cases {
         let text = problems(&Case(build));
@@ -143,17 +143,17 @@ fn what_does_not_stack() {
          --> [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
          `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
          `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
-         help: both sides have as many lanes, laid out the same way",
+         help: both sides need equal numbers of lanes, laid out the same way",
     );
     expect(
         |_, i| stack([i.a, i.b]).sum(),
         "the lanes of a stack have different widths: lane 0 has 8 bits, lane 1 7 bits
          --> [|_, i| stack([i.a, i.b]).sum(),]
-         help: spell the change of width, lane by lane",
+         help: make the change of width explicit, lane by lane",
     );
 }
 
-/// What stands in for it is of its kind: the one mistake is the one message.
+/// The stand-in has the same kind: the one mistake is the one message.
 #[test]
 fn a_signed_lane_that_there_is_not() {
     expect(

@@ -26,7 +26,7 @@ fn operators_name_both_stages() {
          --> [left: if stage == 2 { race.left + first.right } else { race.left },]
          `late_left1` is made at [let last = m.stages(2, None, Start::from(first).called(\"late\"), |stage, race| Race {]
          `right1` is made at [let first = m.stages(1, None, start(i), |_, race| race);]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet",
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet",
     );
 }
 
@@ -43,19 +43,19 @@ fn what_enters_is_of_stage_0_and_a_mix_is_said_once() {
          --> [let nearer = last.right.lt(i.a);]
          `right2` is made at [let last = m.stages(2, i.c, start(i), |_, race| race);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet
 
          `mux(right2.lt(a), left2, a)` mixes stages of a pipeline: `left2` is of stage 2, `a` of stage 0
          --> [let mixed = mux(nearer, last.left, i.a);]
          `left2` is made at [let last = m.stages(2, i.c, start(i), |_, race| race);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet
 
          2 problems in this description",
     );
 }
 
-/// With the pipeline's own enable they are one stage more.
+/// With the pipeline's own enable, they add one stage.
 #[test]
 fn pipes_and_reads_are_stages() {
     expect(
@@ -69,9 +69,9 @@ fn pipes_and_reads_are_stages() {
          --> [(later + last.right) | table.read(last.left)]
          `later` is made at [let later = m.pipe_when(i.c, \"later\", last.left);]
          `right1` is made at [let last = m.stages(1, i.c, start(i), |_, race| Race { left: table.read_when(i.c, race.left), ..race });]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet
 
-         `left1` of stage 1 of a pipeline takes what is of stage 1: `words_read0`
+         `left1` of stage 1 of a pipeline takes a value of stage 1: `words_read0`
          --> [let last = m.stages(1, i.c, start(i), |_, race| Race { left: table.read_when(i.c, race.left), ..race });]
          `left1` is made at [let last = m.stages(1, i.c, start(i), |_, race| Race { left: table.read_when(i.c, race.left), ..race });]
          `words_read0` is made at [let last = m.stages(1, i.c, start(i), |_, race| Race { left: table.read_when(i.c, race.left), ..race });]
@@ -92,23 +92,23 @@ fn registers_and_memories_take_what_is_of_one_stage() {
             table.write(i.c, i.a, last.left);
             sum ^ table.read(i.b.zext(8))
         },
-        "what `sum` takes, and when, mixes stages of a pipeline: `a` is of stage 0, `right2` of stage 2
+        "the update of `sum` mixes stages of a pipeline: `a` is of stage 0, `right2` of stage 2
          --> [sum.enable(last.right.bit(0)).next(sum + i.a);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          `right2` is made at [let last = m.stages(2, None, start(i), |_, race| race);]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet
 
          a write to memory `words` mixes stages of a pipeline: `a` is of stage 0, `left2` of stage 2
          --> [table.write(i.c, i.a, last.left);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          `left2` is made at [let last = m.stages(2, None, start(i), |_, race| race);]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet
 
          2 problems in this description",
     );
 }
 
-/// What all lanes are enabled by is the pipeline's own enable, and another one's delay is of no stage.
+/// An enable common to all lanes is the pipeline's own enable; a delay with another enable has no stage.
 #[test]
 fn rows_go_through_stages_too() {
     expect(
@@ -123,6 +123,6 @@ fn rows_go_through_stages_too() {
          --> [((later + last.right) ^ (other + last.right)).lane(0)]
          `later` is made at [let later = m.pipe_when(i.c, \"later\", last.left);]
          `right1` is made at [let last = m.stages(1, i.c, start, |_, race| race);]
-         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` says that two records are to meet",
+         help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet",
     );
 }

@@ -12,11 +12,11 @@ fn registers_and_wires_that_nothing_drives() {
         },
         "register `lonely` of `Case` is never driven
          --> [let _lonely = m.reg(\"lonely\", 3).reset(0);]
-         help: say what it takes at the next edge with `.next(value)`, or when with `.when(condition, value)`
+         help: give its next value with `.next(value)`, or with `.when(condition, value)`
 
          wire `open` of `Case` is never driven
          --> [*m.wire(\"open\", 2)]
-         help: say what drives it with `.drive(value)`
+         help: drive it with `.drive(value)`
 
          2 problems in this description",
     );
@@ -35,7 +35,7 @@ fn registers_and_wires_that_are_driven_twice() {
          --> [r.next(0);]
          the first time is at [r.next(i.a);]
          `r` is declared at [let r = m.reg(\"r\", 8);]
-         help: say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
+         help: describe all its updates in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
     );
     expect(
         |m, i| {
@@ -48,7 +48,7 @@ fn registers_and_wires_that_are_driven_twice() {
          --> [r.when(i.b.bit(0), 7);]
          the first time is at [r.when(i.c, i.a).when(!i.c, 0);]
          `r` is declared at [let r = m.reg(\"r\", 8);]
-         help: say all that it takes in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
+         help: describe all its updates in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`",
     );
     let enabled = |m: Module, i: In| {
         let r = m.reg("r", 8).enable(i.c).enable(!i.c);
@@ -122,13 +122,13 @@ fn a_chain_ends_once() {
             let _ = updates.when(!i.c, 2);
             *r
         },
-        "the chain of `r` goes on behind its end, `.otherwise(r + 1)`
+        "the chain of `r` continues after its end, `.otherwise(r + 1)`
          --> [updates.otherwise(i.a);]
-         help: `.otherwise(value)` stands once, behind all conditions
+         help: `.otherwise(value)` comes once, after all conditions
 
-         the chain of `r` goes on behind its end, `.otherwise(r + 1)`
+         the chain of `r` continues after its end, `.otherwise(r + 1)`
          --> [let _ = updates.when(!i.c, 2);]
-         help: `.otherwise(value)` stands once, behind all conditions
+         help: `.otherwise(value)` comes once, after all conditions
 
          2 problems in this description",
     );
@@ -212,11 +212,11 @@ fn memories() {
         |m, i| m.rom("program", bits(4), [3, -1, 16]).read(i.b.trunc(2)),
         "`-1` does not fit in the 4 bits of word 1 of memory `program`
          --> [|m, i| m.rom(\"program\", bits(4), [3, -1, 16]).read(i.b.trunc(2)),]
-         help: a number takes the width of what is declared, and its sign
+         help: a number takes the width and the sign of the declaration
 
          `16` does not fit in the 4 bits of word 2 of memory `program`
          --> [|m, i| m.rom(\"program\", bits(4), [3, -1, 16]).read(i.b.trunc(2)),]
-         help: a number takes the width of what is declared, and its sign
+         help: a number takes the width and the sign of the declaration
 
          2 problems in this description",
     );

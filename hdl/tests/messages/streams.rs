@@ -1,4 +1,4 @@
-//! Streams: what is not taken, what is taken twice, and what is none.
+//! Streams: untaken ones, streams taken twice, and signals that are no streams.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -137,9 +137,9 @@ fn what_is_no_stream() {
             let made = Stream { valid: jobs.valid, ready: i.go, payload: jobs.page };
             JobsOut { found: made, copy: vec![] }
         },
-        "`go` stands as the `ready` of a stream, but is that of none
+        "`go` is used as the `ready` of a stream, but is not one
          --> [JobsIn { jobs: stream(Job { page: bits(8), last: bit() }), go: bit() }]
-         help: a stream is an input, an output of an instance, or made by `m.offer`; registers and memories hold its payload",
+         help: a stream is an input, an output of an instance, or made by `m.offer`; registers and memories store its payload",
     );
 }
 
@@ -187,7 +187,7 @@ fn a_sender_that_waits_for_its_receiver() {
         },
         "stream `found` of `Streams` waits for its receiver: its `valid` follows from its `ready`
          --> [let (found, _) = m.offer(jobs.valid & answer, jobs.page);]
-         help: offer what there is, and let `sent` say whether it is taken: the receiver may wait for `valid`",
+         help: offer the payload in any case, and let `sent` tell whether it is taken: the receiver may wait for `valid`",
     );
 }
 
@@ -196,7 +196,7 @@ bundle! {
     struct PassedOn<T> { y: Stream<T, T>, taken: T }
 }
 
-/// Passes its stream on as it is.
+/// Passes its stream on unchanged.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Pass;
 
@@ -224,11 +224,11 @@ fn stream_wires_that_are_not_driven_once() {
         },
         "wire `back_valid` of `Streams` is never driven
          --> [let back = m.stream_wire(\"back\", 8);]
-         help: say what drives it with `.drive(value)`
+         help: drive it with `.drive(value)`
 
          wire `back_payload` of `Streams` is never driven
          --> [let back = m.stream_wire(\"back\", 8);]
-         help: say what drives it with `.drive(value)`
+         help: drive it with `.drive(value)`
 
          2 problems in this description",
     );

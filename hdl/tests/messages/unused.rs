@@ -21,10 +21,10 @@ impl Block for Careless {
     }
 }
 
-/// A fault gives no second message that calls its operands unused.
+/// A fault does not also report its operands as unused.
 #[test]
 fn inputs_in_faulty_expressions_are_used() {
-    /// As [`Case`], but nothing is said of unused inputs.
+    /// Like [`Case`], but unused inputs are not reported.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     #[allow(
         unpredictable_function_pointer_comparisons,
@@ -87,6 +87,6 @@ fn inputs_in_faulty_expressions_are_used() {
 fn inputs_that_are_not_used() {
     assert_eq!(
         problems(&Careless),
-        "input `b` of `Careless` is never used\n  --> [In { a: bits(8), b: bits(7), c: bit() }]\n  help: remove it, or say `m.ignore(&i.b)` if that is meant"
+        "input `b` of `Careless` is never used\n  --> [In { a: bits(8), b: bits(7), c: bit() }]\n  help: remove it, or say `m.ignore(&i.b)` if that is intended"
     );
 }

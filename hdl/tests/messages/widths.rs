@@ -1,4 +1,4 @@
-//! Widths that differ, that change wrongly, or that nothing may have.
+//! Widths that differ, changes of width that are wrong, and invalid widths.
 
 use crate::messages::common::*;
 use tilewright_hdl::*;
@@ -47,7 +47,7 @@ fn low_bits_of_too_few() {
     assert!(of_constant.starts_with("the reset value of `r` is not a constant of 7 bits"), "{of_constant}");
 }
 
-/// Widths meet in every operator, choice and sink, and the message names which.
+/// Every operator, choice and sink checks widths, and the message names it.
 #[test]
 fn every_meeting_of_widths_is_checked() {
     let cases: [(Build, &str); 13] = [
@@ -100,7 +100,7 @@ fn nothing_is_wider_than_a_million_bits() {
          --> [|_, i| concat(&[i.a.repeat(131_071), i.a, i.b]),]
          help: keep wide data in a memory",
     );
-    // As many bits as would overflow a `u32`.
+    // A number of bits that would overflow a `u32`.
     let text = problems(&Case(|_, i| concat(&[i.a.repeat(131_072); 4097])));
     assert!(text.starts_with("a concatenation of 4296015872 bits is wider than 1048576"), "{text}");
 }
@@ -157,7 +157,7 @@ fn slices_and_changes_of_width() {
     assert!(problems(&Case(|_, i| i.c.repeat(0))).starts_with("`.repeat(0)` leaves nothing of `c`, which has 1 bit"));
 }
 
-/// Each message is one, at the user's line, and what stands in for the faulty thing causes no other.
+/// Each message is a single one, at the user's line, and the stand-in for the faulty object causes no other.
 #[test]
 fn things_without_bits() {
     let cases: [(&str, Build); 5] = [
@@ -248,7 +248,7 @@ fn what_is_declared_has_at_most_a_million_bits() {
         |m, i| m.memory("words", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),
         "memory `words` has words of 600000000 bits, more than 1048576
          --> [|m, i| m.memory(\"words\", 256, 600_000_000, ReadUnderWrite::Old).read(i.a),]
-         help: spread what is wider over several words",
+         help: spread wider data over several words",
     );
 }
 
@@ -289,7 +289,7 @@ fn shifts_by_less_than_nothing() {
         |_, i| i.a << -1,
         "a shift by -1 bits
          --> [|_, i| i.a << -1,]
-         help: an amount is 0 or more",
+         help: an amount must be 0 or more",
     );
 }
 

@@ -1,4 +1,4 @@
-//! Codes that are none, and what happens where a state machine moves.
+//! Invalid codes, and actions at the transitions of a state machine.
 
 use tilewright_hdl::ir::Directive;
 use tilewright_hdl::*;
@@ -14,12 +14,12 @@ bundle! {
     struct ChosenOut<T> { out: T }
 }
 
-/// A block that chooses by what this function makes of its inputs.
+/// A block that chooses by the result of this function of its inputs.
 #[derive(Clone, PartialEq, Eq, Hash)]
 #[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
 struct Chosen(Subject);
 
-/// What is chosen by.
+/// The subject of the choice.
 type Subject = fn(Module, ChosenIn) -> Signal;
 
 impl std::fmt::Debug for Chosen {
@@ -45,7 +45,7 @@ impl Block for Chosen {
     }
 }
 
-/// What is asserted by itself of what is chosen by.
+/// The automatic assertions about the subject.
 fn asserted(subject: Subject) -> Vec<String> {
     let design = elaborate(&Chosen(subject)).unwrap_or_else(|problems| panic!("{problems}"));
     let asserted = design.top().properties.iter().filter(|property| property.directive == Directive::Assert);
@@ -96,7 +96,7 @@ fn what_holds_anything_at_first_or_comes_from_elsewhere_is_not() {
     assert_eq!(asserted(|m, i| m.pipe("r", mux(i.go, i.phase, Phase::Run))), none);
     assert_eq!(
         asserted(|m, _| {
-            // The register has no reset, so a reset does not tell what the other one takes.
+            // The register has no reset, so a reset does not determine the next value of the other one.
             let early = m.reg("early", one_of::<Phase>());
             early.next(Phase::Run);
             let r = m.reg("r", one_of::<Phase>()).reset(Phase::Idle);
@@ -165,7 +165,7 @@ fn bits_that_are_chosen_by_as_a_code_are_asserted_too() {
     }
 }
 
-/// The same bits may be a code of one enum, and of another.
+/// The same bits may be a code of one enum and of another.
 #[test]
 fn bits_that_are_chosen_by_as_codes_of_two_enums_have_the_names_of_each() {
     codes! { enum Gait { Walk, Trot, Canter, Gallop } }
@@ -186,7 +186,7 @@ fn bits_that_are_chosen_by_as_codes_of_two_enums_have_the_names_of_each() {
     );
 }
 
-/// A raw identifier is a word of Rust: in waves and in Verilog it is one like another.
+/// A raw identifier is a word of Rust: in waves and in Verilog it is an ordinary name.
 #[test]
 fn a_code_may_have_the_name_of_a_word_of_rust() {
     codes! {
@@ -232,7 +232,7 @@ fn a_code_that_is_none_fails_where_it_is_computed() {
 #[test]
 fn is_code_is_of_codes() {
     let text = elaborate(&Chosen(|_, i| mux(i.raw.is_code(), i.phase, Phase::Run))).unwrap_err().to_string();
-    assert!(text.starts_with("`is_code` is of codes, but `raw` is a number\n"), "{text}");
+    assert!(text.starts_with("`is_code` needs a code, but `raw` is a number\n"), "{text}");
 }
 
 bundle! {
@@ -240,7 +240,7 @@ bundle! {
     struct MovesOut<T> { state: T, leaves: Vec<T>, enters: Vec<T>, goes: Vec<T> }
 }
 
-/// Says of each state and pair of states when it moves.
+/// For each state and each pair of states, tells when it moves.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mover;
 
@@ -294,7 +294,7 @@ fn moves_say_what_the_next_edge_does() {
 }
 
 block! {
-    /// Chooses by something that makes no difference.
+    /// Chooses between equal values.
     struct Indifferent;
     in IndifferentIn { phase: one_of::<Phase>(), level: bits(8).signed() }
     out IndifferentOut { raised: bits(8) }

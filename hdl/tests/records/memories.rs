@@ -83,7 +83,7 @@ bundle! {
     struct FlagOut<T> { found: T }
 }
 
-/// Looks at some fields alone.
+/// Reads some fields only.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Flags;
 

@@ -1,4 +1,4 @@
-//! Records as values: what registers, wires and memories hold, and what choices are made of.
+//! Records as values: in registers, wires and memories, and in choices.
 
 mod choices;
 mod memories;

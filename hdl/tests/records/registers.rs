@@ -11,7 +11,7 @@ bundle! {
     struct SpriteOut<T> { held: Sprite<T>, delayed: Sprite<T> }
 }
 
-/// Holds a sprite; at a reset, one of numbers.
+/// Stores a sprite; a reset sets it to a record of numbers.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Holder;
 

@@ -8,7 +8,7 @@ bundle! {
     struct SumIn<T> { enable: T, start: Sum<T> }
 }
 
-/// Adds a part in each of three stages, the sum a bit wider in each.
+/// Adds a part in each of three stages; the sum grows a bit in each.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Adder;
 
@@ -66,7 +66,7 @@ codes! { enum Mode { Idle, Load, Store } }
 
 bundle! { struct Coded<T> { mode: T, offset: T, valid: T } }
 
-/// A reset clears what is signed, and what is a code, in each stage as it does flags.
+/// In each stage, a reset clears signed fields and codes as it clears flags.
 #[test]
 fn fields_of_any_kind_are_cleared() {
     let example = tilewright_sim::traced(|m| {
@@ -87,7 +87,7 @@ bundle! {
     struct AccessOut<T> { sum: T, found: T, risen: T }
 }
 
-/// What may meet in a pipeline: what is of no pipeline, what is of the same stage, and what says that it may.
+/// Values that may meet in a pipeline: those outside of it, those of the same stage, and those explicitly allowed.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Allowed;
 
@@ -101,14 +101,15 @@ impl Block for Allowed {
 
     fn build(&self, m: Module, i: AccessIn) -> AccessOut {
         let words = m.memory("words", 16, 8, ReadUnderWrite::Old).fill(Bits::zero(8));
-        // A read beside the first stage comes with it, and so does what `pipe_when` keeps.
+        // A read beside the first stage joins it, and so does the result of `pipe_when`.
         let found = words.read_when(i.enable, i.start.address);
         let kept = m.pipe_when(i.enable, "kept", i.start.value);
         let first = m.stages(1, i.enable, i.start, |_, access| access);
         let start = Access { value: mux(i.mode, found + kept, first.value), ..first };
         let last = m.stages(2, i.enable, Start::from(start).called("late"), |_, access| access);
         words.write(i.mode, last.address, last.value);
-        // A register remembers: it takes of one stage and meets every one; and so does what another condition delays.
+        // A register accumulates: it takes values of one stage and meets every stage. So does a delay with another
+        // condition.
         let total = m.reg("total", 8).reset(0);
         total.when(i.mode, total + last.value);
         let other = m.pipe_when(i.mode, "other", last.value);

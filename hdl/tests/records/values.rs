@@ -58,7 +58,7 @@ fn choices_take_records_and_numbers_in_any_place() {
 
 codes! { enum Way { Left, Right, Both } }
 
-/// Chooses by a code: all, one for most of them, and the same for all.
+/// Chooses by a code: a value for each, one for most of them, and the same for all.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Ways;
 

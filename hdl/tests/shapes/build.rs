@@ -1,4 +1,4 @@
-//! A module built node by node: the circuit as it is, without the language in front of it.
+//! A module built node by node: the bare circuit, without the language.
 
 #![allow(dead_code)] // Each test takes what it needs.
 
@@ -10,7 +10,7 @@ pub struct Build {
     pub module: Module,
 }
 
-/// What a register does at an edge where it is not told otherwise.
+/// The enable of a register that is always enabled.
 const ALWAYS: Option<NodeId> = None;
 
 impl Build {
@@ -71,7 +71,7 @@ impl Build {
         self.node(Op::Const(Bits::new(width, value)), width, shape)
     }
 
-    /// A register that keeps its value until [`Build::next`] says what it takes.
+    /// A register that keeps its value until [`Build::next`] sets its next value.
     #[track_caller]
     pub fn register(&mut self, name: &str, width: u32, shape: Shape, reset: Option<Init>) -> NodeId {
         let node = self.node(Op::Register(RegisterId(self.module.registers.len() as u32)), width, shape);
@@ -155,7 +155,7 @@ impl Build {
         self.node(Op::Broadcast { of, axis }, self.width(of), shape)
     }
 
-    /// A plain value in every lane of that shape.
+    /// A plain value in every lane of this shape.
     #[track_caller]
     pub fn everywhere(&mut self, of: NodeId, shape: Shape) -> NodeId {
         match shape {
@@ -255,7 +255,7 @@ impl Build {
         self.module.memories[id.0 as usize].writes.push(port);
     }
 
-    /// An instance of module `id`, or an array of them; its outputs.
+    /// An instance of module `id`, or an array of them; returns its outputs.
     #[track_caller]
     pub fn instance(&mut self, name: &str, id: u32, child: &Module, shape: Shape, inputs: &[NodeId]) -> Vec<NodeId> {
         let instance = InstanceId(self.module.instances.len() as u32);

@@ -1,4 +1,4 @@
-//! What is regular takes few nodes.
+//! Regular structures take few nodes.
 
 use super::build::Build;
 use crate::shapes::machines::{processors, systolic};
@@ -19,7 +19,7 @@ fn a_systolic_array_takes_as_many_nodes_however_large() {
     assert_eq!(nodes, [14; 4]);
 }
 
-/// Each lane of a large grid depends on its neighbours through some gates: too many to look at but in linear time.
+/// Each lane of a large grid depends on its neighbours through some gates: only linear time is feasible.
 #[test]
 fn a_combinational_path_through_a_large_grid_is_no_loop() {
     let b = &mut Build::new("paths");

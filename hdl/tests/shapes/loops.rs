@@ -1,10 +1,10 @@
-//! A chain from lane to lane is no loop unless a lane comes back to itself.
+//! A chain from lane to lane is a loop only if a lane depends on itself.
 
 use super::build::Build;
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::*;
 
-/// What is wrong with a module, and what comes before it.
+/// The problems of a module, after these others.
 fn problems(modules: Vec<Module>) -> Vec<String> {
     match Design::new(modules) {
         Ok(_) => Vec::new(),
@@ -14,7 +14,7 @@ fn problems(modules: Vec<Module>) -> Vec<String> {
 
 const NONE: [&str; 0] = [];
 
-/// A row whose lanes are the exclusive or of an input and of what `chain` makes of the row.
+/// A row whose lanes are the exclusive or of an input and of the result of `chain` for the row.
 fn row(count: u32, chain: impl FnOnce(&mut Build, NodeId, NodeId) -> NodeId) -> Vec<String> {
     let b = &mut Build::new("top");
     let (first, x) = (b.input("first", 1, Shape::Plain), b.input("x", 1, Shape::Row(count)));
@@ -97,12 +97,12 @@ fn lanes_that_are_picked_by_lanes() {
 
 #[test]
 fn levels_that_are_interleaved() {
-    // Lanes 2 and 3 are made of lanes 0 and 1.
+    // Lanes 2 and 3 depend on lanes 0 and 1.
     let upper = |b: &mut Build, value, first| {
         let halves = b.map(value, 0, 2, Affine::shift(0), None);
         let given = b.broadcast(first, 0, 2);
         let in_order = b.interleave(&[given, halves], 0);
-        // Lane 0, 2, 1, 3 of what is interleaved: given, given, halves.
+        // Lanes 0, 2, 1, 3 of the interleaved row: given, given, halves.
         let lanes = [0, 2, 1, 3].map(|lane| b.lane(in_order, 0, lane));
         b.stack(&lanes, 0)
     };
@@ -144,7 +144,7 @@ fn neighbours_in_two_dimensions() {
     assert!(found[0].ends_with(" -> `value[0][0]`"), "{found:?}");
 }
 
-/// A module that passes a row of two on.
+/// A module that passes on a row of two.
 fn pair() -> Module {
     let b = &mut Build::new("pair");
     let x = b.input("x", 1, Shape::Row(2));
@@ -155,7 +155,7 @@ fn pair() -> Module {
     b.module.clone()
 }
 
-/// Instances of [`pair`], one of whose outputs comes back as the other input: of the next instance, or its own.
+/// Instances of [`pair`], each with an output fed back to the other input, of the next instance or its own.
 fn pairs(by: i32, from: u32) -> Vec<String> {
     let (b, child) = (&mut Build::new("top"), pair());
     let first = b.input("first", 1, Shape::Plain);
@@ -174,7 +174,7 @@ fn pairs(by: i32, from: u32) -> Vec<String> {
     problems(vec![child, b.module.clone()])
 }
 
-/// Lane 1 of `y` is made of lane 1 of `x` alone, but what is known of an instance is whole ports.
+/// Lane 1 of `y` depends only on lane 1 of `x`, but dependencies of an instance are known for whole ports only.
 #[test]
 fn a_port_with_lanes_is_one_port() {
     assert_eq!(pairs(-1, 1), NONE);
@@ -189,7 +189,7 @@ fn a_port_with_lanes_is_one_port() {
     );
 }
 
-/// A memory's plain address is that of all lanes; one with lanes is that of its lane.
+/// A memory's plain address is that of all lanes; an address with lanes has one for each.
 #[test]
 fn words_that_address_their_neighbours_words() {
     let read = |address: fn(&mut Build, NodeId, NodeId) -> NodeId| {

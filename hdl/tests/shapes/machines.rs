@@ -1,4 +1,4 @@
-//! Regular machines as the circuit says them: as many nodes as a lane has gates, however many lanes there are.
+//! Regular machines as circuits: as many nodes as a lane has gates, for any number of lanes.
 
 #![allow(dead_code)] // Each test takes what it needs.
 
@@ -6,7 +6,7 @@ use super::build::Build;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, index_width};
 
-/// The bits of memory of each.
+/// The bits of memory of each processor.
 const WORDS: u32 = 208;
 
 const ZERO: u64 = 0;
@@ -15,7 +15,7 @@ fn zero() -> Option<Init> {
     Some(Init::Same(Bits::zero(1)))
 }
 
-/// The sum of two bits a clock, lowest first; `restart`, plain, forgets the carry.
+/// The sum of two bits a clock, lowest first; `restart`, plain, clears the carry.
 fn serial_sum(b: &mut Build, name: &str, x: NodeId, y: NodeId, restart: NodeId) -> NodeId {
     let shape = b.shape(x);
     let held = b.register(&format!("{name}_carry"), 1, shape, zero());
@@ -30,8 +30,8 @@ fn serial_sum(b: &mut Build, name: &str, x: NodeId, y: NodeId, restart: NodeId) 
     sum
 }
 
-/// `slope * i + start` in lane `i` of `side`, serially: a tree, each level twice as wide as the one before. A left child has what its
-/// parent has, a right child the slope added.
+/// `slope * i + start` in lane `i` of `side`, serially: a tree in which each level is twice as wide as the previous
+/// one. A left child has its parent's value, a right child adds the slope.
 fn tree_of_levels(b: &mut Build, name: &str, side: u32, start: NodeId, slope: NodeId, restart: NodeId) -> NodeId {
     let mut level = b.broadcast(start, 0, 1);
     let (mut slope, mut restart) = (slope, restart);
@@ -49,7 +49,7 @@ fn tree_of_levels(b: &mut Build, name: &str, side: u32, start: NodeId, slope: No
     level
 }
 
-/// The same with all levels in one row: node `i` has the parent `(i - 1) / 2`, and the leaves are the last.
+/// The same with all levels in one row: node `i` has the parent `(i - 1) / 2`, and the leaves are the last nodes.
 fn tree_in_a_row(b: &mut Build, name: &str, side: u32, start: NodeId, slope: NodeId, restart: NodeId) -> NodeId {
     let nodes = 2 * side - 1;
     let parent = Affine { mul: 1, add: -1, div: 2 };
@@ -64,7 +64,7 @@ fn tree_in_a_row(b: &mut Build, name: &str, side: u32, start: NodeId, slope: Nod
     let (_, restarts) = passed_on(b, "restart", restart);
     let (value, above) = passed_on(b, "value", start);
     let bits: Vec<NodeId> = [0, 1].map(|bit| b.constant(1, bit, Shape::Plain)).to_vec();
-    // Right children have even numbers; node 0 is none.
+    // Right children have even numbers; node 0 is not a child.
     let is_right: Vec<NodeId> = (0..nodes).map(|i| bits[usize::from(i > 0 && i % 2 == 0)]).collect();
     let is_right = b.stack(&is_right, 0);
     let added = b.and(slopes, is_right);
@@ -80,8 +80,8 @@ fn tree_in_a_row(b: &mut Build, name: &str, side: u32, start: NodeId, slope: Nod
     b.map(value, 0, side, Affine::shift(side as i32 - 1), None)
 }
 
-/// A grid of `side` x `side` one-bit processors with a memory each, all of which do the same on what differs from one to the next: the
-/// value of a linear expression at its place, and what it remembers.
+/// A grid of `side` x `side` one-bit processors, each with a memory. All execute the same operations on their own
+/// data: the value of a linear expression at their place, and their stored bits.
 pub fn processors(side: u32) -> Module {
     let b = &mut Build::new("processors");
     let grid = Shape::Grid(side, side);

@@ -1,4 +1,4 @@
-//! Values with lanes: circuits that have them, and what is checked of their lanes.
+//! Values with lanes: circuits that have them, and the checks of their lanes.
 
 pub mod build;
 mod large;

@@ -1,4 +1,4 @@
-//! The design that the tests edit, and what compares the first sentence of what is wrong with a text.
+//! The design that the tests edit, and the comparison of the first sentence of its problem with a text.
 
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{
@@ -81,7 +81,7 @@ impl Block for Top {
     }
 }
 
-/// The modules of the design, and places in its top.
+/// The modules of the design, and ids in its top.
 pub struct Edit {
     pub modules: Vec<Module>,
 }
@@ -105,7 +105,7 @@ impl Edit {
         &mut self.top().nodes[id.0 as usize]
     }
 
-    /// The first node whose operator is such.
+    /// The first node with such an operator.
     pub fn first(&mut self, is: fn(&Op) -> bool) -> &mut Node {
         self.top().nodes.iter_mut().find(|node| is(&node.op)).unwrap()
     }
@@ -119,7 +119,7 @@ pub fn design() -> Design {
     elaborate(&Top).unwrap()
 }
 
-/// What is wrong after an edit, without places and help.
+/// The problems after an edit, without places and help.
 pub fn problems(edit: impl FnOnce(&mut Edit)) -> Vec<String> {
     let mut it = Edit { modules: design().into_modules() };
     edit(&mut it);
@@ -129,7 +129,7 @@ pub fn problems(edit: impl FnOnce(&mut Edit)) -> Vec<String> {
     }
 }
 
-/// The edit is refused, and this is the first sentence.
+/// The edit is rejected, and this is the first sentence.
 #[track_caller]
 pub fn refused(sentence: &str, edit: impl FnOnce(&mut Edit)) {
     let found = problems(edit);

@@ -18,19 +18,19 @@ fn ids_lead_somewhere() {
     refused("an operand of `top.add` is node 4000000000 of 53", |it| {
         it.op("add", |op| *op = Op::Binary(Binary::Add, NodeId(0), NodeId(4_000_000_000)));
     });
-    refused("`top.add` is input 3, which there is not", |it| it.op("add", |op| *op = Op::Input(3)));
+    refused("`top.add` is input 3, which does not exist", |it| it.op("add", |op| *op = Op::Input(3)));
     refused("`top.add` is input 1, whose node is node 1", |it| it.op("add", |op| *op = Op::Input(1)));
-    refused("`top.add` is register 9, which there is not", |it| it.op("add", |op| *op = Op::Register(RegisterId(9))));
-    refused("`top.add` is read port 2 of memory 0, which there is not", |it| {
+    refused("`top.add` is register 9, which does not exist", |it| it.op("add", |op| *op = Op::Register(RegisterId(9))));
+    refused("`top.add` is read port 2 of memory 0, which does not exist", |it| {
         it.op("add", |op| *op = Op::Read(MemoryId(0), 2));
     });
-    refused("`top.add` is read port 0 of memory 1, which there is not", |it| {
+    refused("`top.add` is read port 0 of memory 1, which does not exist", |it| {
         it.op("add", |op| *op = Op::Read(MemoryId(1), 0));
     });
-    refused("`top.add` is output 2 of instance 0, which there is not", |it| {
+    refused("`top.add` is output 2 of instance 0, which does not exist", |it| {
         it.op("add", |op| *op = Op::Output(InstanceId(0), 2));
     });
-    refused("`top.add` is output 0 of instance 7, which there is not", |it| {
+    refused("`top.add` is output 0 of instance 7, which does not exist", |it| {
         it.op("add", |op| *op = Op::Output(InstanceId(7), 0));
     });
 }
@@ -93,7 +93,7 @@ fn choices() {
     refused("the key 9'h100 of `top.keyed` is not as wide as its subject, which has 8 bits", |it| {
         case(it, &[Bits::new(9, 256)], NodeId(0), NodeId(0));
     });
-    refused("the key 8'h05 of `top.keyed` stands twice", |it| {
+    refused("the key 8'h05 of `top.keyed` occurs twice", |it| {
         case(it, &[Bits::new(8, 5), Bits::new(8, 5)], NodeId(0), NodeId(0));
     });
     refused("a value of `top.keyed`, `top.c`, has 1 bit, not 8 bits", |it| {

@@ -1,10 +1,10 @@
-//! Circuits that break a rule of lanes: each rule has its sentence.
+//! Circuits that break a rule of lanes: each rule has its own sentence.
 
 use crate::shapes::build::Build;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::{Bits, Design};
 
-/// What is wrong with a module that has a plain, a row, another row and a grid to work on.
+/// The problems of a module that has a plain value, two rows and a grid to work on.
 fn problems(build: impl FnOnce(&mut Build, [NodeId; 4])) -> Vec<String> {
     let b = &mut Build::new("top");
     let shapes = [Shape::Plain, Shape::Row(4), Shape::Row(3), Shape::Grid(4, 3)];
@@ -18,7 +18,7 @@ fn problems(build: impl FnOnce(&mut Build, [NodeId; 4])) -> Vec<String> {
     }
 }
 
-/// The module is refused, and this is the first sentence.
+/// The module is rejected, and this is the first sentence.
 #[track_caller]
 fn refused(sentence: &str, build: impl FnOnce(&mut Build, [NodeId; 4])) {
     let found = problems(build);

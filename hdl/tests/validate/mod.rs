@@ -1,4 +1,4 @@
-//! Circuits that were edited: each kind of edit that breaks a rule has its sentence.
+//! Edited circuits: each kind of edit that breaks a rule has its own sentence.
 
 mod common;
 mod expressions;

@@ -1,4 +1,4 @@
-//! Edits of what holds state, of ports and of instances.
+//! Edits of registers, memories, properties, ports and instances.
 
 use crate::validate::common::*;
 use tilewright_hdl::ir::*;
@@ -25,7 +25,7 @@ fn registers() {
     refused("`Phase` has 0 codes, which do not fit into 2 bits", |it| named(it, &[]));
     refused("`Phase` has a code whose name is not legal: `a b`", |it| named(it, &["a b"]));
     refused("`Phase` has a code whose name is not legal: ``", |it| named(it, &["A", ""]));
-    refused("`top.phase` has the attribute `no name`, which is no plain name", |it| {
+    refused("`top.phase` has the attribute `no name`, which is not a plain name", |it| {
         let attribute = Attribute { name: "no name".to_owned(), value: "1".to_owned() };
         it.top().registers[0].attributes.push(attribute);
     });
@@ -43,7 +43,7 @@ fn registers() {
 #[test]
 fn memories() {
     let memory = |it: &mut Edit, change: fn(&mut Memory)| change(&mut it.top().memories[0]);
-    refused("memory `top.words` has the attribute `begin`, which is no plain name", |it| {
+    refused("memory `top.words` has the attribute `begin`, which is not a plain name", |it| {
         memory(it, |m| m.attributes.push(Attribute { name: "begin".to_owned(), value: "1".to_owned() }));
     });
     refused("memory `top.words` has no words", |it| memory(it, |m| m.depth = 0));

@@ -1,4 +1,4 @@
-//! What no edit breaks, and edits of names, of paths through the design and of its size.
+//! Edits that break nothing, and edits of names, of paths through the design and of its size.
 
 use crate::validate::common::*;
 use tilewright_hdl::ir::*;

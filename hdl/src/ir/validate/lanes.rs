@@ -1,4 +1,4 @@
-//! The rules of operations that lead from one shape to another, along an axis.
+//! The rules of operations that change the shape along an axis.
 
 use super::{Named, Needs, Rules};
 use crate::ir::{Affine, Node, NodeId, Op, Shape};
@@ -60,7 +60,7 @@ impl Rules<'_> {
         let Some(across) = self.across(node, owner, axis) else { return };
         let Some(shape) = self.operand_shape(node, owner, of) else { return };
         let (count, extent) = (node.shape.extent(axis), shape.extent(axis));
-        // Only the extent may be another.
+        // Only the extent may differ.
         let needs = if axis < shape.axes() { across.with(axis, extent) } else { None };
         self.refers(loc, "the operand", &owner, of, Needs::of(node.width, needs.unwrap_or(node.shape)));
         if index.div == 0 {
@@ -90,7 +90,7 @@ impl Rules<'_> {
         }
     }
 
-    /// The node has that axis; what its shape is without.
+    /// Checks that the node has that axis; returns its shape without the axis.
     fn across(&mut self, node: &Node, owner: Named, axis: u32) -> Option<Shape> {
         let shape = node.shape;
         let has = axis < shape.axes();
@@ -98,7 +98,8 @@ impl Rules<'_> {
         has.then(|| shape.without(axis))
     }
 
-    /// The operand has that axis, and is of the node's shape without; how many lanes there are along it.
+    /// Checks that the operand has that axis and otherwise the node's shape; returns its number of lanes along the
+    /// axis.
     fn drops(&mut self, node: &Node, owner: Named, of: NodeId, axis: u32) -> Option<u32> {
         let shape = self.operand_shape(node, owner, of)?;
         let (has, left) = (axis < shape.axes(), shape.without(axis));

@@ -1,7 +1,7 @@
-//! Whether a circuit keeps the rules that its readers rely on: simulators and printers look things up without asking.
+//! The rules that every circuit satisfies, on which simulators and printers rely without checking.
 //!
-//! A description is checked while it is elaborated, with better messages; this is the last gate, and the only one for
-//! a circuit that was edited.
+//! The elaboration checks a description with better messages. This is the last check, and the only one for an edited
+//! circuit.
 
 mod lanes;
 mod loops;
@@ -18,7 +18,7 @@ use crate::problem::Problem;
 use crate::signal::bits_text;
 use std::fmt;
 
-/// Everything that is wrong with these modules, of which the last is the top.
+/// Every violated rule in these modules; the last module is the top.
 pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
     let mut problems = Vec::new();
     if modules.is_empty() {
@@ -36,7 +36,7 @@ pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
     }
     names::modules(modules, &mut problems);
     ports::top(modules, &mut problems);
-    // These follow ids wherever they lead, and the last one from lane to lane.
+    // These checks follow ids without testing them; the last one goes from lane to lane.
     if problems.is_empty() {
         size::check(modules, &mut problems);
     }
@@ -47,32 +47,32 @@ pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
 }
 
 fn problem(loc: Loc, message: impl Into<String>) -> Problem {
-    Problem::new(loc, message).help("this circuit was edited: it must keep what `tilewright_hdl::ir` says of each part")
+    Problem::new(loc, message).help("this circuit was edited: each part must follow the rules of `tilewright_hdl::ir`")
 }
 
 /// The rules of one module.
 struct Rules<'a> {
-    /// The modules before this one.
+    /// The earlier modules.
     done: &'a [Module],
     module: &'a Module,
     problems: &'a mut Vec<Problem>,
 }
 
-/// What a node that something refers to must be.
+/// The requirements on a referenced node.
 #[derive(Clone, Copy)]
 struct Needs {
-    /// In bits; any, if `None`.
+    /// In bits; `None` allows any width.
     width: Option<u32>,
     shape: Shape,
 }
 
 impl Needs {
-    /// A value of that width and shape.
+    /// A value of this width and shape.
     fn of(width: u32, shape: Shape) -> Needs {
         Needs { width: Some(width), shape }
     }
 
-    /// A value of any width, of that shape.
+    /// A value of any width, of this shape.
     fn shape(shape: Shape) -> Needs {
         Needs { width: None, shape }
     }
@@ -90,7 +90,7 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// Something of this module for messages, such as `counter.count`.
+    /// An object of this module for messages, such as `counter.count`.
     fn of(&self, name: &str) -> String {
         format!("`{}.{name}`", self.module.name)
     }
@@ -100,7 +100,7 @@ impl<'a> Rules<'a> {
         Named { module: self.module, id }
     }
 
-    /// `role` of `owner` is node `id`, which must exist and be so.
+    /// Checks that `role` of `owner`, node `id`, exists and meets the requirements.
     fn refers(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
         let Some(node) = self.module.nodes.get(id.0 as usize) else {
             let count = self.module.nodes.len();
@@ -121,21 +121,21 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// As [`Rules::refers`], for something that is of this shape or plain.
+    /// Like [`Rules::refers`], for a node that has this shape or is plain.
     fn refers_or_plain(&mut self, loc: Loc, role: &str, owner: &dyn fmt::Display, id: NodeId, needs: Needs) {
         let is_plain = self.module.nodes.get(id.0 as usize).is_some_and(|node| node.shape.is_plain());
         let shape = if is_plain { Shape::Plain } else { needs.shape };
         self.refers(loc, role, owner, id, Needs { shape, ..needs });
     }
 
-    /// `owner` runs on a clock of this module.
+    /// Checks that `owner` runs on a clock of this module.
     fn clock(&mut self, loc: Loc, owner: &dyn fmt::Display, clock: ClockId) {
         let count = self.module.clocks.len();
         self.rule((clock.0 as usize) < count, loc, || format!("the clock of {owner} is clock {} of {count}", clock.0));
     }
 }
 
-/// A node as messages call it, such as `counter.count`; most are never written.
+/// A node's name for messages, such as `counter.count`; most are never printed.
 #[derive(Clone, Copy)]
 struct Named<'a> {
     module: &'a Module,

@@ -1,4 +1,4 @@
-//! The rules of names: legal, no reserved words, and one for each thing.
+//! The rules of names: legal, not reserved, and unique.
 
 use super::{Rules, problem};
 use crate::ir::Module;
@@ -7,7 +7,7 @@ use crate::names::{is_legal, is_reserved};
 use crate::problem::Problem;
 use std::collections::{HashMap, HashSet};
 
-/// Modules have names of their own.
+/// Module names are unique.
 pub(super) fn modules(modules: &[Module], problems: &mut Vec<Problem>) {
     let mut taken = HashSet::with_capacity(modules.len());
     for module in modules {
@@ -38,7 +38,7 @@ impl Rules<'_> {
         }
         for (id, node) in (0..).zip(&module.nodes) {
             let Some(name) = &node.name else { continue };
-            // A port's name, or that of the output that a net drives, is its own.
+            // A net may share the name of a port if it is that port's node.
             if taken.get(name.as_str()) == Some(&Some(id)) {
                 continue;
             }
@@ -52,7 +52,7 @@ impl Rules<'_> {
         }
     }
 
-    /// Something of this module is called `name`: a port that is this node, or anything else.
+    /// Takes `name` for an object of this module: the node of a port, or anything else.
     fn takes<'n>(&mut self, taken: &mut HashMap<&'n str, Option<u32>>, name: &'n str, loc: Loc, port: Option<u32>) {
         let of = self.of(name);
         self.rule(is_legal(name) && !is_reserved(name), loc, || format!("{of} has a name that is not legal"));

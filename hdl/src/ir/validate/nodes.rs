@@ -1,4 +1,4 @@
-//! The rules of elementwise operations: what each needs of its operands, lane by lane.
+//! The rules of elementwise operations: the requirements on their operands, lane by lane.
 
 use super::{Named, Needs, Rules};
 use crate::ir::{Binary, InstanceId, Kind, Names, Node, NodeId, Op, RegisterId, Unary};
@@ -24,7 +24,7 @@ impl Rules<'_> {
         }
     }
 
-    /// The codes of an enum have room in the bits, and names that Verilog takes.
+    /// Checks that the codes of an enum fit in the width and have legal names.
     pub(super) fn codes(&mut self, loc: Loc, width: u32, names: Names) {
         let count = names.codes.len();
         self.rule(count > 0 && index_width(count as u64) <= width, loc, || {
@@ -98,7 +98,7 @@ impl Rules<'_> {
                     self.rule(u64::from(key.width()) == needed, loc, || {
                         format!("the key {key} of {owner} is not as wide as its subject, which has {needed} bits")
                     });
-                    self.rule(keys.insert(key), loc, || format!("the key {key} of {owner} stands twice"));
+                    self.rule(keys.insert(key), loc, || format!("the key {key} of {owner} occurs twice"));
                     self.refers(loc, "a value", &owner, *value, same);
                 }
                 self.refers(loc, "the default", &owner, *default, same);
@@ -126,18 +126,18 @@ impl Rules<'_> {
         }
     }
 
-    /// The width of what a node does is its own.
+    /// Checks that the node has the width of its result.
     pub(super) fn has_width(&mut self, node: &Node, owner: Named, width: u64, what: &str) {
         self.rule(width == node.width.into(), node.loc, || {
             format!("{owner} has {}, but {what} {width}", bits_text(node.width))
         });
     }
 
-    /// What a node says it is says the same of the node.
+    /// Checks that the object that a node refers to refers back to the node.
     fn linked(&mut self, id: NodeId, node: &Node, there: Option<NodeId>, what: &str) {
         let owner = self.node(id);
         match there {
-            None => self.report(node.loc, format!("{owner} is {what}, which there is not")),
+            None => self.report(node.loc, format!("{owner} is {what}, which does not exist")),
             Some(other) if other != id => {
                 self.report(node.loc, format!("{owner} is {what}, whose node is node {}", other.0));
             }

@@ -1,4 +1,4 @@
-//! The rules of what holds state, and of properties.
+//! The rules of registers, memories and properties.
 
 use super::{Needs, Rules};
 use crate::bits::Bits;
@@ -11,7 +11,7 @@ use crate::width::index_width;
 use std::fmt;
 
 impl<'a> Rules<'a> {
-    /// `owner` is node `id`, whose operator is to be `op`; the node.
+    /// Checks that `owner` is node `id` with the operator `op`; returns the node.
     pub(super) fn is_node(&mut self, loc: Loc, owner: &dyn fmt::Display, id: NodeId, op: &Op) -> Option<&'a Node> {
         match self.module.nodes.get(id.0 as usize) {
             Some(node) if node.op == *op => return Some(node),
@@ -86,7 +86,7 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// The values that a register has after a reset.
+    /// Checks the reset values of a register.
     fn init(&mut self, reset: &Init, node: &Node, owner: &dyn fmt::Display) {
         let values = match reset {
             Init::Same(value) => std::slice::from_ref(value),
@@ -135,10 +135,10 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// Attributes have names that Verilog takes.
+    /// Checks that attribute names are legal in Verilog.
     fn attributes(&mut self, attributes: &[Attribute], loc: Loc, owner: &dyn fmt::Display) {
         for attribute in attributes {
-            let message = || format!("{owner} has the attribute `{}`, which is no plain name", attribute.name);
+            let message = || format!("{owner} has the attribute `{}`, which is not a plain name", attribute.name);
             self.rule(is_legal(&attribute.name) && !is_reserved(&attribute.name), loc, message);
         }
     }

@@ -6,7 +6,7 @@ use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::problem::Problem;
 
-/// At the top every clock has a period, as there is nothing above that drives it.
+/// Checks that every clock of the top module has a period, because no parent drives it.
 pub(super) fn top(modules: &[Module], problems: &mut Vec<Problem>) {
     if let Some(top) = modules.last() {
         for clock in top.clocks.iter().filter(|clock| clock.period.is_none()) {
@@ -66,7 +66,8 @@ impl Rules<'_> {
         }
     }
 
-    /// The lanes of a port side by side are no wider than a plain value may be: so it is printed.
+    /// Checks that a port's lanes side by side are no wider than a plain value may be, because they are printed that
+    /// way.
     fn packed_width(&mut self, loc: Loc, owner: &str, node: &Node) {
         let width = u64::from(node.width) * u64::from(node.shape.lanes());
         self.rule(node.shape.is_plain() || width <= WIDEST.into(), loc, || {
@@ -74,9 +75,9 @@ impl Rules<'_> {
         });
     }
 
-    /// What a port of a child, which is `node` there, is of an instance; if that can be.
+    /// The requirements, in an instance, on a port of the child whose node is `node`, if they can be met.
     fn port(&mut self, instance: &Instance, child: &Module, name: &str, node: NodeId, owner: &str) -> Option<Needs> {
-        // What a child lacks is a problem of the child.
+        // A missing node is the child's problem.
         let node = child.nodes.get(node.0 as usize)?;
         let shape = instance.shape.beside(node.shape);
         self.rule(shape.is_some(), instance.loc, || {

@@ -1,4 +1,4 @@
-//! How large a design may be: what nested arrays come to, and how deep instances nest.
+//! Limits on the size of a design: the totals of nested arrays, and the depth of instances.
 
 use crate::bits::limbs_for;
 use crate::ir::{Instance, Memory, Module, Node};
@@ -6,15 +6,15 @@ use crate::limits::{DEEPEST, MOST_LANES, MOST_LIMBS, MOST_MEMORY_LIMBS};
 use crate::loc::Loc;
 use crate::problem::Problem;
 
-/// What a module comes to, with all that is in it.
+/// The size of a module, including everything in it.
 #[derive(Clone, Copy)]
 struct Size {
     depth: usize,
-    /// Lanes of the value with most of them, in arrays in arrays.
+    /// Lanes of the value with the most, through nested arrays.
     lanes: u64,
     /// 64-bit limbs of the largest value, in all lanes.
     limbs: u64,
-    /// The same of the largest memory.
+    /// The same for the largest memory.
     memory: u64,
 }
 
@@ -28,7 +28,7 @@ pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
                 problems.push(Problem::new(loc.unwrap_or(module.loc), message).help(SMALLER));
             }
         };
-        // What is too large by itself is the place; otherwise it is what all that is inside comes to.
+        // The place is the node that is too large by itself; otherwise the total is too large.
         let node =
             |is_large: &dyn Fn(&Node) -> bool| module.nodes.iter().find(|node| is_large(node)).map(|node| node.loc);
         let memory = module.memories.iter().find(|memory| words(memory) > MOST_MEMORY_LIMBS).map(|memory| memory.loc);
