@@ -10,8 +10,7 @@ block! {
 impl Counter {
     fn build(&self, m: Module, i: CounterIn) -> CounterOut {
         def!(count = m.reg(below(self.limit)).reset(0));
-        def!(at_end = count.eq(self.limit - 1));
-        count.when(i.enable & at_end, 0).when(i.enable, count + 1);
+        count.when(i.enable & count.eq(self.limit - 1), 0).when(i.enable, count + 1);
         CounterOut { count: *count }
     }
 }
