@@ -205,7 +205,7 @@ fn lanes(shape: Shape) -> String {
         _ if shape.lanes() == 1 => String::new(),
         Shape::Plain => String::new(),
         Shape::Row(lanes) => lanes.to_string(),
-        Shape::Grid(rows, columns) => format!("{rows} × {columns}"),
+        Shape::Grid(rows, columns) => format!("{rows}×{columns}"),
     }
 }
 

@@ -72,7 +72,7 @@ pub struct DiagramBox {
     pub names: Vec<String>,
     /// The line below the names: an instance's block, a memory's size, or a width.
     pub note: String,
-    /// The size of an array, such as `16` or `4 × 8`; empty for a single one.
+    /// The size of an array, such as `16` or `4×8`; empty for a single one.
     pub count: String,
     /// It is a port that is a stream.
     pub is_stream: bool,
