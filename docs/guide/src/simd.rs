@@ -53,7 +53,6 @@ impl Simd {
     fn build(&self, m: Module, i: SimdIn) -> SimdOut {
         let processors = grid(self.edge, self.edge);
         let Instruction { opcode, address, constant } = i.instruction;
-        let constant = constant.of(processors);
         def!(a = m.reg(bits(8).of(processors)).reset(0));
         def!(active = m.reg(bit().of(processors)).reset(1));
         def!(memory = m.memory(256, bits(8).of(processors), ReadUnderWrite::Any).fill(0));

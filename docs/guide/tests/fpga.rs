@@ -1,6 +1,6 @@
 //! What Yosys makes of the memories of appendix F, on three families of FPGAs.
 
-use crate::tools::is_known_yosys;
+use crate::tools::is_version_shown;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
@@ -14,7 +14,7 @@ const FAMILIES: [&str; 3] = ["synth_ice40 -noflatten", "synth_ecp5 -noflatten", 
 
 #[test]
 fn memories_become_what_the_appendix_says() {
-    if skipped_without(&["yosys"]).is_some() || !is_known_yosys() {
+    if skipped_without(&["yosys"]).is_some() || !is_version_shown("yosys") {
         return;
     }
     let families = FAMILIES.map(cells_by_module);

@@ -48,14 +48,19 @@ fn print<B: Block>(block: &B, folder: &Path) {
     }
 }
 
-/// Whether Yosys is the version that the chapters show; others print other numbers.
-pub fn is_known_yosys() -> bool {
-    let version = Command::new("yosys").arg("-V").output().unwrap();
-    let is_known = version.stdout.starts_with(b"Yosys 0.23 ");
-    if !is_known {
-        let _ = skipped("yosys is there, but not 0.23");
+/// Whether a program is the version that the chapters show; others print other numbers.
+pub fn is_version_shown(program: &str) -> bool {
+    let (option, version) = match program {
+        "yosys" => ("-V", "Yosys 0.23 "),
+        "nextpnr-ice40" => ("--version", "(Version 0.4-"),
+        _ => return true,
+    };
+    let run = Command::new(program).arg(option).output().unwrap();
+    let is_it = String::from_utf8_lossy(&[run.stdout, run.stderr].concat()).contains(version);
+    if !is_it {
+        let _ = skipped(&format!("{program} is there, but in another version than `{version}`"));
     }
-    is_known
+    is_it
 }
 
 /// With no time passed in the lines that begin with it.
@@ -83,7 +88,7 @@ fn commands_print_what_is_shown() {
         let mut needed = vec!["yosys"];
         needed.extend(programs.iter().filter(|program| !["yosys", "printf", "cat"].contains(program)));
         needed.extend(text.contains(" z3 ").then_some("z3"));
-        if skipped_without(&needed).is_some() || !is_known_yosys() {
+        if skipped_without(&needed).is_some() || !needed.iter().all(|program| is_version_shown(program)) {
             continue;
         }
         let folder = folders.entry(source.clone()).or_insert_with(|| folder_of(&source));
