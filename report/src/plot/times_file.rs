@@ -12,7 +12,7 @@ const STYLE: &str = concat!(
     "svg text.title { font-size: 16px; font-weight: 600; fill: var(--ink); }\nsvg text.entry { font-size: 13px; fill: var(--ink); }\n.paper { fill: var(--page); }\n",
 );
 
-const FORMAT: Format = Format { class: "file", width: 960, height: 0, labels: (12, 0) };
+const FORMAT: Format = Format { class: "file", width: 960, height: 0, labels: (12, 0), longest: 20 };
 /// Around all of it; from the top to the chart; and a line of the legend.
 const MARGIN: f64 = 20.0;
 const HEAD: f64 = 34.0;
