@@ -134,7 +134,7 @@ pub mod tests {
                 (0..15).map(|it| word(0, if lit.contains(&it) { [200, it as u8, 7] } else { [0; 3] })).collect();
             Frame::from_words(size, words).expect("a word for each pixel")
         };
-        let images = [image(&[]), image(&[7]), image(&[7]), image(&[7, 13, 14])];
+        let images = [image(&[]), image(&[7]), image(&[7]), image(&[7, 11, 14])];
         let mut film = Film::new(images[0].clone(), 10);
         images[1..].iter().for_each(|it| film.add(it.clone(), 20));
         let bytes = film.to_png();
