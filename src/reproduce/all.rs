@@ -30,7 +30,7 @@ pub fn page(effort: Effort, links: Vec<Link>) -> Result<Page, Failure> {
              rasterizer, depth and colour.",
         )
         .section(Section::new("Machines").links(links).paragraph(
-            "These pages have what the papers say of each machine, beside what is measured here.",
+            "Each page has what a paper says of its machine, beside what is measured here.",
         ))
         .section(compared.iter().filter_map(picture).fold(Section::new("Frames"), |section, (claim, picture)| section.figure(claim, picture)))
         .section(table_section(&compared))
@@ -63,8 +63,8 @@ fn table_section(compared: &[Comparison]) -> Section {
         "of the time, %",
     ];
     let section = Section::new("Each scene on each machine").paragraph(
-        "Tested are the pixels that processors were given for some primitive, drawn those that it covers, each as often as it is. At work is how much of the \
-         time the processors worked on the mean, of a pipe its busiest part. What takes longest limits the machine.",
+        "“Tested” counts the pixels that processors were given for some primitive, “drawn” the pixels that it covers. “At work” is the share of the time for which the processors worked, on the \
+             mean; of a pipe it is that of its busiest part. What takes longest limits the machine.",
     );
     let section = compared.iter().fold(section, |section, it| {
         let table = Table::new(format!("{}-machines", it.scene()), it.scene(), columns);

@@ -101,15 +101,14 @@ fn by_formula(shape: Shape, side: u32) -> Named<f64> {
 pub fn section(counted: &Counted) -> Section {
     Section::new("Regions of a vector, H_v")
         .paragraph(
-            "A primitive is processed once for each region that it is binned to, so what a machine of regions has to do grows with the number of \
-             regions of a vector. There are three ways to bin one. By its bounding box: all regions that the box meets. By columns: as it goes on \
-             to both sides of each column of regions, at most two in any column (rows instead of columns if it is steeper than 45 degrees). Or by the \
-             vector itself: no region but those that it meets.",
+            "A primitive is processed once for each region that it is binned to, so the work grows with the regions of a vector. There are three ways to bin a vector. By its bounding box, it goes to \
+             all regions that the box meets. By columns, it goes to at most two regions of each column, or of each row if it is steeper than 45 degrees. By itself, it goes only to the regions that \
+             it meets.",
         )
         .paragraph(
-            "Lines are formulas: the paper’s for columns; the one for boxes, which has fallen out of its text and is restored from the numbers \
-             that it prints; and 1 + L (cos θ + sin θ)/S for the vector itself, which is exact. Plus signs are bins of random vectors at random \
-             places of a 1280x1024 screen, a region from its border. The cross is the 1.63 that the paper prints for its example.",
+            "Lines are formulas. The one for columns is the paper’s. The one for boxes has fallen out of its text and is restored from the numbers that it prints. The one for the vector itself, 1 + \
+             L (cos θ + sin θ)/S, is exact. Plus signs are bins of random vectors on a 1280x1024 screen, at least a region away from its border. The cross is the 1.63 that the paper prints for its \
+             example.",
         )
         .figure(claim(counted, LENGTH, ANGLE), by_length(counted, ANGLE))
         .figure(claim(counted, LONGEST, 15.0), by_length(counted, 15.0))

@@ -91,8 +91,8 @@ pub fn section(frames: &[Drawn]) -> Section {
         )
     });
     let section = Section::new("Frames").paragraph(format!(
-        "Scenes as the circuit drew them, clock by clock: {machine}. The tint and the number of each region are those of the renderer that drew \
-         it. Clocks are counted by the machine itself."
+        "These are scenes as the circuit drew them, clock by clock: {machine}. The tint and the number of each region are those of the renderer that drew it. The machine itself counts the \
+             clocks."
     ));
     frames
         .iter()

@@ -13,27 +13,25 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
     let (regions, size) = (loads.regions.count(), loads.regions.size());
     Section::new("Load of the renderers, P_w")
         .paragraph(format!(
-            "P_w is the number of primitives of the renderer that has most of them; each counts once for each of its regions. By the paper it is at \
-             least P/B, if each primitive is in one region and all B renderers have as many, and at most P R/B, if each is in all R regions. Here the \
-             screen of {size} pixels has {regions} regions of {side}x{side}. Where B does not divide R, some renderer has a region more than \
-             others, and the greatest load is P ⌈R/B⌉.",
+            "P_w is the number of primitives of the renderer that has the most; a primitive counts once for each of its regions. By the paper P_w is at least P/B, if each primitive is in one region \
+             and all B renderers have equally many. It is at most P R/B, if each primitive is in all R regions. Here the screen of {size} pixels has {regions} regions of {side}x{side}. Where B does \
+             not divide R, some renderer has one region more than others, and the greatest load is P ⌈R/B⌉.",
             side = loads.regions.side()
         ))
         .paragraph(
-            "Plus signs are counted by a plain allocator: the next region in order of decreasing bins goes to the renderer that is free first, and each \
-             primitive takes it as long. Filled marks are frames that the circuit drew, whose allocator goes by the clock.",
+            "Plus signs are counted by a plain allocator. It takes regions in the order of decreasing bins and gives each to the renderer that is free first; all primitives take equally long. Filled \
+             marks are frames that the circuit drew, whose allocator goes by the clock.",
         )
         .figure(worst(loads, &SURFACES), between_bounds(loads, frames, "surfaces", &SURFACES))
         .figure(worst(loads, &LINES), between_bounds(loads, frames, "lines", &LINES))
         .part(table(loads, frames))
         .paragraph(
-            "How well the load is balanced is another matter: the worst load in parts of the mean one. With few regions a renderer, the one that \
-             gets the fullest region decides.",
+            "Balance is another question: how much more than the mean does the busiest renderer have? With few regions a renderer, the fullest region decides.",
         )
         .figure(imbalance(loads), balance(loads, frames))
         .paragraph(
-            "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance has \
-             a say; what remains is that regions are dealt as a whole, and that those at the border have fewer vectors.",
+            "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance matters. Two effects remain: regions are dealt as a \
+             whole, and those at the border have fewer vectors.",
         )
         .figure(crowded(loads), of_vectors(loads, frames))
 }

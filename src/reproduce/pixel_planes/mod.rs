@@ -43,15 +43,13 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
             .parameter("vectors", "50 pixels at 45 degrees", "as in the paper’s example");
     let page = Page::new("Pixel-planes 5: the performance of its renderers", provenance)
         .paragraph(
-            "The screen is cut into regions of 128x128 pixels. A renderer has a processor for each pixel of one region, and takes region after region; \
-             several renderers share the screen. The paper estimates how many regions a primitive is in, how many primitives the renderer with the \
-             heaviest load has, and from both how long a frame takes.",
+            "The screen is cut into regions of 128x128 pixels. A renderer has a processor for each pixel of one region, and takes region after region; several renderers share the screen. The paper \
+             estimates how many regions a primitive is in, and how many primitives the renderer with the heaviest load has. From both follows how long a frame takes.",
         )
         .paragraph(
-            "Here the estimates stand beside what was found. A plain count bins primitives and deals regions out, and knows no time. The transaction \
-             model has the clocks of renderers and ring without their circuit. RTL is the circuit itself, simulated clock by clock, all processors of all \
-             renderers; where it runs, each of its handshakes is compared with the model’s. The formulas are those of the paper, restored where the print is \
-             damaged.",
+            "Here the estimates stand beside what was found. A plain count bins primitives and deals out regions, and knows no time. The transaction model has the clocks of renderers and ring \
+             without their circuit. RTL is the circuit itself, simulated clock by clock, with all processors of all renderers. Where it runs, each of its handshakes is compared with the model’s. The \
+             formulas are the paper’s, restored where the print is damaged.",
         )
         .section(bins::section(&found.counted))
         .section(load_charts::section(&found.loads, &found.frames))
@@ -60,7 +58,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(Section::new("Statements").part(statements::verdicts(&found).note(effort.note())))
         .section(
             Section::new("Checks of what is measured")
-                .paragraph("The golden image is that of a plain rasterizer, which knows no regions.")
+                .paragraph("The golden image is drawn by a plain rasterizer, which knows no regions.")
                 .part(Verdicts::new("checks", "Checks").states(frames::checks(&found.frames))),
         );
     Ok(Some(page))

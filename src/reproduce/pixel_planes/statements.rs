@@ -56,7 +56,7 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
             .found(Origin::count([]), of_surfaces(|load| load.in_one as f64 / load.primitives as f64)),
         Statement::new(
             "PP5-ARCH",
-            "So renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
+            "Renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
             Rule::Within { percent: 25.0 },
         )
         .unit("times each polygon")
@@ -74,7 +74,7 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         .because(FULLEST),
         Statement::new(
             "PP5-ARCH",
-            format!("Likewise, with a ring of {}: frames of the circuit.", ring_in_words()),
+            format!("Renderers process nearly equal numbers of primitives: frames of the circuit, with a ring of {}.", ring_in_words()),
             Rule::Within { percent: 10.0 },
         )
         .unit("worst load, in parts of the mean")
@@ -106,7 +106,7 @@ fn bounds(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
             .unit("primitives")
             .formula(everywhere(&|load, b| load.least(b)))
             .found(loads.origin(), counted.clone()),
-        Statement::new("PP5-PW", "P_w is at most P R/B: likewise.", Rule::AtMost)
+        Statement::new("PP5-PW", "P_w is at most P R/B: all scenes, all numbers of renderers.", Rule::AtMost)
             .unit("primitives")
             .formula(everywhere(&|load, b| greatest_load(load.primitives as f64, regions, b as usize)))
             .found(loads.origin(), counted),
@@ -118,10 +118,14 @@ fn bounds(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         .unit("primitives")
         .formula(drawn(&|it| it.load.least(RENDERERS)))
         .found(Origin::rtl(seeds(frames)), drawn(&worst)),
-        Statement::new("PP5-PW", format!("P_w is at most P R/B: likewise, B = {RENDERERS}."), Rule::AtMost)
-            .unit("primitives")
-            .formula(drawn(&|it| greatest_load(it.load.primitives as f64, regions, RENDERERS as usize)))
-            .found(Origin::rtl(seeds(frames)), drawn(&worst)),
+        Statement::new(
+            "PP5-PW",
+            format!("P_w is at most P R/B: frames of the circuit, B = {RENDERERS}."),
+            Rule::AtMost,
+        )
+        .unit("primitives")
+        .formula(drawn(&|it| greatest_load(it.load.primitives as f64, regions, RENDERERS as usize)))
+        .found(Origin::rtl(seeds(frames)), drawn(&worst)),
     ]
 }
 
@@ -165,10 +169,14 @@ fn extremes(frames: &[Drawn]) -> Vec<Statement> {
         .formula(by_formula(&|b| greatest_load(primitives as f64, regions, b)))
         .found(Origin::count([]), undivided().map(all_cover))
         .because(WHOLE),
-        Statement::new("PP5-PW", "There P_w is at most P ⌈R/B⌉, as regions are whole.", Rule::AtMost)
-            .unit("primitives")
-            .formula(by_formula(&|b| greatest_load_of_whole_regions(primitives, regions, b) as f64))
-            .found(Origin::count([]), undivided().map(all_cover)),
+        Statement::new(
+            "PP5-PW",
+            "P_w is at most P ⌈R/B⌉ where B does not divide R, as regions are whole.",
+            Rule::AtMost,
+        )
+        .unit("primitives")
+        .formula(by_formula(&|b| greatest_load_of_whole_regions(primitives, regions, b) as f64))
+        .found(Origin::count([]), undivided().map(all_cover)),
     ]
 }
 
@@ -212,8 +220,8 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
             .unit("regions of a column")
             .paper([2.0])
             .found(counted.origin(), [counted.most_in_a_column as f64]),
-        of_formula(1, "Then it is in (1 + L cos θ/S)(1 + tan θ) regions; axes are swapped beyond 45 degrees.", "PP5-HV"),
-        Statement::new("PP5-HV", "That is fewer than by bounding boxes for long vectors, L cos θ > S.", Rule::AtMost)
+        of_formula(1, "Binned by columns, a vector is in (1 + L cos θ/S)(1 + tan θ) regions; axes are swapped beyond 45 degrees.", "PP5-HV"),
+        Statement::new("PP5-HV", "Columns make fewer regions than bounding boxes for long vectors, L cos θ > S.", Rule::AtMost)
             .unit("times those of the box")
             .paper([1.0])
             .found(counted.origin(), all(&is_long, &|point| by_columns(point) / by_box(point))),
@@ -233,7 +241,7 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
             .unit("regions a vector")
             .formula(all(&is_along_an_axis, &|point| 1.0 + in_parts(point)))
             .found(counted.origin(), all(&is_along_an_axis, &by_box)),
-        Statement::new("PP5-HV0", "Likewise: by columns.", WITHIN)
+        Statement::new("PP5-HV0", "Of horizontal and vertical vectors both formulas are 1 + L/S: by columns.", WITHIN)
             .unit("regions a vector")
             .formula(all(&is_along_an_axis, &|point| 1.0 + in_parts(point)))
             .found(counted.origin(), all(&is_along_an_axis, &by_columns)),
@@ -281,7 +289,7 @@ fn in_balance(counted: &Counted, loads: &Loads) -> Vec<Statement> {
         .found(counted.origin(), [mean]),
         Statement::new(
             "PP5-PWV",
-            "It is so of random vectors, whose balance is not perfect: the worst load.",
+            "P_w is 1.63 V/B for random vectors, whose balance is not perfect: the worst load.",
             Rule::Within { percent: 10.0 },
         )
         .unit("V/B")

@@ -12,29 +12,27 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
     let charts = Charts { plan, times };
     Section::new("Update time")
         .paragraph(
-            "By the paper a frame takes N P_w T: N clocks of 25 ns for each of the P_w primitives of the renderer with the heaviest load. From its 239 ns \
-             a vector follows N = 94, whatever its program did in them; how many bits its edges, depth and colour had, it does not say. N of the \
-             programs here is in the table. The figures are of random vectors, of one colour, whose depth is compared: the least word stays.",
+            "By the paper a frame takes N P_w T: N clocks of 25 ns for each of the P_w primitives of the busiest renderer. Its 239 ns a vector make N = 94. It does not say how many bits the edges, \
+             depth and colour of its vectors had. The table has N of the programs here. The figures are of random vectors in one colour whose depth is compared, so that the nearest stays.",
         )
         .part(cycles(table))
         .paragraph(format!(
-            "The line of N = 94 is the paper’s, with its H_v. The others have N of our program and bins of the vectors themselves. With an ample ring \
-             instructions come in time, so the line is N P_w T in perfect balance. A ring of {} has to bring {} bits for each instruction and a bit for each \
-             pixel of a finished line, one line a clock: where that takes longer, it is the line. Hollow marks are clocks of the \
-             transaction model until the last vector is drawn, filled ones of the circuit.",
+            "The line of N = 94 is the paper’s, with its H_v. The other lines have N of our program and bins of the vectors themselves. With an ample ring instructions come in time, so the line is N \
+             P_w T in perfect balance. A ring of {} has to bring {} bits for each instruction, and all pixels of finished regions, a line of one bit a clock; where that takes longer than drawing, it \
+             is the line. Hollow marks are the transaction model’s clocks until the last vector is drawn, filled marks the circuit’s.",
             ring_in_words(),
             tilewright_rtl::pixel_planes::ring::Ring::INSTRUCTION
         ))
         .figure(charts.by_ring(), charts.against(&BY_RENDERERS))
         .figure(charts.best_side(), charts.against(&BY_SIDE))
         .paragraph(
-            "A frame takes time of its own, which the formula leaves out: every region is cleared, saved and sent, also where nothing is drawn. Of few \
-             vectors that is most of it; and with many renderers, or small regions, these have to wait until what they drew before is sent.",
+            "A frame takes time of its own, which the formula leaves out: every region is cleared, saved and sent, even if nothing is drawn in it. With few vectors that is most of the frame. With \
+             many renderers, or small regions, renderers also wait until what they drew before is sent.",
         )
         .figure(charts.few_and_many(), charts.against(&BY_VECTORS))
         .paragraph(format!(
-            "The formula assumes that renderers never wait for primitives. With the ring of {} they do, if there are many: this is the part of their clocks in \
-             which they could have begun an instruction that had not come, and how much of what it can bring the ring brings.",
+            "The formula assumes that renderers never wait for primitives. With many renderers and the ring of {} they do. “Waiting” is the part of their clocks in which they could have begun an \
+             instruction that had not come; “ring” is how much of its capacity the ring uses.",
             ring_in_words()
         ))
         .figure(charts.starved(), charts.waiting())

@@ -16,13 +16,13 @@ fn primitives() -> Axis {
 pub fn latencies(found: &Found) -> Section {
     Section::new("Latency")
         .paragraph(
-            "Twenty nodes: one holds the frame, one or four shade, and the others rasterize; the non-texturing system needs no shaders. The number behind a system is that of its shaders. The screen is of 640x512 \
-             pixels in 40 regions, and primitives are 10 pixels wide and high. Lines are the paper’s formulas with its constants, hollow marks the \
-             transaction model with random boxes, dealt to the rasterizers in turn, so that no load is balanced perfectly.",
+            "One of the twenty nodes holds the frame, one or four shade, and the others rasterize. The number behind a system is that of its shaders; the non-texturing system needs none. The screen \
+             of 640x512 pixels has 40 regions, and primitives are 10 pixels wide and high. Lines are the paper’s formulas with its constants. Hollow marks are the transaction model with random \
+             boxes, dealt to the rasterizers in turn, so that no load is balanced perfectly.",
         )
         .paragraph(
-            "With eight samples the array has four of a pixel side by side, so its regions are 64x32 pixels, 160 of them, and all is drawn twice. The formulas compose and shade \
-             40 regions nevertheless. The model composes all 320; in the first figure it shades what the samples of a pixel have in common, in the second every sample.",
+            "With eight samples the array has four of a pixel side by side, so a region has 64x32 pixels. There are 160 regions, and all are drawn twice. The formulas still compose and shade 40 \
+             regions; the model composes all 320. In the first figure it shades each pixel once, from what its samples have in common. In the second it shades every sample.",
         )
         .figure(
             claim(found, EIGHT, Shades::OncePerPixel),
@@ -36,7 +36,7 @@ pub fn latencies(found: &Found) -> Section {
             claim(found, Samples::One, Shades::EverySample),
             figure(found, "figure-4", "Figure 4: one sample", Samples::One, Shades::EverySample),
         )
-        .paragraph("The primitives of a frame within a latency, which tell the systems apart where the paper’s goal is: 30 to 40 ms.")
+        .paragraph("The systems differ most in how many primitives they draw within the paper’s goal of 30 to 40 ms.")
         .part(within(found))
 }
 
@@ -115,8 +115,8 @@ const STAGES: [(&str, Stage); 6] = [
 /// Where the time goes.
 pub fn stages(found: &Found) -> Section {
     let section = Section::new("Where the time goes").paragraph(
-        "What each stage was busy with in the model; of several nodes, the one with the most work. Of a system that sorts, latency is the front end’s time and that of the \
-         slowest stage behind it, with what fills the pipe; the non-texturing system’s front end works while it rasterizes.",
+        "These are the times for which each stage was busy in the model; of several nodes, the one with the most work. In a system that sorts, latency is the time of the front end and of the \
+             slowest stage behind it, and the time that fills the pipe. The non-texturing system’s front end works while it rasterizes.",
     );
     let of = |system, shaders, samples| Plan::case(system, shaders, samples, Shades::OncePerPixel);
     [
@@ -190,10 +190,10 @@ pub fn pre_sorting(found: &Found) -> Section {
         .fold(chart, |chart, (samples, name)| chart.series(Series::new(name, found.origin(), of_circuit(samples))));
     Section::new("Does pre-sorting pay?")
         .paragraph(
-            "The paper finds that sorting primitives in a pass of their own gains 10 to 15 % between 30 and 40 ms, and nothing without antialiasing. From its constants that \
-             does not follow. At a fixed latency a primitive takes 1.85 µs and its rasterization without pre-sorting; with it, 0.74 µs, and then 1.45 µs or its \
-             rasterization, whichever is longer. So the gain is greatest where the second pass and rasterization take equally long, and without antialiasing it is 10 to 15 % only \
-             where a primitive is rasterized in 0.45 to 0.55 µs, faster than in the paper; with eight samples, where it takes longer than here was tried.",
+            "The paper finds that sorting primitives in a pass of their own gains 10 to 15 % between 30 and 40 ms, and nothing without antialiasing. That does not follow from its constants. At a \
+             fixed latency a primitive takes 1.85 µs and its rasterization. With pre-sorting it takes 0.74 µs, and 1.45 µs or its rasterization, whichever is longer. So the gain is greatest where \
+             the second pass and rasterization take equally long. Without antialiasing it is 10 to 15 % only if a primitive is rasterized in 0.45 to 0.55 µs, faster than in the paper. With eight \
+             samples rasterization would have to take longer than was tried here.",
         )
         .figure(gained(found), chart)
         .paragraph(answer(found))
@@ -228,8 +228,8 @@ fn answer(found: &Found) -> String {
         }
     };
     format!(
-        "With the time that a triangle takes in our circuit, which is shorter than the paper’s, with loads that are not balanced, and with a set-up of each composition, which the \
-         paper leaves out, pre-sorting gains {} at 30 to 40 ms without antialiasing, and {} with eight samples.",
+        "In our circuit a triangle takes less time than in the paper, loads are not balanced, and each composition is set up, which the paper leaves out. There pre-sorting gains {} at 30 to 40 \
+             ms without antialiasing, and {} with eight samples.",
         gains(Samples::One),
         gains(EIGHT)
     )

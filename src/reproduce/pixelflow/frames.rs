@@ -189,7 +189,12 @@ pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
             0.83,
             System::Base,
         ),
-        triangle("PFL-NT", "Likewise one of z and colour.", 0.62, System::NonTexturing),
+        triangle(
+            "PFL-NT",
+            "A triangle of z and colour takes no longer in a region than in the paper, by what more of them take more.",
+            0.62,
+            System::NonTexturing,
+        ),
     ]
 }
 
@@ -197,8 +202,8 @@ pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
 pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
     let [width, height] = plan.array();
     let section = Section::new("Frames").paragraph(format!(
-        "Frames that the circuit drew, clock by clock, on 20 nodes with arrays of {width}x{height} pixel processors: rasterizers, network, shaders, texture units and frame buffer are simulated; \
-         the front end takes the paper’s time. Random triangles fill half of a box each."
+        "The circuit drew these frames, clock by clock, on 20 nodes with arrays of {width}x{height} pixel processors. Rasterizers, network, shaders, texture units and frame buffer are simulated; \
+             the front end takes the paper’s time. Each random triangle fills half of a box."
     ));
     let pictures = frames.iter().filter(|it| matches!(it.spec.which, Which::BuiltIn(..)));
     let section = pictures.fold(section, |section, drawn| section.figure(took(drawn), picture(drawn)));
@@ -249,7 +254,7 @@ fn curves(frames: &[Drawn], plan: &Plan) -> Chart {
         Axis::linear("thousand primitives"),
         Axis::linear("latency, ms"),
     )
-    .note("The formula has the paper’s time of a triangle, which is longer, and the overlap of the very triangles.");
+    .note("The formula has the paper’s time of a triangle, which is longer, and the overlap of the same triangles.");
     plan.curves().into_iter().fold(chart, |chart, spec| {
         let formula = of_triangles(frames, spec).map(|(at, it)| (at, it.formula()));
         let found = of_triangles(frames, spec).map(|(at, it)| (at, milliseconds(it.report.latency())));

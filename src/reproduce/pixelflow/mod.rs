@@ -37,15 +37,14 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
             .parameter("set-up of a composition", "0", "as in the paper, which leaves it out");
     let page = Page::new("PixelFlow: the latency of three systems", provenance)
         .paragraph(
-            "Twenty nodes each have an array of 128x64 pixel processors and a front end. Some rasterize, others shade, one holds the frame; a network between them composes \
-             what they drew, region by region. The paper gives the latency of three software systems in formulas: the base system, in which a frame is drawn while the \
-             next one is transformed; one that sorts primitives in a pass of its own, and draws the same frame in a second; and one that has the whole screen in the pixels’ memory, without sorting and \
-             without textures.",
+            "Twenty nodes each have an array of 128x64 pixel processors and a front end. Some nodes rasterize, others shade, and one holds the frame. A network between them composes what they drew, \
+             region by region. The paper gives the latency of three software systems in formulas. The base system draws a frame while the next one is transformed. The second sorts primitives in a \
+             pass of its own and draws the same frame in a second pass. The third keeps the whole screen in the pixels’ memory, without sorting and without textures.",
         )
         .paragraph(
-            "Here the formulas stand beside a transaction model, which lets each node, the network and the frame buffer wait for each other as their registers make them, with the \
-             paper’s time for each step. It knows no circuit. Where the paper’s statements follow from its constants, both agree with it. Further down the circuit itself draws \
-             frames, with its own time for each step.",
+            "Here the formulas stand beside a transaction model. It takes the paper’s time for each step, and lets each node, the network and the frame buffer wait for each other as their registers \
+             make them. It knows no circuit. Where the paper’s statements follow from its constants, formula and model agree with it. Further down the circuit itself draws frames, with its own time \
+             for each step.",
         )
         .section(charts::latencies(&found))
         .section(charts::stages(&found))

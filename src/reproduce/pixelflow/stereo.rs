@@ -34,9 +34,9 @@ fn drawn(frames: &[Drawn], spec: Spec, stereo: Stereo) -> Vec<Both> {
 pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
     Section::new("Two eyes")
         .paragraph(
-            "For two eyes the paper would rather divide the machine in half than render their frames one after another, to reduce latency. Halved, each eye has ten nodes, one of which holds its frame. One \
-             after another, the front end goes on to the second frame while the first one is drawn. The paper has no formula for either; here its formulas are put together for both. Both eyes have the \
-             same random triangles, so of either way the circuit has drawn one frame.",
+            "For two eyes the paper would rather divide the machine in half than render one frame after the other, to reduce latency. Halved, each eye has ten nodes, one of which holds its frame. \
+             One after another, the front end goes on to the second frame while the first is drawn. The paper has no formula for either; here its formulas are put together for both. Both eyes have \
+             the same random triangles, so the circuit has drawn one frame for each way.",
         )
         .figure(claim(frames, plan), latencies(frames, plan))
         .part(crossings())
@@ -61,7 +61,7 @@ fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {
         Axis::linear("thousand primitives of each eye"),
         Axis::linear("until both are there, ms"),
     )
-    .note("The formula has the paper’s time of a triangle, and the overlap of the very triangles.");
+    .note("The formula has the paper’s time of a triangle, and the overlap of the same triangles.");
     let spec = plan.stereo();
     WAYS.into_iter().fold(chart, |chart, (stereo, how)| {
         let (name, both) = (format!("{} {how}", spec.name()), drawn(frames, spec, stereo));

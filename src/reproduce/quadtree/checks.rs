@@ -9,8 +9,8 @@ pub fn section(found: &Found) -> Section {
     let numbers: u64 = found.ran.outcomes.iter().filter_map(|it| it.hardware.as_ref()).map(|it| it.numbers).sum();
     Section::new("Checks of what is measured")
         .paragraph(format!(
-            "The circuit, the transaction-level model and the plain count are three programs. Where the circuit ran, the other two got the same \
-             rectangles, and {numbers} counters and clocks were compared one by one."
+            "The circuit, the transaction model and the plain count are three programs. Where the circuit ran, the other two got the same rectangles, and {numbers} counters and clocks were compared \
+             one by one."
         ))
         .part(verdicts(found))
         .part(samples(found))

@@ -12,9 +12,8 @@ use tilewright_report::{Axis, Chart, Section, Series};
 pub fn section(found: &Found) -> Section {
     let section = Section::new("As it runs: waits, and depth of queues")
         .paragraph(
-            "The figures above follow from the clocks in which units work. A running matrix also waits: a packet goes to all video \
-             processors at once, so one whose queue is full holds up the others. These points are polygons over all clocks until the matrix \
-             is idle, with queues of 16 packets before each processor; the lines are the formulas, which know no waits.",
+            "The figures above follow from the clocks in which units work. A running matrix also waits: a packet goes to all video processors at once, so one whose queue is full holds up the others. \
+             The points are polygons over all clocks until the matrix is idle, with queues of 16 packets before each processor. The lines are the formulas, which know no waits.",
         )
         .figure(
             as_ran(found, "stacks", by_formula(4, AREA).p_s, |it| it.stacks_ran),
@@ -25,16 +24,15 @@ pub fn section(found: &Found) -> Section {
             figure(found, ("pipelines-as-run", "Performance of pipelines as they ran, in parts of P_max", true), |it| it.p_p, None, |it| it.pipes_ran),
         )
         .paragraph(
-            "How much that is depends on the queues. The loss is the part of the clocks by which a matrix takes longer than its processors \
-             would on the mean, if none had to wait for another. It has two parts: what deeper queues win back, and that one processor has more \
-             to do than another, which no queue does.",
+            "How long it waits depends on the queues. The loss is the part of the clocks by which a matrix takes longer than its processors would on the mean, if none had to wait for another. Deeper \
+             queues win one part of it back. The other part stays: one processor has more to do than another.",
         );
     section
         .figure(lost(&found.coupled, "stack", "stacks"), by_matrix(&found.coupled, "stack", "stacks"))
         .figure(lost_by_area(&found.coupled), by_area(&found.coupled))
         .paragraph(
-            "A pipeline takes packets in without such queues: its stages and the queues of windows between them hold several. There the \
-             depth is that of the queues of windows, and the loss the part of the clocks in which its slowest level has nothing to do.",
+            "A pipeline takes in packets without such queues, as its stages and the queues of windows between them hold several. Below, depth is that of the window queues, and the loss is the part \
+             of the clocks in which the slowest level has nothing to do.",
         )
         .figure(lost(&found.coupled, "pipe", "pipelines"), by_matrix(&found.coupled, "pipe", "pipelines"))
         .figure(idle(&found.coupled), by_windows(&found.coupled))

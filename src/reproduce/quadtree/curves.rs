@@ -12,9 +12,8 @@ const AREA: &str = "area S, pixels";
 /// Figure 3: the windows of each level, a chart for each matrix.
 pub fn windows(found: &Found) -> Section {
     let section = Section::new("Figure 3: windows of each level").paragraph(format!(
-        "On the first levels a polygon is in one window, on the last ones in as many as it has pixels there. The lines are the paper’s upper \
-         bound of the mean, equation 1; the points are means over rectangles that lie on the screen as a whole. As their corners are snapped \
-         to 1/16 pixel, the mean area of those that are counted is off by up to {:.2} %.",
+        "On the first levels a polygon is in one window; on the last levels it is in as many as it has pixels there. The lines are the paper’s upper bound of the mean, equation 1. The points are \
+             means over rectangles that lie on the screen as a whole. Corners are snapped to 1/16 pixel, so the mean area of the counted rectangles is off by up to {:.2} %.",
         100.0 * found.counted.snapping()
     ));
     SIZES.into_iter().fold(section, |section, k| {
@@ -54,9 +53,8 @@ pub fn window_sizes(found: &Found) -> Section {
     });
     Section::new("Figure 4: relative window sizes")
         .paragraph(
-            "With an aperture of 2 the windows of the last level are smaller than their spacing if k > 1: a small polygon can fall between \
-             them. The points are measured: a square of a quarter of a pixel walks along a line, and the counters say how many windows it \
-             is in.",
+            "With an aperture of 2 and k > 1, the windows of the last level are smaller than their spacing, so a small polygon can lie between them. The points are measured: a square of a quarter of \
+             a pixel moves along a line, and the counters say how many windows it is in.",
         )
         .figure("With more than four processors windows are smaller than their spacing, the least on the last level.", chart)
 }

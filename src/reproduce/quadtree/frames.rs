@@ -81,8 +81,7 @@ pub fn checks(frames: &[Drawn]) -> [Statement; 2] {
 /// The section of the frames.
 pub fn section(frames: &[Drawn]) -> Section {
     let section = Section::new("Frames").paragraph(
-        "Scenes as the hardware drew them, clock by clock: processors with pipelines, whose tests have an adder for each edge. What is said of \
-         clocks is counted by the hardware itself.",
+        "These are scenes as the hardware drew them, clock by clock. The processors have pipelines, whose tests have an adder for each edge. The hardware itself counts the clocks.",
     );
     frames.iter().enumerate().fold(section, |section, (number, drawn)| {
         let section = section.figure(speed(drawn), picture(drawn));
@@ -156,8 +155,8 @@ fn who(drawn: &Drawn) -> Picture {
     let title = format!("Who drew which pixel: the top of {}", drawn.scene);
     let alt = format!("a pattern of {p} x {q} colours where there are polygons");
     Picture::new(drawn.id("owners"), title, alt, part.to_png()).note(format!(
-        "A colour for each of {p}x{q} video processors; dark is where no polygon is. The video controller reads a pixel from the buffer of the \
-         processor that drew it, so the place says who that was; the checks below have that each drew as many as it should."
+        "Each of the {p}x{q} video processors has a colour; dark is where no polygon is. The video controller reads each pixel from the buffer of the processor that drew it, so the place says \
+             which one that was. The checks below show that each drew as many pixels as it should."
     ))
 }
 

@@ -33,15 +33,13 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .parameter("coverage test", "an edge a clock: t_e = 4 clocks, k_p/k_e = 1", "as in the paper");
     let page = Page::new("A sparse-raster quadtree generator", provenance)
         .paragraph(
-            "A matrix of p x q video processors draws a screen together: each has every p-th pixel of every q-th line, and finds those that a \
-             polygon covers by dividing windows of its sparse raster into quarters. The paper estimates from the mean number of windows \
-             how fast such a matrix is, and how well its processors are used.",
+            "A matrix of p x q video processors draws a screen together. Each processor has every p-th pixel of every q-th line. It finds the pixels that a polygon covers by dividing windows of its \
+             sparse raster into quarters. From the mean number of windows the paper estimates how fast such a matrix is, and how well its processors are used.",
         )
         .paragraph(
-            "Here the estimates stand beside what three programs find with random rectangles. A plain count goes through the windows of many \
-             polygons, and knows no time but the cost of a test. The transaction model has the clocks of a running matrix without its circuit. \
-             RTL is the circuit itself, simulated clock by clock, with the transaction model’s rectangles. The formulas are those of the \
-             paper, restored where the print is damaged.",
+            "Here the estimates stand beside what three programs find with random rectangles. A plain count goes through the windows of many polygons and knows no time but the cost of a test. The \
+             transaction model has the clocks of a running matrix without its circuit. RTL is the circuit itself, simulated clock by clock, with the transaction model’s rectangles. The formulas are \
+             the paper’s, restored where the print is damaged.",
         )
         .section(curves::windows(&found))
         .section(curves::window_sizes(&found))

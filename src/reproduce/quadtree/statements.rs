@@ -130,7 +130,7 @@ fn sizes(found: &[WindowSizes]) -> Vec<Statement> {
             .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p > 2).flat_map(of)),
         Statement::new(
             "MPG-F4",
-            "They come nearer to it from the last level to the first: k = 4.",
+            "Windows come nearer to their spacing from the last level to the first: k = 4.",
             Rule::Increases { with: with("the spacing") },
         )
         .found(Origin::rtl([]), found.iter().filter(|it| it.matrix.p == 16).flat_map(of)),
@@ -149,19 +149,19 @@ fn stacks(counted: &Counted) -> Vec<Statement> {
         .found(origin(), counted.by_matrix(1.0, |it| it.p_s)),
         Statement::new(
             "MPG-F5A",
-            "It is the faster, the smaller the polygons are: k = 4.",
+            "A matrix of stacks is the faster, the smaller the polygons are: k = 4.",
             Rule::NeverIncreases { with: with("S") },
         )
         .found(origin(), counted.by_area(4, |it| it.p_s)),
         Statement::new(
             "MPG-F5B",
-            "Its efficiency falls with the size of the matrix: S = 100.",
+            "The efficiency of stacks falls with the size of the matrix: S = 100.",
             Rule::Decreases { with: with("k") },
         )
         .found(origin(), counted.by_matrix(100.0, |it| it.q_a)),
         Statement::new(
             "MPG-F5B",
-            "Its efficiency falls with the area: k = 4.",
+            "The efficiency of stacks falls as the area gets smaller: k = 4.",
             Rule::NeverDecreases { with: with("S") },
         )
         .found(origin(), counted.by_area(4, |it| it.q_a)),
@@ -196,14 +196,18 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
         .unit("times one processor")
         .paper(proportional())
         .found(origin(), growth(1e5)),
-        Statement::new("MPG-F6A", "At S = 1000 it still grows almost in proportion.", Rule::Within { percent: 10.0 })
-            .unit("times one processor")
-            .paper(proportional())
-            .found(origin(), growth(1e3))
-            .because(COARSE),
+        Statement::new(
+            "MPG-F6A",
+            "At S = 1000 performance still grows almost in proportion to the processors.",
+            Rule::Within { percent: 10.0 },
+        )
+        .unit("times one processor")
+        .paper(proportional())
+        .found(origin(), growth(1e3))
+        .because(COARSE),
         Statement::new(
             "MPG-CAP",
-            "For small polygons it is P_max, one polygon in five tests: S = 1.",
+            "For small polygons the performance of pipelines is P_max, one polygon in five tests: S = 1.",
             Rule::Within { percent: 2.0 },
         )
         .unit("P_max")
@@ -272,8 +276,12 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
         .unit("times the units")
         .paper([1000.0])
         .found(Origin::Formula, [(at_k(4), whole_tree(4))]),
-        Statement::new("MPG-TREE", "That is so for areas from 1 to some bound.", Rule::AtMost)
-            .cannot_be_compared("the bound is illegible in the print; S_k is the likeliest reading"),
+        Statement::new(
+            "MPG-TREE",
+            "A full quadtree has the same performance for areas from 1 to some bound.",
+            Rule::AtMost,
+        )
+        .cannot_be_compared("the bound is illegible in the print; S_k is the likeliest reading"),
     ]
 }
 

@@ -24,18 +24,18 @@ pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
     Section::new("Figure 7: time by the number of processing elements")
         .paragraph(words::TIMES)
         .paragraph(
-            "An interval between two swaps is a number of refreshes, and two of them at least, 33.3 ms. So with 35 ms of drawing some frames take two and some take three. Below 33.3 ms T shows \
-             nothing, and D goes on.",
+            "An interval between two swaps is a whole number of refreshes, at least two, 33.3 ms. So with 35 ms of drawing some frames take two refreshes and some take three. Below 33.3 ms T stays, \
+             and D goes on shrinking.",
         )
         .paragraph(
-            "Crosses are the numbers that the text gives; the line is what follows for ter250 from its rates and its speed-up.",
+            "Crosses are the numbers that the text gives. The line follows for ter250 from the paper’s rates and its speed-up.",
         )
         .figure(claims::time(found), by_processors(found, frames, TIME))
         .figure(claims::drawing(found), by_processors(found, frames, DRAWING))
         .figure(claims::estimate(found), estimate::chart(found))
         .paragraph(
-            "Where the clocks of a processing element go, in percent of the time from frame to frame, as a mean over all of them. Stalled is an access that waits for its local frame buffer, bus a \
-             word that waits for the bus; overflow, sync and swap are waiting for the swap of an overflow, for the others, and for the swap at the end of a frame.",
+            "These are the clocks of a processing element in percent of the time from frame to frame, as a mean over all. “Stalled” is an access that waits for its local frame buffer, “bus” a word \
+             that waits for the bus. “Overflow”, “sync” and “swap” are waits: for the swap of an overflow, for the other processing elements, and for the swap at the end of a frame.",
         )
         .figure(claims::waiting(found, "table"), classes(found, "table"))
         .figure(claims::waiting(found, terrain), classes(found, terrain))
@@ -130,8 +130,9 @@ pub fn figure_9(found: &Found) -> Section {
     let paper = |apr| plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr);
     Section::new("Figure 9: time by the threshold")
         .paragraph(
-            "The table with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps: so there are two \
-             capacities and two ways to swap, and one machine with pages for all, on which nothing overflows. The rightmost points, at the pixels of the whole screen, are those without a threshold. The cross is the paper’s 75 %.",
+            "This is the table with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps. So there are two \
+             capacities and two ways to swap, and one machine with pages for all, on which nothing overflows. The rightmost points, at the pixels of the whole screen, have no threshold. The cross is \
+             the paper’s 75 %.",
         )
         .figure(claims::saved(found), relative(found))
         .figure(
@@ -142,8 +143,8 @@ pub fn figure_9(found: &Found) -> Section {
             ]),
         )
         .paragraph(
-            "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. Three ways to split it, with 500, 300 and 100 clocks for the set-up of a packet, and what \
-             then is left for a row:",
+            "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. The figure has three ways to split it: 500, 300 and 100 clocks for the set-up of a \
+             packet, and what is left for a row.",
         )
         .figure(claims::splits(found), splits(found))
 }

@@ -70,8 +70,8 @@ impl Drawings {
     /// Frames as the circuit drew them.
     fn section(&self) -> Section {
         let section = Section::new("Frames").paragraph(
-            "Scenes as the circuit drew them, clock by clock, with 16 processing elements: local frame buffers, bus, merger, global frame buffer, swaps and display are simulated. The programs of the \
-             processing elements and of the host take the time of their steps.",
+            "These are scenes as the circuit drew them, clock by clock, with 16 processing elements. Local frame buffers, bus, merger, global frame buffer, swaps and display are simulated. The \
+             programs of the processing elements and of the host take the time of their steps.",
         );
         frames::section(self.owners.section(section), &self.frames)
     }

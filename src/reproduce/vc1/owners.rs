@@ -139,8 +139,7 @@ impl Owners {
         let alt =
             format!("the scene {SCENE} in {PROCESSORS} colours: the top of the table in lines, each object in patches");
         Picture::new("figure-12", "Figure 12: the table in the colours of the processing elements", alt, picture.to_png()).note(
-            "The colour is that of the processing element whose word the merger chose, as its local frame buffer took it. Large polygons are \
-             drawn by all, line by line.",
+            "The colour is that of the processing element whose word the merger chose, as its local frame buffer took it.",
         )
     }
 

@@ -29,9 +29,10 @@ pub fn vlfb(found: &Found) -> Option<Means> {
 /// The section of the table.
 pub fn section(found: &Found) -> Section {
     let section = Section::new("Table 1: beside regions").paragraph(
-        "Times of ter1k with 16 processing elements, as means over still views 7.5 degrees apart, 48 of them in a full turn. Clusters are dealt once, in the first view. In the other machine the \
-         screen is in regions: a processing element does its geometry, then draws region after region, each into one of its buffers. It may begin a region when the one that was in its buffer \
-         is merged, and a region is merged when all have drawn it. Who has drawn its last region begins with the geometry of the next frame, and times are those from frame to frame. The paper simulated that machine on its own, and so does the model here; there is no circuit of it.",
+        "These are times of ter1k with 16 processing elements, as means over still views 7.5 degrees apart, 48 of them in a full turn. Clusters are dealt once, in the first view. The other \
+             machine divides the screen into regions. A processing element does its geometry, then draws region after region, each into one of its buffers. It may begin a region when the one that \
+             was in its buffer is merged, and a region is merged when all have drawn it. A processing element that has drawn its last region begins the geometry of the next frame. The paper \
+             simulated that machine on its own, and so does the model here; there is no circuit of it.",
     );
     let regional = &found.regional;
     let section = section.part(table(found)).paragraph(format!(

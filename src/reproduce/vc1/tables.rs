@@ -33,7 +33,7 @@ pub fn clusters(found: &Found) -> Section {
         table.row([f64::from(it.polygons), imbalance, it.vertices, it.pages].map(Cell::Number))
     };
     Section::new("Clusters of polygons")
-        .paragraph("Clusters of w consecutive polygons go to the processing element with the least load: large ones share vertices and pages, small ones the work.")
+        .paragraph("Clusters of w consecutive polygons go to the processing element with the least load. Large clusters share vertices and pages; small ones share out the work.")
         .part(found.counted.clusters.iter().fold(table, row))
 }
 
@@ -63,7 +63,7 @@ pub fn section_6(found: &Found) -> Section {
     });
     Section::new("Section 6: larger machines")
         .paragraph(
-            "As the number of processing elements grows, each has fewer pixels to draw and can do with less memory; but the large polygons are too large for it, and so more of them are sent to all.",
+            "As the number of processing elements grows, each has fewer pixels to draw and needs less memory. But large polygons are then too large for it, so more of them are sent to all.",
         )
         .part(table)
         .figure(claims::best(found), chart)

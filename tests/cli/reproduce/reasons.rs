@@ -19,7 +19,7 @@ const PAGES: [Page; 4] = [
 
 const QUADTREE: [(&str, &str); 5] = [
     ("MPG-EQ1", "On each level there are no more windows than the area of the filtered polygon, on the mean."),
-    ("MPG-F6A", "At S = 1000 it still grows almost in proportion."),
+    ("MPG-F6A", "At S = 1000 performance still grows almost in proportion to the processors."),
     ("MPG-F6B", "Near S_k the load of the pipelines is greatest, and almost 100 %: at S_k."),
     ("MPG-F6B", "The load grows with the matrix: S = 1."),
     ("MPG-LIM", "FIFOs couple the processors so loosely that none waits: stacks, queues of one packet, k = 4."),
@@ -28,13 +28,16 @@ const QUADTREE: [(&str, &str); 5] = [
 const PIXEL_PLANES: [(&str, &str); 8] = [
     (
         "PP5-ARCH",
-        "So renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
+        "Renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
     ),
     (
         "PP5-ARCH",
         "Regions are given to renderers so that these process nearly equal numbers of primitives: 16 renderers that wait for nothing.",
     ),
-    ("PP5-ARCH", "Likewise, with a ring of 5 Gbit/s: frames of the circuit."),
+    (
+        "PP5-ARCH",
+        "Renderers process nearly equal numbers of primitives: frames of the circuit, with a ring of 5 Gbit/s.",
+    ),
     ("PP5-PW", "P_w is at most P R/B also where B does not divide R: all primitives in all regions."),
     (
         "PP5-HVB",
@@ -46,7 +49,7 @@ const PIXEL_PLANES: [(&str, &str); 8] = [
 ];
 
 const PIXELFLOW: [(&str, &str); 11] = [
-    ("PFL-COL", "Likewise, if it were colour alone, 3 bytes: formula."),
+    ("PFL-COL", "Composing colour alone takes 360 µs: 3 bytes of 40 regions: formula."),
     (
         "PFL C1",
         "With eight samples the non-texturing system has a greater least latency than a base system with 4 shaders: model that shades a pixel once.",
@@ -60,12 +63,12 @@ const PIXELFLOW: [(&str, &str); 11] = [
         "At 30 to 40 ms the non-texturing system draws fewer primitives than the base system with 1 shader: model that shades every sample.",
     ),
     ("PFL C4", "At 30 to 40 ms 1 shader draws more primitives than 4: model that shades every sample."),
-    ("PFL C5", "It gains at most 15 %: formula."),
-    ("PFL C5", "It gains at most 15 %: model that shades a pixel once."),
-    ("PFL C5", "It gains at most 15 %: model that shades every sample."),
+    ("PFL C5", "At 30 to 40 ms pre-sorting gains at most 15 %: formula."),
+    ("PFL C5", "At 30 to 40 ms pre-sorting gains at most 15 %: model that shades a pixel once."),
+    ("PFL C5", "At 30 to 40 ms pre-sorting gains at most 15 %: model that shades every sample."),
     (
         "PFL C5",
-        "It gains at most 15 %, if it is read as pre-sorting with 4 shaders beside the base system with 1: model that shades every sample.",
+        "At 30 to 40 ms pre-sorting with 4 shaders gains at most 15 % beside the base system with 1: model that shades every sample.",
     ),
     ("PFL D1", "Without antialiasing pre-sorting has no advantage at 30 to 40 ms: formula."),
     ("PFL D1", "Without antialiasing pre-sorting has no advantage at 30 to 40 ms: model."),
@@ -79,24 +82,36 @@ const VC1: [(&str, &str); 16] = [
     ("VC1-SW4", "A processor’s worst-case idle time upon an overflow is 33.3 ms: in any case."),
     (
         "VC1-F7",
-        "It decreases in inverse proportion to the number of processing elements: n T(n) / T(1), where T(n) is above 42.1 ms.",
+        "The rendering time decreases in inverse proportion to the number of processing elements: n T(n) / T(1), where T(n) is above 42.1 ms.",
     ),
     ("VC1-F7", "256 processing elements draw ter250 190 times as fast as one."),
     ("VC1-RATE", "16 processing elements draw 514,000 polygons a second at most."),
-    ("VC1-RATE", "From these follow the times of ter250 with 1 and with 16."),
-    ("VC1-LOC", "So the memory that they need does not change: pages of ter250 beside ter1k."),
-    ("VC1-F9", "It reduces the time to 75 % of that without: 1/4.7 of the screen, swaps in the blanking at its start."),
+    ("VC1-RATE", "From the paper’s rates follow the times of ter250 with 1 and with 16."),
+    (
+        "VC1-LOC",
+        "The memory that processing elements need does not change with the number of polygons: pages of ter250 beside ter1k.",
+    ),
     (
         "VC1-F9",
-        "It reduces the time to 75 % of that without: 1/4.7 of the screen, swaps in the blanking anywhere in it.",
+        "A threshold of 500 pixels reduces the time to 75 % of that without: 1/4.7 of the screen, swaps in the blanking at its start.",
     ),
-    ("VC1-F9", "It reduces the time to 75 % of that without: 1/8 of the screen, swaps in the blanking at its start."),
-    ("VC1-F9", "It reduces the time to 75 % of that without: 1/8 of the screen, swaps in the blanking anywhere in it."),
+    (
+        "VC1-F9",
+        "A threshold of 500 pixels reduces the time to 75 % of that without: 1/4.7 of the screen, swaps in the blanking anywhere in it.",
+    ),
+    (
+        "VC1-F9",
+        "A threshold of 500 pixels reduces the time to 75 % of that without: 1/8 of the screen, swaps in the blanking at its start.",
+    ),
+    (
+        "VC1-F9",
+        "A threshold of 500 pixels reduces the time to 75 % of that without: 1/8 of the screen, swaps in the blanking anywhere in it.",
+    ),
     ("VC1-F9", "As the threshold becomes larger, load balancing becomes worse."),
-    ("VC1-T1", "With regions it takes considerably longer."),
-    ("VC1-T1", "A processing element waits for so long for the others."),
+    ("VC1-T1", "With regions ter1k takes considerably longer."),
+    ("VC1-T1", "With virtual local frame buffers and with regions, a processing element waits for the others: ter1k."),
     ("VC1-THRN", "The polygons that are sent become smaller: their mean area with the best threshold."),
-    ("VC1-IMM", "Then the machine is no longer scalable: T(64) / T(256) of ter250."),
+    ("VC1-IMM", "In immediate mode the machine is no longer scalable: T(64) / T(256) of ter250."),
 ];
 
 /// The statements of a page.

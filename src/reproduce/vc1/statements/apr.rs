@@ -45,7 +45,7 @@ fn figure_9(found: &Found) -> Vec<Statement> {
             let cases = [usual, None].map(|apr| plan.at_threshold(capacity, blanking, apr));
             let when = if blanking == Blanking::AtStart { "at its start" } else { "anywhere in it" };
             let text = format!(
-                "It reduces the time to 75 % of that without: {} of the screen, swaps in the blanking {when}.",
+                "A threshold of 500 pixels reduces the time to 75 % of that without: {} of the screen, swaps in the blanking {when}.",
                 capacity.name()
             );
             Statement::new("VC1-F9", text, WITHIN_10)
@@ -81,7 +81,7 @@ fn figure_9(found: &Found) -> Vec<Statement> {
         .because(DEALT),
         along("As the threshold becomes larger, overflows increase.", "overflows a frame", grows, |it| it.overflows),
         along(
-            "As it becomes smaller, communication increases.",
+            "As the threshold becomes smaller, communication increases.",
             "words broadcast a frame",
             |with| Rule::NeverIncreases { with },
             |it| it.words,
@@ -104,7 +104,7 @@ fn gain(found: &Found) -> Statement {
     });
     Statement::new(
         "VC1-F9",
-        "Its main effect is fewer overflows, not balance: what it saves by fewer overflows, less what it saves where pages are enough for all.",
+        "The main effect of a threshold is fewer overflows, not balance: what it saves by fewer overflows, less what it saves where pages are enough for all.",
         Rule::AtLeast,
     )
     .unit("ms")

@@ -26,7 +26,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .unit("ms")
         .paper([25.3])
         .found(rtl(), [merging * MERGE.period.picoseconds() as f64 / 1e9]),
-        Statement::new("VC1-TM", "It is (M + β) N + 4 n clocks of the merger.", Rule::Equals)
+        Statement::new("VC1-TM", "T_m is (M + β) N + 4 n clocks of the merger.", Rule::Equals)
             .unit("clocks")
             .formula([round + 64.0])
             .found(rtl(), [merging]),

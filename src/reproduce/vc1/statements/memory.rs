@@ -81,7 +81,7 @@ fn locality(found: &Found) -> Vec<Statement> {
         .found(counted.origin(), beside(|it| it.pixels)),
         Statement::new(
             "VC1-LOC",
-            "So the memory that they need does not change: pages of ter250 beside ter1k.",
+            "The memory that processing elements need does not change with the number of polygons: pages of ter250 beside ter1k.",
             WITHIN_10,
         )
         .paper([1.0])
@@ -90,7 +90,7 @@ fn locality(found: &Found) -> Vec<Statement> {
     ];
     statements.extend(["ter1k", "ter250"].map(|scene| {
         let of = |n| counted.share(scene, n).map(|it| (format!("n = {n}"), it.pages));
-        let text = format!("It decreases as the number of processing elements grows: {scene}.");
+        let text = format!("The memory that each needs decreases as the number of processing elements grows: {scene}.");
         Statement::new("VC1-LOC", text, Rule::Decreases { with: "n".to_owned() })
             .unit("pages of each")
             .found(counted.origin(), PROCESSORS.into_iter().filter_map(of))

@@ -30,8 +30,9 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             let case = plan.case(scene, 256);
             found.at(scene.to_owned(), if slower { Plan::slower(case) } else { case }, time)
         };
-        let text =
-            format!("With 256 processing elements it is 33.3 ms for every scene: with {hertz} refreshes a second.");
+        let text = format!(
+            "With 256 processing elements the rendering time is 33.3 ms for every scene: with {hertz} refreshes a second."
+        );
         let fact = if slower { "VC1-59" } else { "VC1-F7" };
         Statement::new(fact, text, WITHIN_1).unit("ms").paper([FLOOR]).found(found.model(), scenes().filter_map(of))
     };
@@ -56,7 +57,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         with_256("59.94", true),
         Statement::new(
             "VC1-F7",
-            "It decreases in inverse proportion to the number of processing elements: n T(n) / T(1), where T(n) is above 42.1 ms.",
+            "The rendering time decreases in inverse proportion to the number of processing elements: n T(n) / T(1), where T(n) is above 42.1 ms.",
             WITHIN_10,
         )
         .paper([1.0])
@@ -78,7 +79,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .unit("million polygons/s, of the fastest scene")
             .paper([MILLIONS_WITH_256])
             .found(found.model(), fastest(256)),
-        Statement::new("VC1-RATE", "From these follow the times of ter250 with 1 and with 16.", WITHIN_10)
+        Statement::new("VC1-RATE", "From the paper’s rates follow the times of ter250 with 1 and with 16.", WITHIN_10)
             .unit("ms")
             .formula(derived()[..2].iter().map(|(n, time)| (format!("n = {n}"), *time)))
             .found(

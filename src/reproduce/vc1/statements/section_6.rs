@@ -46,7 +46,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .because(EQUALS),
         Statement::new(
             "VC1-THRN",
-            "So the bus is no serious limitation: its time with 256 and the best threshold.",
+            "The bus is no serious limitation: its time with 256 and the best threshold.",
             Rule::AtMost,
         )
         .unit("ms a frame")
@@ -60,7 +60,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .unit("ms a frame")
         .paper([FLOOR])
         .found(found.model(), immediate(256).map(|it| it.bus)),
-        Statement::new("VC1-IMM", "Then the machine is no longer scalable: T(64) / T(256) of ter250.", WITHIN_1)
+        Statement::new("VC1-IMM", "In immediate mode the machine is no longer scalable: T(64) / T(256) of ter250.", WITHIN_1)
             .paper([1.0])
             .found(found.model(), immediate(64).zip(immediate(256)).map(|(few, many)| few.time / many.time))
             .because(COMMAND),
