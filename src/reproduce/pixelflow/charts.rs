@@ -48,7 +48,7 @@ fn claim(found: &Found, samples: Samples, shades: Shades) -> String {
     let thousands = |curve: &Curve| curve.within(GOAL[0]).map(|it| short(it as f64 / THOUSANDS));
     match (thousands(base), thousands(sorted), thousands(plain)) {
         (Some(base), Some(sorted), Some(plain)) => format!(
-            "In {} ms the base system draws {base} thousand primitives, pre-sorting {sorted}, and the non-texturing system {plain}.",
+            "In {} ms the base system with one shader draws {base} thousand primitives, pre-sorting {sorted}, and the non-texturing system {plain}.",
             GOAL[0]
         ),
         _ => format!(
@@ -135,7 +135,7 @@ fn slowest(found: &Found, case: Case) -> String {
     let times = STAGES.map(|(name, of)| (name, of(&last.found.busy)));
     let (name, time) = times.into_iter().rev().max_by(|one, other| one.1.total_cmp(&other.1)).unwrap_or_default();
     format!(
-        "Of {} thousand primitives the {name} takes longest: {} of {} ms.",
+        "At {} thousand primitives the bottleneck is the {name}: {} of {} ms.",
         short(last.primitives as f64 / THOUSANDS),
         short(time),
         short(last.found.latency)
