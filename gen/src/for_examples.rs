@@ -1,16 +1,16 @@
-//! What the examples of this crate print.
+//! Blocks that the examples of this crate print.
 
 use tilewright_hdl::{Module, bits, block};
 
 block! {
-    /// Gives each word a clock later.
+    /// Delays each word by a clock.
     pub struct Delay;
     in DelayIn {
-        /// What comes in.
+        /// The input.
         word: bits(8),
     }
     out DelayOut {
-        /// What it was.
+        /// The previous input.
         late: bits(8),
     }
 }

@@ -1,6 +1,6 @@
 //! Prints a circuit: as Verilog with a self-checking testbench, and as a block diagram.
 //!
-//! [`verilog`] turns a [`Design`](tilewright_hdl::ir::Design) into one file a module, in the Verilog-2001 subset that
+//! [`verilog`] prints a [`Design`](tilewright_hdl::ir::Design) as one file a module, in the Verilog-2001 subset that
 //! Verilator, Icarus and Yosys agree on. [`testbench`] replays a recorded run against those files. [`tools`] runs the
 //! external programs that check both. [`diagram()`] draws the boxes and arrows that a paper would show.
 //!
@@ -9,7 +9,7 @@
 //! use tilewright_hdl::{Module, bit, block, def, elaborate};
 //!
 //! block! {
-//!     /// A lamp that each press turns on or off.
+//!     /// A lamp that each press switches on or off.
 //!     struct Toggle;
 //!     in ToggleIn { flip: bit() }
 //!     out ToggleOut { on: bit() }
@@ -41,7 +41,7 @@ pub use diagram::{
 };
 pub use verilog::verilog;
 
-/// A file of the printed design: Verilog, or the data that a memory is loaded with.
+/// A file of the printed design: Verilog, or the data to load into a memory.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -52,7 +52,8 @@ pub use verilog::verilog;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct VerilogFile {
-    /// The file's name, such as `counter_width8.v`; data files end in `.hex` and belong beside the Verilog.
+    /// The file's name, such as `counter_width8.v`. Data files end in `.hex` and must be in the same directory as the
+    /// Verilog.
     pub name: String,
     /// The whole text.
     pub text: String,

@@ -1,4 +1,4 @@
-//! Assertions of the description reach every tool that takes the Verilog.
+//! Assertions of the description reach every tool that reads the Verilog.
 
 use std::process::Command;
 use tilewright_gen::tools::{self, Checked, Problems};
@@ -15,10 +15,10 @@ bundle! {
     struct TopOut<T> { y: T, count: T, seen: T }
 }
 
-/// What is asserted of each lane; with text that Verilog has to be told carefully.
+/// The assertion of each lane, with text that needs escaping in Verilog.
 const LANE_MESSAGE: &str = "100% of \"x\"\nstay \\below\\ 200, é";
 
-/// Remembers its input.
+/// Stores its input.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
@@ -37,7 +37,8 @@ impl Block for Cell {
     }
 }
 
-/// Assertions in lanes, on two clocks, of a choice, of nets that nothing else reads; none of its registers has a reset.
+/// Assertions in lanes, on two clocks, about a choice, and about nets that nothing else reads; none of its registers
+/// has a reset.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Asserted;
 
@@ -72,8 +73,8 @@ fn printed() -> (Design, Vec<VerilogFile>) {
     (design, files)
 }
 
-/// Ten edges of the first clock, seven of the second, and what follows from `x` at each of them; the reset of both is
-/// high for so long.
+/// Ten edges of the first clock, seven of the second, and the outputs for `x` at each of them; the reset of both is
+/// high until the given time.
 fn recording(x: [u64; 10], reset_until_ns: u64) -> Recording {
     let (mut lanes, mut count, mut seen) = ([0u64; 3], 0u64, 0u64);
     let mut steps = Vec::new();
@@ -103,7 +104,7 @@ fn replayed(files: &[VerilogFile], bench: &VerilogFile) -> Vec<(&'static str, Re
     vec![("icarus", tools::replay_in_icarus(files, bench)), ("verilator", tools::replay_in_verilator(files, bench))]
 }
 
-/// Every simulator that is installed says that.
+/// Every installed simulator prints this.
 fn fails(files: &[VerilogFile], bench: &VerilogFile, what: &[&str]) {
     for (tool, result) in replayed(files, bench) {
         match result {
@@ -146,7 +147,7 @@ fn a_run_in_which_they_hold_passes() {
 #[test]
 fn one_that_fails_in_a_lane_is_reported_with_lane_time_and_message() {
     let (design, files) = printed();
-    // At 50 ns lane 0 has taken it, at 60 ns lane 1: the edge at which lane 0 is looked at is that of 60 ns.
+    // At 50 ns lane 0 has taken it, at 60 ns lane 1: lane 0 is checked at the edge at 60 ns.
     let bench = testbench(&design, &recording([1, 2, 3, 4, 200, 6, 7, 8, 9, 10], 0));
     fails(
         &files,
@@ -168,7 +169,7 @@ fn one_that_fails_on_another_clock_or_at_the_last_edge_is_reported() {
     fails(&edited, &bench, &["FAIL: time 100000: ", "asserted_tb.dut: the count stays small"]);
 }
 
-/// With a terminal, without one, and where nothing can be asked.
+/// With a terminal, without one, and where no input is possible.
 #[test]
 fn one_that_fails_ends_icarus_with_a_status() {
     let (design, files) = printed();

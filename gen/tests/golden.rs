@@ -1,6 +1,6 @@
-//! The printed Verilog, whole, for a few small blocks, of which every linter finds nothing to say; and two testbenches.
+//! The whole Verilog of a few small blocks, about which no linter complains; and two testbenches.
 //!
-//! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
+//! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` rewrites the files.
 
 pub mod compare;
 

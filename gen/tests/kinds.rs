@@ -59,7 +59,7 @@ fn a_table_too_long_for_the_text() {
     assert_eq!(data.text.lines().nth(20), Some("90"));
 }
 
-/// Verilator 5.006 refuses a signed product of more than 512 bits.
+/// Verilator 5.006 rejects a signed product of more than 512 bits.
 #[test]
 fn a_signed_product_of_any_width_is_taken() {
     let files = print("product", |_, i| {
@@ -70,7 +70,7 @@ fn a_signed_product_of_any_width_is_taken() {
     tools::lint(&files).unwrap();
 }
 
-/// A read beyond the last word gives 0, which costs a comparison and a multiplexer where the address can come there.
+/// A read beyond the last word gives 0, which costs a comparison and a multiplexer if the address can go that far.
 #[test]
 fn a_read_is_gated_where_its_address_can_be_beyond_the_depth() {
     fn read(m: Module, i: Pair, address: Signal) -> Signal {
@@ -123,7 +123,7 @@ fn a_read_is_gated_where_its_address_can_be_beyond_the_depth() {
                 read(m, i, mux(at.ge(400), 0, at))
             }),
         ),
-        // What a reset does not set starts from anything.
+        // A register without a reset starts with any value.
         (
             "no_reset",
             true,
@@ -141,7 +141,7 @@ fn a_read_is_gated_where_its_address_can_be_beyond_the_depth() {
     }
 }
 
-/// Yosys takes the square of the words that an `initial` block gives.
+/// Yosys takes time quadratic in the words of an `initial` block.
 #[test]
 fn a_large_memory_is_filled_from_a_file() {
     let files =
@@ -204,7 +204,7 @@ fn what_nothing_reads_is_tied() {
         i.a.trunc(4).zext(8)
     });
     assert!(text.contains("wire [7:0] u_idle_y;"), "{text}");
-    // What assertions alone read is unread in synthesis.
+    // Registers that only assertions read are unread in synthesis.
     assert!(text.contains("wire _unused_ok = &{1'b0, rst, u_idle_y, checked, idle};"), "{text}");
 }
 
@@ -234,7 +234,7 @@ fn shared_expressions_are_printed_once() {
     assert_eq!(text.matches(" + ").count(), 64, "{text}");
 }
 
-/// A net with a name is read by it wherever it goes, also where it alone is what a register takes.
+/// A named net is read by name everywhere, even if it is the whole next value of a register.
 #[test]
 fn a_named_choice_is_written_once_however_many_registers_take_it() {
     let text = clean("named_choice", |m, i| {
@@ -275,7 +275,8 @@ fn an_array_of_any_size_is_the_same_text() {
         verilog(&design).pop().expect("there is a top module").text
     };
     let (small, large) = (print(1000), print(9000));
-    // How many nodes a tree of so many leaves has, and the last of them; comments stand further left behind them.
+    // The number of nodes of a tree with this many leaves, and the last of them; the place comments move to the
+    // right.
     let sizes = |lanes: u32| [2 * lanes - 1, 2 * lanes - 2, lanes].map(|size| size.to_string());
     let of_any_size = |text: &str, lanes: u32| {
         let words: Vec<&str> = text.split_whitespace().collect();
@@ -307,7 +308,7 @@ fn constants_of_lanes_are_formulas_or_tables() {
 #[test]
 fn memories_become_block_ram() {
     let files = verilog(&elaborate(&LineBuffer).expect("the block is sound"));
-    // Of 1000 words of 24 bits, with the flag of an address inside as the only flip-flop.
+    // For 1000 words of 24 bits, with the flag of an address in range as the only flip-flop.
     for (target, ram, count, flip_flop) in
         [(Target::Ice40, "SB_RAM40_4K", 6, "SB_DFF"), (Target::Ecp5, "DP16KD", 2, "TRELLIS_FF")]
     {
@@ -357,7 +358,7 @@ impl Block for Cell {
     }
 }
 
-/// A row of cells: `take` gives what the first input of each lane is.
+/// A row of cells: `take` returns the first input of each lane.
 fn cells(m: Module, count: u32, i: Pair, take: impl FnOnce(One) -> Signal) -> Signal {
     let cell = Small { name: "cell_", build: |_, i| i.a ^ i.b };
     let row = m.array("u_cell", count, &cell, |row| Pair { a: take(row), b: i.b });
@@ -372,7 +373,7 @@ fn a_shift_has_its_edge_at_the_end_it_comes_from() {
     assert!(following.contains("if (i >= 1) begin : lane_a_edge"), "{following}");
 }
 
-/// Tools take no more than 65,536 bits of a vector.
+/// Tools accept no more than 65,536 bits in a vector.
 #[test]
 fn constants_without_a_rule_are_a_table_up_to_its_widest() {
     fn text(name: &'static str, build: fn(Module, Pair) -> Signal) -> String {

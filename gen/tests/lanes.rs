@@ -1,6 +1,6 @@
-//! Modules with lanes: what they print, which every linter finds nothing to say of, and which does what they say.
+//! Modules with lanes: their text, about which no linter complains, and its behaviour.
 //!
-//! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` writes the files anew.
+//! `UPDATE_GOLDEN=1 cargo test -p tilewright-gen` rewrites the files.
 
 mod awkward;
 #[path = "../../hdl/tests/shapes/build.rs"]
@@ -28,7 +28,7 @@ fn golden(modules: Vec<Module>) {
     behaves(modules);
 }
 
-/// The text does in Icarus what the module says, on random inputs.
+/// In Icarus, the text behaves as the module does, on random inputs.
 fn behaves(modules: Vec<Module>) {
     let recording = evaluate::recording(&modules, 60);
     let design = Design::new(modules).unwrap_or_else(|problems| panic!("{problems}"));
@@ -88,26 +88,26 @@ fn constants_of_a_grid() {
     golden(vec![modules::constants()]);
 }
 
-/// What no linter sees through in one lane, it may in another.
+/// A comparison that no linter sees through in one lane may be constant in another.
 #[test]
 fn comparisons_with_constants_of_the_lanes() {
     let text = clean(vec![awkward::comparisons()]);
     assert!(text.contains("$signed({2'd0, x[i * 2 +: 2]}) >= $signed("), "{text}");
 }
 
-/// Constants are known through all that lanes take of lanes, or a linter says that a comparison is constant.
+/// Constants are known through all lanes taken from other lanes; otherwise a linter finds a constant comparison.
 #[test]
 fn comparisons_with_constants_of_other_lanes() {
     clean(vec![awkward::passed_constants()]);
 }
 
-/// What enters a chain stands in a scope of another shape, from where no parameter of the lanes is found.
+/// The input of a chain is in a scope of another shape, from which no parameter of the lanes is found.
 #[test]
 fn constants_in_what_enters_lanes() {
     clean(vec![awkward::entered_constants()]);
 }
 
-/// Lanes that are never written, enabled or chosen are driven all the same, as every linter wants.
+/// Lanes that are never written, enabled or chosen have a driver all the same, as every linter requires.
 #[test]
 fn constants_of_the_lanes_that_decide() {
     clean(vec![awkward::decided()]);
@@ -146,7 +146,7 @@ fn more_lanes_than_a_vector_or_an_array_holds() {
     }
 }
 
-/// A LUT and a multiplexer of two LUTs hold a bit of three lanes; a multiplier and a shifter would be 847 LUTs.
+/// A LUT and a multiplexer of two LUTs select a bit of three lanes; a multiplier and a shifter would be 847 LUTs.
 #[test]
 fn a_pick_is_a_multiplexer() {
     let files = print(vec![awkward::pick_of_three()]);
@@ -172,7 +172,7 @@ fn a_systolic_array_is_as_long_however_large() {
     assert!(lines[2] < 70, "{lines:?}");
 }
 
-/// Verilator inlines a module, and takes a loop in it for one of the same label around it.
+/// Verilator inlines a module, and confuses a loop in it with one of the same label around it.
 #[test]
 fn loops_within_loops_have_labels_of_their_own() {
     let text = clean(awkward::nested());
@@ -181,19 +181,19 @@ fn loops_within_loops_have_labels_of_their_own() {
     }
 }
 
-/// Yosys has to know how wide a `case` is before it has made the lanes behind this one.
+/// Yosys must know the width of a `case` before it has made the lanes after this one.
 #[test]
 fn choices_by_other_lanes() {
     clean(vec![awkward::chosen_by_another()]);
 }
 
-/// Linters compute what some lanes are, and complain where that decides a comparison.
+/// Linters compute some lanes, and complain if that makes a comparison constant.
 #[test]
 fn ends_of_the_range_in_some_lanes() {
     clean(vec![awkward::ends_in_some_lanes()]);
 }
 
-/// What leads back to its own list is known to be constant, too.
+/// A value that leads back to its own list is known to be constant, too.
 #[test]
 fn constants_behind_a_list_of_what_it_is_made_of() {
     clean(vec![awkward::listed_of_each_other()]);

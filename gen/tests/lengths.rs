@@ -1,17 +1,18 @@
-//! Very long chains, choices and concatenations: every tool reads what is printed of them, and it says the same.
+//! Very long chains, choices and concatenations: every tool reads their text, and it behaves correctly.
 
 use crate::long::{KINDS, Kind, Long};
 use tilewright_gen::{tools, verilog};
 use tilewright_hdl::elaborate;
 
-/// 1,425 conditions that are `else if`s of each other exhaust the parsers of Icarus and of Verilator.
+/// A chain of 1,425 `else if`s exhausts the parsers of Icarus and of Verilator.
 #[test]
 fn linters_read_2000_of_everything() {
     let files = KINDS.map(|kind| verilog(&elaborate(&Long { kind, count: 2000 }).unwrap()));
     tools::lint_all(&files.each_ref().map(|files| &files[..])).unwrap();
 }
 
-/// Icarus takes time that grows with the square of the parts that assignments take from one vector: 65,536 in 20 s, and in blocks in 2 s.
+/// Icarus takes time quadratic in the parts that assignments take from one vector: 65,536 in 20 s, and in blocks in 2
+/// s.
 #[test]
 fn blocks_take_many_bits_from_a_vector() {
     let printed = |count| {

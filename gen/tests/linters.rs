@@ -1,4 +1,4 @@
-//! The linters that are installed run, and what one of them finds is told.
+//! The installed linters run, and their complaints are reported.
 
 use tilewright_gen::{VerilogFile, tools};
 

@@ -1,4 +1,4 @@
-//! Names of the description that the printer, the testbench or a tool could use for something else.
+//! Names of the description that the printer, the testbench or a tool might use for something else.
 
 use tilewright_gen::tools::{self, Problems};
 use tilewright_gen::{testbench, verilog};

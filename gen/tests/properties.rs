@@ -1,4 +1,4 @@
-//! Assumptions, covers, past values, values at power-on and attributes reach every tool that takes the Verilog.
+//! Assumptions, covers, past values, power-on values and attributes reach every tool that reads the Verilog.
 
 use std::process::Command;
 use tilewright_gen::tools::{self, Checked};
@@ -118,7 +118,7 @@ fn a_synthesizer_does_not_see_registers_that_only_statements_look_at() {
     assert!(stated.contains("_unused_stated = &{1'b0, counts[7:3], counts[1:0]};"), "{}", files[0].text);
 }
 
-/// The Verilog, and the testbench that gives it this stimulus and expects what follows from it.
+/// The Verilog, and the testbench with this stimulus and the expected outputs.
 fn run(stimulus: &[(u64, [u64; 3])]) -> (Vec<VerilogFile>, VerilogFile) {
     let design = elaborate(&Looking).unwrap();
     let (mut counted, mut held, mut words, mut word) = (9, [7; 3], [1; 16], 0);
@@ -174,7 +174,7 @@ fn a_run_in_which_they_hold_passes() {
     }
 }
 
-/// In a simulation of somebody else's, covers print nothing.
+/// In simulations of other people, covers print nothing.
 #[test]
 fn covers_are_printed_where_that_is_asked_for() {
     if tools::skipped_without(&["iverilog", "vvp"]).is_some() {

@@ -1,4 +1,4 @@
-//! Testbenches pass on what the hardware does, and fail on what it does not.
+//! Testbenches pass for what the hardware does, and fail for what it does not.
 
 use crate::blocks::{Clocks, Counter, LineBuffer, Row};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -46,7 +46,7 @@ fn a_counter_passes() {
     run(&Counter { width: 8, limit: 3 }, &counting()).unwrap();
 }
 
-/// 60 Hz is more than 32 bits of picoseconds.
+/// The period of 60 Hz has more than 32 bits of picoseconds.
 #[test]
 fn a_clock_may_take_a_second() {
     let mut slow = counting();
@@ -59,7 +59,7 @@ fn a_clock_may_take_a_second() {
     run(&Counter { width: 8, limit: 3 }, &uneven).unwrap();
 }
 
-/// Icarus reads no literal of so many digits.
+/// Icarus rejects a literal with so many digits.
 #[test]
 fn outputs_of_70000_bits_are_compared() {
     let design = elaborate(&Counter { width: 70_000, limit: 3 }).expect("the block is sound");
@@ -93,7 +93,7 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
     }
 }
 
-/// What is said of a recording of the counter that was changed so that it does not fit.
+/// The message for a recording of the counter that was changed so that it does not fit.
 fn refusal(change: impl FnOnce(&mut Recording)) -> String {
     let mut recording = counting();
     change(&mut recording);
@@ -185,7 +185,7 @@ fn a_dump_is_replayed_against_the_verilog() {
     }
 }
 
-/// Yosys reads a VCD through another program, of which the check knows.
+/// Yosys reads a VCD through another program, which the check knows.
 #[cfg(unix)]
 #[test]
 fn a_program_that_is_called_through_another_is_named_when_it_is_missing() {

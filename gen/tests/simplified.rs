@@ -1,4 +1,4 @@
-//! What the printer leaves of operators whose result is known or is one of their operands.
+//! What the printer makes of operators whose result is known or is one of their operands.
 
 use crate::blocks::{One, Pair, Small};
 use tilewright_gen::verilog;
@@ -266,7 +266,7 @@ fn a_shift_by_a_constant_is_a_part() {
     ]);
 }
 
-/// Some tools take no more than 32 bits of an amount: bits 16 and up make it too large.
+/// Some tools accept no more than 32 bits of an amount: bits 16 and up make it too large.
 #[test]
 fn an_amount_of_many_bits_is_cut() {
     check(&[
@@ -276,7 +276,7 @@ fn an_amount_of_many_bits_is_cut() {
     ]);
 }
 
-/// A value that is made of lanes of an array of three cells.
+/// A value computed from lanes of an array of three cells.
 fn of_lanes(m: Module, i: Pair, take: fn(One, Pair) -> Signal) -> Signal {
     let cell = Small { name: "cell_", build: |_, i| i.a + i.b };
     let mut taken = None;

@@ -1,11 +1,11 @@
 //! The replay testbench: drives the inputs of a recorded run, and compares every output before every edge.
 //!
-//! One time unit of the bench is a picosecond. Clocks fall, and inputs change, halfway between two edges; outputs are
-//! compared at the edge itself, just before the clocks rise. Registers start at their reset value and everything
-//! else at zero, as in the simulation, unless the replay says otherwise.
+//! The time unit of the testbench is a picosecond. Clocks fall, and inputs change, halfway between two edges. Outputs
+//! are compared at the edge itself, just before the clocks rise. Registers start at their reset values and everything
+//! else at zero, as in the simulation, unless the recording says otherwise.
 //!
-//! An assertion that fails ends the bench by itself. So the bench of a run that ended at a failing assertion, of which
-//! the recording has the edge, fails there as the run did.
+//! A failing assertion ends the testbench by itself. So a testbench of a run that ended at a failing assertion fails
+//! at the same edge, which the recording includes.
 
 mod start;
 mod text;
@@ -15,17 +15,18 @@ use crate::verilog::{Names, packed_width};
 use tilewright_hdl::ir::Design;
 use tilewright_hdl::{Bits, Recording};
 
-/// The testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` in a design that has a module `TOP_tb`), for `iverilog -g2005` and `verilator --binary` alike. It prints
-/// `PASS: n cycles` and finishes, or the first mismatches by port and cycle and ends with a non-zero status. An assertion of the design
-/// that fails is printed as `FAIL: time t: INSTANCE: message`, and ends it at once with a non-zero status. Compiled with
-/// `-DTILEWRIGHT_COVERS`, it prints which covers are hit.
+/// Prints a testbench that replays a run: a module `TOP_tb` (`TOP_tb_2` if the design has a module `TOP_tb`), for
+/// both `iverilog -g2005` and `verilator --binary`. It prints `PASS: n cycles` and finishes, or it prints the first
+/// mismatches by port and cycle and ends with a non-zero status. A failing assertion of the design is printed as
+/// `FAIL: time t: INSTANCE: message`, and ends the run immediately with a non-zero status. With
+/// `-DTILEWRIGHT_COVERS`, the testbench prints the covers that are hit.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_hdl::recording::{Recording, Step};
 ///
-/// // What a simulation records: 5 goes in, and comes out one clock later.
+/// // As a simulation records it: 5 goes in, and comes out one clock later.
 /// let at = |time_ps, word, late| Step {
 ///     time_ps,
 ///     rising: vec![0],
@@ -41,8 +42,8 @@ use tilewright_hdl::{Bits, Recording};
 ///
 /// # Panics
 ///
-/// If the recording does not fit the design: a step with too many or too few values or values of another width, steps
-/// out of order, or initial values of something that the design does not have.
+/// The recording does not fit the design: a step has too many or too few values or values of another width, steps are
+/// not in the sequence of time, or an initial value belongs to nothing in the design.
 pub fn testbench(design: &Design, recording: &Recording) -> VerilogFile {
     check(design, recording);
     let mut modules = Names::default();

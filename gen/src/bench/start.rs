@@ -1,12 +1,12 @@
-//! What everything that holds state starts from, set through hierarchical paths: Verilog has unknowns, the recorded
-//! simulation has not.
+//! The start of all state, set through hierarchical paths: Verilog has unknown values, but the recorded simulation
+//! has none.
 
 use crate::verilog::{ModuleState, Names, ScopeState, State, pattern, states};
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
 
-/// The start of everything in a design, in the terms of the testbench around it.
+/// The start of all state in a design, by paths from the testbench.
 pub struct Start<'a> {
     design: &'a Design,
     /// By module.
@@ -79,7 +79,7 @@ impl<'a> Start<'a> {
         inner
     }
 
-    /// The assignments that the recording asks for.
+    /// The assignments for the recording's initial values.
     pub fn special(&self, recording: &Recording) -> Vec<String> {
         let mut out = Vec::new();
         for initial in &recording.initial {
@@ -114,7 +114,7 @@ impl<'a> Start<'a> {
         out
     }
 
-    /// The last name of a path without its lane, what holds state beside it, and the scope that this is in.
+    /// The last name of a path without its lane, the name of its state, and the scope of that state.
     fn named<'p>(&self, module: ModuleId, name: &'p str) -> (&'p str, (String, &[State])) {
         let state = &self.states[module.0 as usize];
         let Some((base, _)) = name.split_once('[') else { return (name, (String::new(), &state.own)) };
@@ -148,7 +148,7 @@ impl<'a> Start<'a> {
     }
 }
 
-/// How deep arrays nest.
+/// The depth of nested arrays.
 fn array_depth(design: &Design) -> usize {
     let mut depths = Vec::with_capacity(design.modules().len());
     for module in design.modules() {

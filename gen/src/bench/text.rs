@@ -8,13 +8,13 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module};
 
-/// Mismatches beyond this many are counted and not shown.
+/// Further mismatches are counted but not shown.
 const MOST_SHOWN: u32 = 10;
 
-/// Verilator's warning of a delay that it does not know to be more than 0.
+/// Verilator's warning about a delay that may be 0.
 const ZERO_DELAY: &str = "ZERODLY";
 
-/// What the bench itself declares.
+/// The testbench's own names.
 const OWN: [&str; 9] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "fill", "run"];
 
 /// A port of the top: its name and width.
@@ -43,12 +43,12 @@ pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
 struct Bench<'a> {
     recording: &'a Recording,
     clocks: Vec<&'a str>,
-    /// Resets, then inputs: what is driven.
+    /// The driven ports: resets, then inputs.
     driven: Vec<Port<'a>>,
     /// For each clock, whether it has a reset.
     has_reset: Vec<bool>,
     outputs: Vec<Port<'a>>,
-    /// What it calls its own things, and the expected value of each output.
+    /// The names that it uses for its own declarations, and for the expected value of each output.
     own: BTreeMap<&'static str, String>,
     wants: Vec<String>,
     /// The gap between steps, if it is always the same.
@@ -56,7 +56,7 @@ struct Bench<'a> {
 }
 
 impl<'a> Bench<'a> {
-    /// The bench, and the names in use in it.
+    /// The testbench, and the names in use in it.
     fn new(top: &'a Module, recording: &'a Recording) -> (Bench<'a>, Names) {
         let resets = top.clocks.iter().filter_map(|clock| Some((clock.reset.as_deref()?, 1)));
         let inputs = top.inputs.iter().map(|input| (input.name.as_str(), packed_width(top, input.node)));
@@ -172,7 +172,7 @@ impl<'a> Bench<'a> {
             }
         }
         line(1, "end".to_string());
-        // An assertion that fails at the last edge is heard before the verdict.
+        // An assertion that fails at the last edge must report before the verdict.
         line(1, "#1;".to_string());
         line(1, format!("if ({errors} == 0) $display(\"PASS: {steps} cycles\");"));
         line(1, "else begin".to_string());

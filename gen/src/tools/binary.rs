@@ -1,7 +1,7 @@
-//! Programs that Verilator makes, to be run once: without optimization, and with a runtime that is compiled once.
+//! Programs that Verilator builds, to be run once: without optimisation, and with a runtime that is compiled once.
 //!
-//! Verilator's runtime takes longer to compile than a small design. Its objects are kept in the user's cache folder, by
-//! the versions of Verilator and of the compiler; a build that fails with them is made again without.
+//! Verilator's runtime takes longer to compile than a small design. Its objects are kept in the user's cache folder,
+//! by the versions of Verilator and of the compiler. A build that fails with them is repeated without them.
 
 use super::Problems;
 use super::run::{Verilator, line_of, problem, run_in, skipped_without};
@@ -9,14 +9,14 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What Verilator's own makefile calls.
+/// The compiler that Verilator's own makefile calls.
 const COMPILER: &str = "g++";
-/// The C++ runs for a moment and takes long to compile.
+/// The C++ runs briefly and takes long to compile.
 const MAKE_FLAGS: &str = "VM_PARALLEL_BUILDS=0 OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0";
 /// The program in the folder of a build.
 const PROGRAM: &str = "build/program";
 
-/// Builds a program of the Verilog files of a folder, and returns its path; `None` if something is not installed.
+/// Builds a program from the Verilog files of a folder, and returns its path; `None` if something is not installed.
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
@@ -30,12 +30,12 @@ const PROGRAM: &str = "build/program";
 ///
 /// # Errors
 ///
-/// What Verilator or the compiler printed.
+/// The output of Verilator or the compiler.
 pub fn verilated(folder: &Path, sources: &[&str], top: &str, flags: &[&str]) -> Result<Option<PathBuf>, Problems> {
     verilated_by(installed()[0], folder, sources, top, flags)
 }
 
-/// The Verilators that are installed, or the one that is looked for.
+/// The installed Verilators, or the one to look for if there is none.
 pub fn installed() -> Vec<Verilator> {
     let mut found: Vec<Verilator> =
         [Verilator::System, Verilator::Python].into_iter().filter(|it| it.command().is_some()).collect();
@@ -45,7 +45,7 @@ pub fn installed() -> Vec<Verilator> {
     found
 }
 
-/// As [`verilated`], by this Verilator.
+/// Like [`verilated`], with this Verilator.
 pub fn verilated_by(
     verilator: Verilator,
     folder: &Path,
@@ -73,7 +73,7 @@ pub fn verilated_by(
         return Err(problem(verilator.name(), output));
     }
     if let Some(cache) = cache {
-        // Another build may do the same; without a cache the next one takes longer.
+        // Another build may do the same; without a cache, the next build takes longer.
         let _ = keep_objects(&folder.join("build"), &cache);
     }
     Ok(Some(folder.join(PROGRAM)))
@@ -88,7 +88,7 @@ fn cache(verilator: Verilator) -> Option<PathBuf> {
     Some(folder.join("tilewright").join(name))
 }
 
-/// The objects in a folder, in order.
+/// The objects in a folder, in sequence.
 fn objects(folder: &Path) -> Option<Vec<PathBuf>> {
     let files = folder.read_dir().ok()?.flatten().map(|file| file.path());
     let mut objects: Vec<PathBuf> = files.filter(|file| file.extension().is_some_and(|it| it == "o")).collect();
@@ -107,7 +107,7 @@ fn keep_objects(build: &Path, cache: &Path) -> std::io::Result<()> {
             std::fs::copy(&object, aside.path().join(name))?;
         }
     }
-    // Where another build was faster, this folder goes away again.
+    // If another build was faster, this folder is deleted.
     std::fs::rename(aside.path(), cache)?;
     let _ = aside.keep();
     Ok(())

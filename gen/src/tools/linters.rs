@@ -1,4 +1,4 @@
-//! The linters, each at its strictest, on one design or on many in one process.
+//! The linters, each at its strictest, for one design or for several in one process.
 
 use super::run::{Folder, Verilator, has_pyslang, is_installed, lacks, missing, problem, sources, top};
 use super::{Linted, Problem, Problems};
@@ -9,7 +9,7 @@ use std::process::Command;
 /// The files of a design, the top module last.
 type Files<'a> = &'a [VerilogFile];
 
-/// The versions of a linter, of which one at least has to be installed.
+/// The versions of a linter, at least one of which must be installed.
 struct Linter {
     name: &'static str,
     versions: &'static [Version],
@@ -19,7 +19,7 @@ struct Linter {
 struct Version {
     name: &'static str,
     is_installed: fn() -> bool,
-    /// Whether it has nothing to say, and what it says.
+    /// Runs it; returns whether it has no complaints, and its output.
     run: fn(&Folder, &[Files]) -> (bool, String),
 }
 
@@ -61,9 +61,10 @@ static LINTERS: [Linter; 4] = [
     Linter { name: "pyslang", versions: &[Version { name: "pyslang", is_installed: has_pyslang, run: slang }] },
 ];
 
-/// Checks the files with every linter that is installed: two Verilators, Icarus, two Yosys, slang. Returns which ran.
+/// Checks the files with every installed linter: two Verilators, Icarus, two Yosys, slang. Returns the linters that
+/// ran.
 ///
-/// The last Verilog file is the top, as [`verilog`](crate::verilog) prints them.
+/// The last Verilog file is the top module, as [`verilog`](crate::verilog) prints them.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -81,7 +82,7 @@ pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
     lint_all(&[files]).map_err(|wrong| Problems(wrong.into_values().flat_map(|problems| problems.0).collect()))
 }
 
-/// As [`lint`], for many designs in one process of each linter. Two designs may share a file of one text.
+/// Like [`lint`], for many designs in one process of each linter. Two designs may share a file with the same text.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -98,12 +99,12 @@ pub fn lint(files: &[VerilogFile]) -> Result<Linted, Problems> {
 ///
 /// # Errors
 ///
-/// For each design that a linter complains of, by its place, every warning that it gets alone.
+/// For each design with complaints, by its index, every warning that the design gets when it is linted alone.
 pub fn lint_all(designs: &[&[VerilogFile]]) -> Result<Linted, BTreeMap<usize, Problems>> {
     lint_with(&LINTERS.each_ref(), designs)
 }
 
-/// As [`lint_all`], with Yosys and slang alone: Verilator takes twice as long as both.
+/// Like [`lint_all`], with Yosys and slang only: Verilator takes twice as long as both.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -144,7 +145,7 @@ fn lint_with(linters: &[&Linter], designs: &[&[VerilogFile]]) -> Result<Linted, 
     if wrong.is_empty() { Ok(linted) } else { Err(wrong.into_iter().map(problems).collect()) }
 }
 
-/// What the linters say of each design; where one says something of several, it is asked about the halves.
+/// The complaints about each design. If a linter complains about several, it is run again on each half.
 fn complaints(linters: &[&Version], designs: &[(usize, Files)], wrong: &mut BTreeMap<usize, Vec<Problem>>) {
     let all: Vec<Files> = designs.iter().map(|(_, files)| *files).collect();
     let mut unclean = Vec::new();
@@ -170,7 +171,8 @@ fn complaints(linters: &[&Version], designs: &[(usize, Files)], wrong: &mut BTre
     }
 }
 
-/// The files of all designs, each once; `None` if two of one name differ, which cannot be looked at together.
+/// The files of all designs, each once; `None` if two files of one name differ, because these cannot be linted
+/// together.
 fn files_of_all(designs: &[Files]) -> Option<Vec<VerilogFile>> {
     let mut known: BTreeMap<&str, &str> = BTreeMap::new();
     let mut files = Vec::new();
@@ -188,7 +190,7 @@ fn tops<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
     designs.iter().map(|files| top(files)).collect()
 }
 
-/// The Verilog files of all designs, each once, in order.
+/// The Verilog files of all designs, each once, in sequence.
 fn all_sources<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
     let mut all: Vec<&str> = Vec::new();
     let mut known = std::collections::BTreeSet::new();
@@ -198,7 +200,8 @@ fn all_sources<'a>(designs: &[Files<'a>]) -> Vec<&'a str> {
 
 fn verilator(folder: &Folder, designs: &[Files], verilator: Verilator) -> (bool, String) {
     let mut command = verilator.command().expect("it is installed");
-    // Where each lane reads the next one's twice, Verilator 5.006 doubles the text of a lane with its graph optimizer, and eats all memory.
+    // If each lane reads the next one's net twice, Verilator 5.006 doubles the text of a lane in its graph optimizer,
+    // and exhausts all memory.
     command.args(["--lint-only", "-Wall", "-fno-dfg"]);
     match designs {
         [files] => command.args(["--top-module", top(files)]),

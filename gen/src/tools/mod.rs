@@ -1,9 +1,9 @@
 //! Runs the programs that check printed Verilog: four linters, two simulators, and Yosys's replay of a dump.
-//! [`Compiler`] makes a fast simulator of it, to compare speeds with.
+//! [`Compiler`] builds a fast simulator from it, for comparisons of speed.
 //!
-//! The checks are made for tests, of this crate and of others. Where a program is missing a check says `skipped: NAME is not
-//! installed` and counts as skipped; with the environment variable `CI` set it fails instead, so that no pipeline
-//! passes by leaving out its checks.
+//! The checks are meant for tests, of this crate and of others. If a program is missing, a check prints
+//! `skipped: NAME is not installed` and counts as skipped. With the environment variable `CI` set it fails instead,
+//! so that no pipeline passes without its checks.
 
 mod binary;
 mod linters;
@@ -21,14 +21,14 @@ pub use synthesis::{Target, cells};
 
 use std::fmt;
 
-/// What became of a check that found nothing wrong.
+/// The outcome of a check that found no fault.
 ///
 /// ```
 /// # use tilewright_hdl::*;
 /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Checked, skipped_without};
 ///
-/// // A check of one's own, which needs two programs.
+/// // A user's own check, which needs two programs.
 /// fn drawn() -> Checked {
 ///     if let Some(skipped) = skipped_without(&["yosys", "dot"]) {
 ///         return skipped;
@@ -47,7 +47,7 @@ pub enum Checked {
     Skipped,
 }
 
-/// Which linters looked at the files.
+/// The linters that checked the files.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -60,7 +60,7 @@ pub enum Checked {
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Linted {
-    /// Those that ran, and found nothing.
+    /// Those that ran without complaints.
     pub ran: Vec<&'static str>,
     /// Those that are not installed.
     pub skipped: Vec<&'static str>,
@@ -90,7 +90,7 @@ impl fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
-/// What the programs complain about.
+/// The complaints of the programs.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -103,7 +103,7 @@ impl std::error::Error for Missing {}
 #[derive(Clone, PartialEq, Eq)]
 pub struct Problems(pub Vec<Problem>);
 
-/// What one program complains about.
+/// The complaint of one program.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -119,7 +119,7 @@ pub struct Problems(pub Vec<Problem>);
 pub struct Problem {
     /// The program, such as `verilator 5.006`.
     pub tool: String,
-    /// What it printed.
+    /// Its output.
     pub output: String,
 }
 
@@ -129,7 +129,7 @@ impl fmt::Display for Problems {
     }
 }
 
-/// As [`Display`](fmt::Display), so that a failed `unwrap` in a test is readable.
+/// Like [`Display`](fmt::Display), so that a failed `unwrap` in a test is readable.
 impl fmt::Debug for Problems {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "\n{self}")

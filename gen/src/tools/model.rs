@@ -1,4 +1,5 @@
-//! A simulator of a design that Verilator and clang make: the fastest that Verilog gets without threads, to compare speeds with.
+//! A simulator of a design, built by Verilator and clang: the fastest one for Verilog without threads, for
+//! comparisons of speed.
 
 use super::run::{Folder, Verilator, is_installed, problem, programs, sources};
 use super::{Missing, Problems};
@@ -8,7 +9,7 @@ use std::process::Command;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
-/// A Verilator, and the newest clang that is installed.
+/// A Verilator, and the newest installed clang.
 ///
 /// ```
 /// use tilewright_gen::tools::Compiler;
@@ -25,10 +26,10 @@ pub struct Compiler {
     versions: [Version; 2],
 }
 
-/// The numbers of a version; a part that is missing counts as less.
+/// The numbers of a version; a missing part counts as less.
 type Version = Vec<u32>;
 
-/// What to compile.
+/// The input of a compilation.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -43,13 +44,13 @@ type Version = Vec<u32>;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
-    /// The design: Verilog, and data that its memories are loaded with.
+    /// The design: Verilog, and the data to load into its memories.
     pub verilog: &'a [VerilogFile],
     /// Its top module, which becomes the C++ class `Vmodel`.
     pub top: &'a str,
     /// Values of parameters of the top module.
     pub parameters: &'a [(&'a str, u32)],
-    /// The C++ around it, names and texts; `main` is in the first.
+    /// The C++ around it, as names and texts; `main` is in the first file.
     pub driver: &'a [(&'a str, &'a str)],
 }
 
@@ -67,13 +68,13 @@ pub struct Source<'a> {
 #[derive(Debug)]
 pub struct Model {
     folder: Folder,
-    /// How long Verilator and clang took, together.
+    /// The time that Verilator and clang took together.
     pub build_time: Duration,
 }
 
 impl Compiler {
-    /// Looks for the programs: there is one compiler for each Verilator that is installed, the newest first. An older one
-    /// may make faster models.
+    /// Finds the programs: one compiler for each installed Verilator, the newest first. An older one may produce
+    /// faster models.
     ///
     /// ```
     /// use tilewright_gen::tools::Compiler;
@@ -84,7 +85,7 @@ impl Compiler {
     ///
     /// # Errors
     ///
-    /// One of them is not installed.
+    /// Verilator or clang is not installed.
     pub fn find_all() -> Result<Vec<Compiler>, Missing> {
         let missing = |program, remedy| Missing { program, remedy };
         let versions = [Verilator::System, Verilator::Python].map(|it| Some((version(&it.version()?), it)));
@@ -140,7 +141,7 @@ impl Compiler {
         clang.iter().map(u32::to_string).collect::<Vec<_>>().join(".")
     }
 
-    /// Compiles a design at the strongest settings, for this machine's processor, without its assertions.
+    /// Compiles a design with the strongest settings, for this machine's processor, without its assertions.
     ///
     /// ```no_run
     /// # use tilewright_hdl::*;
@@ -156,7 +157,7 @@ impl Compiler {
     ///
     /// # Errors
     ///
-    /// What Verilator or clang complains about.
+    /// The complaints of Verilator or clang.
     pub fn compile(&self, source: &Source) -> Result<Model, Problems> {
         let Source { verilog, top, parameters, driver } = *source;
         let drivers = driver.iter().map(|&(name, text)| VerilogFile { name: name.to_owned(), text: text.to_owned() });
@@ -192,9 +193,9 @@ impl Compiler {
         make.env("CXXFLAGS", "-std=c++17 -DVL_TIME_CONTEXT");
         make.args([format!("CXX={}", self.clang), format!("LINK={}", self.clang)]);
         make.args(["OPT_FAST=-O3 -march=native", "OPT_GLOBAL=-O3 -march=native", "OPT_SLOW=-O1"]);
-        // How clang takes precompiled headers: Verilator may have been set up for another compiler.
+        // The options for precompiled headers of clang: Verilator may have been configured for another compiler.
         make.args(["CFG_CXXFLAGS_PCH_I=-include-pch", "CFG_GCH_IF_CLANG=.gch", "PYTHON3=python3"]);
-        // A clang before 15 leaves a newer Verilator's question whether an atomic needs a lock to a library.
+        // Clang before 15 leaves the question of a newer Verilator, whether an atomic needs a lock, to a library.
         if has_library(&self.clang, "libatomic.so") {
             make.arg("USER_LDLIBS=-Wl,--as-needed -latomic");
         }
@@ -206,11 +207,11 @@ impl Compiler {
     }
 }
 
-/// The folder that Verilator writes to.
+/// The output folder of Verilator.
 const BUILD: &str = "build";
 
 impl Model {
-    /// Runs it, and gives what it printed.
+    /// Runs it, and returns its output.
     ///
     /// ```no_run
     /// # use tilewright_hdl::*;
@@ -219,13 +220,13 @@ impl Model {
     /// # fn source() -> Source<'static> { unimplemented!() }
     ///
     /// let model = Compiler::find_all().unwrap()[0].compile(&source()).unwrap();
-    /// let clocks: u64 = model.run(&["1000000".to_owned()]).unwrap().trim().parse().unwrap(); // what the driver prints
+    /// let clocks: u64 = model.run(&["1000000".to_owned()]).unwrap().trim().parse().unwrap(); // printed by the driver
     /// assert_eq!(clocks, 1_000_000);
     /// ```
     ///
     /// # Errors
     ///
-    /// What it printed, if it failed.
+    /// Its output, if it failed.
     pub fn run(&self, arguments: &[String]) -> Result<String, Problems> {
         let mut program = Command::new(self.folder.path().join(BUILD).join("model"));
         let (succeeded, output) = self.folder.run(program.args(arguments));
@@ -233,7 +234,7 @@ impl Model {
     }
 }
 
-/// A version of Verilator, whose releases have two numbers.
+/// The release of a Verilator, which has two numbers.
 fn release(version: &[u32]) -> [u32; 2] {
     [0, 1].map(|part| version.get(part).copied().unwrap_or_default())
 }
@@ -250,7 +251,7 @@ fn clang_version(name: &str) -> Option<Version> {
     Some(version(text.split_once("clang version")?.1))
 }
 
-/// Whether a compiler finds a library: of one that it finds it says the path, of another the name alone.
+/// Whether a compiler finds a library: it prints the path of one that it finds, and otherwise just the name.
 fn has_library(compiler: &str, library: &str) -> bool {
     let output = Command::new(compiler).arg(format!("-print-file-name={library}")).output();
     output.is_ok_and(|output| output.stdout.contains(&b'/'))

@@ -32,7 +32,7 @@ use std::process::Command;
 ///
 /// # Errors
 ///
-/// What Icarus or the testbench printed, if that is not `PASS`.
+/// The output of Icarus or the testbench, unless it is `PASS`.
 pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
     if let Some(skipped) = skipped_without(&["iverilog", "vvp"]) {
         return Ok(skipped);
@@ -48,7 +48,7 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
     verdict("iverilog", succeeded, output)
 }
 
-/// Builds the testbench with each Verilator that is installed and runs it; takes a C++ compiler and some seconds.
+/// Builds the testbench with each installed Verilator and runs it; needs a C++ compiler and some seconds.
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
@@ -58,12 +58,12 @@ pub fn replay_in_icarus(files: &[VerilogFile], bench: &VerilogFile) -> Result<Ch
 ///
 /// let bench = tilewright_gen::testbench(&design, &recording);
 /// let checked = replay_in_verilator(&tilewright_gen::verilog(&design), &bench).unwrap();
-/// assert!(matches!(checked, Checked::Passed | Checked::Skipped)); // else it is an error
+/// assert!(matches!(checked, Checked::Passed | Checked::Skipped)); // otherwise it is an error
 /// ```
 ///
 /// # Errors
 ///
-/// What Verilator, the compiler or the testbench printed, if that is not `PASS`.
+/// The output of Verilator, the compiler or the testbench, unless it is `PASS`.
 pub fn replay_in_verilator(files: &[VerilogFile], bench: &VerilogFile) -> Result<Checked, Problems> {
     let top = bench.name.trim_end_matches(".v");
     let all: Vec<&str> = [bench.name.as_str()].into_iter().chain(sources(files)).collect();
@@ -91,10 +91,11 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
     }
 }
 
-/// Replays a dump (VCD or FST) against the Verilog in Yosys and compares every signal that is in both: inputs are
-/// driven from the dump, the rest must follow. An input that is a row has to be there as one vector, lane 0 lowest.
+/// Replays a dump (VCD or FST) against the Verilog in Yosys and compares every signal that is in both. Inputs are
+/// driven from the dump; all other signals must follow. An input that is a row must be one vector in the dump, lane 0
+/// lowest.
 ///
-/// `scope` is the top module's scope in the dump, such as `tb.dut`; `clocks` are the names of its clocks in it.
+/// `scope` is the top module's scope in the dump, such as `tb.dut`; `clocks` are the names of its clocks there.
 ///
 /// ```no_run
 /// # use tilewright_hdl::*;
@@ -108,7 +109,7 @@ fn verdict(tool: &str, succeeded: bool, output: String) -> Result<Checked, Probl
 ///
 /// # Errors
 ///
-/// What Yosys printed, if it found a difference.
+/// The output of Yosys, if it found a difference.
 pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks: &[&str]) -> Result<Checked, Problems> {
     // Yosys reads FST itself, and VCD through another program.
     let is_vcd = dump.extension().is_some_and(|extension| extension == "vcd");
@@ -116,7 +117,8 @@ pub fn yosys_replay_vcd(files: &[VerilogFile], dump: &Path, scope: &str, clocks:
         return Ok(skipped);
     }
     let folder = Folder::with(files);
-    // Yosys converts `NAME.vcd` in a file of that name in one folder of the computer: two at once need two names.
+    // Yosys converts `NAME.vcd` to a file of that name in a shared folder of the computer: two conversions at once
+    // need two names.
     let unique = folder.path().file_name().expect("a folder has a name").to_string_lossy().into_owned();
     let copy = format!("{unique}.{}", if is_vcd { "vcd" } else { "fst" });
     let copied = std::fs::copy(dump, folder.path().join(&copy));

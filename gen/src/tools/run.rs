@@ -1,4 +1,4 @@
-//! Finding programs and running them in a folder of their own.
+//! Finding programs and running them in a temporary folder.
 
 use super::{Checked, Problem, Problems};
 use crate::VerilogFile;
@@ -27,13 +27,13 @@ impl Folder {
         self.0.path()
     }
 
-    /// Runs a program in the folder: whether it succeeded, and all that it printed.
+    /// Runs a program in the folder; returns whether it succeeded, and its whole output.
     pub fn run(&self, command: &mut Command) -> (bool, String) {
         run_in(self.path(), command)
     }
 }
 
-/// Runs a program in a folder: whether it succeeded, and all that it printed.
+/// Runs a program in a folder; returns whether it succeeded, and its whole output.
 pub fn run_in(folder: &Path, command: &mut Command) -> (bool, String) {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.current_dir(folder).output();
@@ -63,8 +63,8 @@ pub fn lacks(programs: &[&str]) -> bool {
     programs.iter().any(|program| !is_installed(program))
 }
 
-/// Says which of the programs that a check calls, also through one another, is missing, if one is; `None` if the check
-/// can run. Fails where `CI` is set.
+/// Checks the programs that a check calls, also indirectly. Prints the missing one, if any; returns `None` if the
+/// check can run. Fails if `CI` is set.
 ///
 /// ```
 /// use tilewright_gen::tools::{Checked, skipped_without};
@@ -78,12 +78,12 @@ pub fn skipped_without(programs: &[&str]) -> Option<Checked> {
     programs.iter().find(|program| !is_installed(program)).map(|program| missing(program))
 }
 
-/// Says that a program is missing; fails where that is not accepted.
+/// Prints that a program is missing; fails if that is not accepted.
 pub fn missing(name: &str) -> Checked {
     skipped(&format!("{name} is not installed"))
 }
 
-/// Says once that a check, or the rest of one, is left out, why, and which test it is of. Fails where `CI` is set.
+/// Prints once that a check, or the rest of one, is skipped, with the reason and the test. Fails if `CI` is set.
 ///
 /// ```
 /// use tilewright_gen::tools::{Checked, skipped};
@@ -99,32 +99,32 @@ pub fn skipped(why: &str) -> Checked {
     let line = format!("skipped: {why}{test}");
     static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     if SAID.lock().unwrap_or_else(PoisonError::into_inner).insert(line.clone()) {
-        // Not by `eprintln!`, which a test that passes keeps for itself.
+        // Not by `eprintln!`, whose output is captured in a passing test.
         let _ = writeln!(std::io::stderr(), "{line}");
     }
     Checked::Skipped
 }
 
-/// Whether a program of that name is on the search path.
+/// Whether a program of this name is on the search path.
 pub fn is_installed(name: &str) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|folder| folder.join(name).is_file())
 }
 
-/// The names of all programs on the search path that `wanted` says yes to, in order.
+/// The names of all programs on the search path for which `wanted` returns true, sorted.
 pub fn programs(wanted: impl Fn(&str) -> bool) -> BTreeSet<String> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let files = std::env::split_paths(&path).filter_map(|folder| folder.read_dir().ok()).flatten().flatten();
     files.filter_map(|file| file.file_name().into_string().ok()).filter(|name| wanted(name)).collect()
 }
 
-/// The first line that a program prints, if it succeeds.
+/// The first line of a program's output, if it succeeds.
 pub fn line_of(command: &mut Command) -> Option<String> {
     let output = command.output().ok().filter(|output| output.status.success())?;
     Some(String::from_utf8_lossy(&output.stdout).lines().next()?.trim().to_owned())
 }
 
-/// What a line of Python prints.
+/// The output of a line of Python.
 fn python(code: &str) -> Option<String> {
     line_of(Command::new("python3").args(["-c", code]))
 }
@@ -157,7 +157,7 @@ impl Verilator {
         }
     }
 
-    /// The programs that it consists of; Debian's is a script around others.
+    /// The programs of which it consists; Debian's is a script around others.
     pub fn programs(self) -> Vec<&'static str> {
         match self {
             Verilator::System => vec!["verilator", "perl"],
@@ -178,18 +178,18 @@ impl Verilator {
         Some(command)
     }
 
-    /// Tells a program where this Verilator has its files.
+    /// Tells a program where this Verilator's files are.
     pub fn environment(self, command: &mut Command) {
         if let (Verilator::Python, Some(root)) = (self, python_root()) {
             command.env("VERILATOR_ROOT", root);
         }
     }
 
-    /// Its version, somewhere in a line; `None` if it is not installed.
+    /// A line that contains its version; `None` if it is not installed.
     pub fn version(self) -> Option<String> {
         match self {
             Verilator::System => line_of(self.command()?.arg("--version")),
-            // The program itself does not know it.
+            // The program itself does not know its version.
             Verilator::Python => {
                 python_root()?;
                 python("import importlib.metadata as m; print(m.version('verilator'))")

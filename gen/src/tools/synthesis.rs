@@ -1,4 +1,4 @@
-//! Synthesis by Yosys: what a design costs on an FPGA.
+//! Synthesis by Yosys: the cost of a design on an FPGA.
 
 use super::Problems;
 use super::run::{Folder, is_installed, missing, problem, sources, top};
@@ -13,7 +13,7 @@ use std::process::Command;
 /// # let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
 /// use tilewright_gen::tools::{Target, cells};
 ///
-/// // A byte in registers, on two families that call a flip-flop by different names.
+/// // A byte of registers, on two families whose flip-flops have different names.
 /// let files = tilewright_gen::verilog(&design);
 /// for (target, flip_flop) in [(Target::Ice40, "SB_DFF"), (Target::Ecp5, "TRELLIS_FF")] {
 ///     if let Some(cells) = cells(&files, target).unwrap() {
@@ -50,13 +50,13 @@ impl Target {
 ///
 /// let files = tilewright_gen::verilog(&design);
 /// if let Some(cells) = cells(&files, Target::Ice40).unwrap() {
-///     assert_eq!(cells.get("SB_LUT4"), None); // there is nothing to compute
+///     assert_eq!(cells.get("SB_LUT4"), None); // there is no logic
 /// }
 /// ```
 ///
 /// # Errors
 ///
-/// What Yosys printed, if it stopped.
+/// The output of Yosys, if it failed.
 pub fn cells(files: &[VerilogFile], target: Target) -> Result<Option<BTreeMap<String, u64>>, Problems> {
     if !is_installed("yosys") {
         let _ = missing("yosys");

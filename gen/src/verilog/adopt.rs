@@ -1,9 +1,9 @@
-//! Gives unnamed expressions the name of the wire or port that they drive, so that one value has one name.
+//! Gives unnamed expressions the name of the wire or port that they drive, so that a value has one name.
 
 use super::order::map_operands;
 use tilewright_hdl::ir::{Module, NodeId, Op};
 
-/// A named wire takes over the operator that drives it; then a port names what drives it.
+/// A named wire becomes the operator that drives it; then a port gives its name to its driver.
 pub fn adopt_names(module: &mut Module) {
     let mut same: Vec<NodeId> = (0..module.nodes.len() as u32).map(NodeId).collect();
     for wire in 0..module.nodes.len() {
@@ -54,7 +54,7 @@ fn can_take_name(module: &Module, id: NodeId) -> bool {
     let declared = match node.op {
         Op::Read(memory, port) => module.memories[memory.0 as usize].reads[port as usize].clock.is_some(),
         Op::Lane { .. } | Op::Const(_) | Op::Input(_) | Op::Register(_) => true,
-        // The output of an array is called after the port.
+        // The output of an array gets the name of the port.
         Op::Output(..) => !node.shape.is_plain(),
         _ => false,
     };

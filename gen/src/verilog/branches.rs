@@ -7,27 +7,27 @@ use super::statement::{Statement, assign_always};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{NodeId, Op, Unary};
 
-/// More conditions than this are no `else if`s of each other: parsers of some tools end at a thousand or so, and Yosys takes time that
-/// grows with their cube.
+/// Above this number, conditions are not `else if`s of each other: parsers of some tools fail at a thousand or so,
+/// and Yosys takes time cubic in their number.
 const LONGEST_CHAIN: usize = 32;
 
-/// What statements assign to.
+/// The target of assignments.
 #[derive(Clone)]
 pub struct Target {
     /// Its name.
     pub name: String,
     /// `<=` for a register, `=` for a net.
     pub assign: &'static str,
-    /// The node whose value it keeps where nothing is assigned: a register's own.
+    /// The node whose value it keeps if nothing is assigned: a register's own.
     pub hold: Option<NodeId>,
-    /// The states that it takes.
+    /// Its enum of states.
     pub states: Option<usize>,
-    /// In an arm of a `case` of its own value, that value: assigned, it is kept.
+    /// Its value in an arm of a `case` on itself: an assignment of that value changes nothing.
     pub now: Option<Bits>,
 }
 
 impl Printer<'_> {
-    /// The statements that give `target` the value of a node; none where a register keeps its value.
+    /// The statements that give `target` the value of a node; none if a register keeps its value.
     pub fn statements(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match &self.module.node(id).op {
             _ if self.keeps(target, id) => Vec::new(),
@@ -40,7 +40,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A value inside of a choice: a further choice only if it is part of this block.
+    /// A value inside a choice: a further choice only if it is part of this block.
     pub fn branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match self.plan.form(id) {
             Form::Block => self.leaf(id, target),
@@ -48,7 +48,7 @@ impl Printer<'_> {
         }
     }
 
-    /// As [`Self::branch`], with the assignment spelled where a register keeps its value.
+    /// Like [`Self::branch`], with an explicit assignment if a register keeps its value.
     fn full_branch(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         match self.branch(id, target) {
             body if !body.is_empty() => body,
@@ -65,7 +65,7 @@ impl Printer<'_> {
         vec![target.take(&value)]
     }
 
-    /// Whether `target` keeps its value where it is given that of a node.
+    /// Whether `target` keeps its value when it is assigned that of a node.
     fn keeps(&self, target: &Target, id: NodeId) -> bool {
         target.hold == Some(id)
             || matches!(&self.module.node(id).op, Op::Const(value) if target.now.as_ref() == Some(value))
@@ -93,7 +93,7 @@ impl Printer<'_> {
         Statement::Case { subject, arms: printed, default: self.branch(*default, target), note }
     }
 
-    /// None where the target keeps its value in any case.
+    /// None if the target keeps its value in any case.
     fn if_chain(&mut self, id: NodeId, target: &Target) -> Vec<Statement> {
         let (mut arms, last) = self.chain(id);
         let this = &*self;
@@ -122,13 +122,13 @@ impl Printer<'_> {
         vec![Statement::If(printed, self.branch(last, target))]
     }
 
-    /// The same choice without an `else`: the first condition that holds wins, so it stands last.
+    /// The same choice without an `else`: the first true condition wins, so it comes last.
     fn separate_ifs(&mut self, arms: &[(NodeId, NodeId)], last: NodeId, target: &Target) -> Vec<Statement> {
         let mut out = self.branch(last, target);
         for &(condition, value) in arms.iter().rev() {
             let condition = self.value(condition);
             let mut body = self.full_branch(value, target);
-            // What keeps the value keeps none that a condition before this one gave.
+            // An arm that keeps the value must override an earlier assignment.
             if !assign_always(&body) {
                 body.insert(0, target.keep());
             }
@@ -137,7 +137,7 @@ impl Printer<'_> {
         out
     }
 
-    /// A condition that holds where the given one does not.
+    /// The negation of a condition.
     pub fn negated(&mut self, condition: NodeId) -> String {
         match self.module.node(condition).op {
             Op::Unary(Unary::Not, inner) if self.plan.form(condition) == Form::Inline => self.value(inner),
@@ -145,7 +145,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The conditions and values of choices that follow each other in the `else`, and the last `else`.
+    /// The conditions and values of choices nested in the `else`, and the last `else`.
     fn chain(&self, mut id: NodeId) -> (Vec<(NodeId, NodeId)>, NodeId) {
         let mut arms = Vec::new();
         loop {

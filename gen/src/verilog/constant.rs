@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
 
-/// The operands of an operator that [`of`] knows.
+/// The operands of an operator that [`of`] can compute.
 pub fn operands(op: &Op) -> Option<Vec<NodeId>> {
     match op {
         Op::Unary(_, a) | Op::Slice { of: a, .. } | Op::Extend { of: a, .. } => Some(vec![*a]),
@@ -14,7 +14,7 @@ pub fn operands(op: &Op) -> Option<Vec<NodeId>> {
     }
 }
 
-/// The value of an operator of that width whose operands have these values, where it is cheap to have.
+/// The value of an operator of this width for these operands, if it is cheap to compute.
 pub fn of(op: &Op, width: u32, operands: &[&Bits]) -> Option<Bits> {
     match (op, operands) {
         (Op::Unary(op, _), [a]) => Some(unary(*op, a)),
@@ -40,7 +40,8 @@ pub fn unary(op: Unary, a: &Bits) -> Bits {
     }
 }
 
-/// The value of a binary operator, where it is cheap to have; sums and products beyond 128 bits are left to the tools.
+/// The value of a binary operator, if it is cheap to compute; sums and products beyond 128 bits are left to the
+/// tools.
 pub fn binary(op: Binary, a: &Bits, b: &Bits) -> Option<Bits> {
     let width = a.width();
     let by_limb = |f: fn(u64, u64) -> u64| {
@@ -63,7 +64,7 @@ pub fn binary(op: Binary, a: &Bits, b: &Bits) -> Option<Bits> {
     }
 }
 
-/// Whether the relation holds.
+/// Whether the relation is true.
 pub fn compare(relation: Relation, signed: bool, a: &Bits, b: &Bits) -> bool {
     let negative = |x: &Bits| signed && x.bit(x.width() - 1);
     let order = match (negative(a), negative(b)) {
@@ -107,7 +108,7 @@ mod tests {
         assert!(!compare(Relation::Gt, true, &low, &high));
         assert!(!compare(Relation::Le, false, &low, &high));
         assert!(!compare(Relation::Eq, true, &Bits::zero(130), &Bits::ones(130)));
-        // The highest limb decides, whatever the lower ones say.
+        // The highest limb decides, whatever the lower ones are.
         let (less, more) = (Bits::from_limbs(130, &[u64::MAX, 5, 0]), Bits::from_limbs(130, &[0, 5, 1]));
         assert!(compare(Relation::Lt, false, &less, &more) && !compare(Relation::Ge, false, &less, &more));
         assert!(compare(Relation::Ne, true, &less, &more) && compare(Relation::Le, true, &more, &more));

@@ -1,4 +1,4 @@
-//! What memories hold at the start: a few words in the text, more in a file that `$readmemh` loads.
+//! The contents of memories at the start: a few words in the text, more in a file that `$readmemh` loads.
 
 use super::literal::{Style, literal};
 use super::printer::Printer;
@@ -6,12 +6,12 @@ use crate::VerilogFile;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Contents, Memory, MemoryId, Module};
 
-/// A memory of more words than this is loaded from a file: Yosys takes time that grows with the square of the words
-/// that an `initial` block gives, a second at 1024 and minutes at 16,384.
+/// Memories with more words are loaded from a file: Yosys takes time quadratic in the words of an `initial` block, a
+/// second at 1024 and minutes at 16,384.
 const MOST_INLINE_WORDS: u32 = 256;
 
-/// The name of the file that a memory, or a lane of one, is loaded from; no name has a dot, so that no two memories have
-/// one file.
+/// The name of the file that a memory, or a lane of one, is loaded from. Names contain no dot, so no two memories
+/// share a file.
 fn data_file(module: &Module, memory: &Memory, lane: Option<usize>) -> String {
     let lane = lane.map(|lane| format!(".{lane}")).unwrap_or_default();
     format!("{}.{}{lane}.hex", module.name, memory.name)
@@ -29,7 +29,7 @@ pub fn data_files(module: &Module) -> Vec<VerilogFile> {
     files
 }
 
-/// The contents, those of each lane where they differ.
+/// The contents; those of each lane if they differ.
 fn lanes(contents: &Contents) -> Vec<(Option<usize>, Contents)> {
     match contents {
         Contents::Each(lanes) => {
@@ -54,7 +54,7 @@ fn data_text(memory: &Memory, contents: &Contents) -> Option<String> {
 }
 
 impl Printer<'_> {
-    /// What the memories without lanes hold at the start.
+    /// The contents at the start of the memories without lanes.
     pub fn memory_contents(&mut self) -> Vec<String> {
         let module = self.module;
         let mut out = Vec::new();
@@ -68,7 +68,7 @@ impl Printer<'_> {
         out
     }
 
-    /// What a memory holds at the start in the lane at hand.
+    /// The contents at the start of a memory in the current lane.
     pub fn lane_contents(&mut self, id: MemoryId) -> Vec<String> {
         let module = self.module;
         let memory = &module.memories[id.0 as usize];
@@ -109,7 +109,7 @@ impl Printer<'_> {
         [format!("initial begin : {label}")].into_iter().chain(body).chain(["end".to_string()]).collect()
     }
 
-    /// Gives every word from an address on the same value.
+    /// Assigns one value to every word from an address on.
     fn fill(&mut self, memory: &Memory, from: usize, word: &Bits) -> Vec<String> {
         let [index] = self.local("word", ["i"]);
         let (name, word) = (&memory.name, literal(word, Style::Pattern));

@@ -1,5 +1,5 @@
-//! Expressions as text. Both sides of an operator have equal widths and every change of width is spelled, so that no
-//! context of Verilog's own widens or truncates anything; an operand that is itself an operator has parentheses.
+//! Expressions as text. Both sides of an operator have equal widths and every change of width is explicit, so no
+//! context rule of Verilog extends or truncates anything. An operand that is itself an operator has parentheses.
 
 use super::lane_values::values;
 use super::literal::{Style, literal};
@@ -10,7 +10,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
 
 impl Printer<'_> {
-    /// The expression of a node where it is used: its name if it has one.
+    /// The expression for a use of a node: its name if it has one.
     pub fn value(&mut self, id: NodeId) -> String {
         self.value_as(id, Style::Count)
     }
@@ -22,7 +22,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The operator of a node, whatever its name.
+    /// The operator of a node, even if it has a name.
     pub fn expression(&mut self, id: NodeId, style: Style) -> String {
         let module = self.module;
         let node = module.node(id);
@@ -64,7 +64,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What is side by side in a value that is put together, also of parts that are put together themselves.
+    /// The parts of a concatenation, including those of nested concatenations.
     fn joined(&mut self, id: NodeId) -> Vec<String> {
         let parts = match &self.module.node(id).op {
             Op::Concat(parts) => parts.clone(),
@@ -83,7 +83,7 @@ impl Printer<'_> {
         joined
     }
 
-    /// The node whose operator is printed where `id` is.
+    /// The node whose operator is printed for `inner`.
     fn printed(&self, mut inner: NodeId) -> NodeId {
         while let (
             Form::Inline,
@@ -120,7 +120,7 @@ impl Printer<'_> {
             Unary::Parity => "^",
         };
         let operand = self.operand(a, Style::Pattern);
-        // `^~b` would be one operator, a different one.
+        // `^~b` would be a single, different operator.
         if operand.starts_with(['~', '!']) { format!("{operator}({operand})") } else { format!("{operator}{operand}") }
     }
 
@@ -169,12 +169,12 @@ impl Printer<'_> {
         format!("{left} {operator} {right}")
     }
 
-    /// An operand of a comparison: a constant that is compared with a state has the state's name.
+    /// An operand of a comparison: a constant that is compared with a state is printed by the state's name.
     fn state_or_operand(&mut self, id: NodeId, other: NodeId) -> String {
         self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
     }
 
-    /// The state that a constant stands for where a state of that enum is expected.
+    /// The state's name for a constant where a state of that enum is expected.
     pub fn state_text(&mut self, id: NodeId, states: Option<usize>) -> Option<String> {
         match (&self.module.node(id).op, self.plan.form(id), states) {
             (Op::Const(value), Form::Inline, Some(states)) => Some(self.states.name(states, value)),
@@ -212,7 +212,8 @@ impl Printer<'_> {
         let is_constant = !self.module.shape(index).is_plain() && values(self.module, index).is_some();
         let index = self.operand(index, Style::Count);
         match is_constant {
-            // Linters complain of a lane where the comparison is decided; with more bits it looks like any other.
+            // Linters complain about a lane in which the comparison is constant; with more bits it looks like any
+            // other.
             true => format!("$signed({{2'd0, {index}}}) < $signed({{2'd0, {count}}})"),
             false => format!("{index} < {count}"),
         }

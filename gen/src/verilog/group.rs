@@ -1,8 +1,8 @@
-//! Groups of lanes: a `generate for`, nested for a grid, whose scopes are the lanes, each with the nets, the registers, the
-//! memories and the instances of its own.
+//! Groups of lanes: a `generate for`, nested for a grid, whose scopes are the lanes. Each scope has the nets,
+//! registers, memories and instances of its lane.
 //!
-//! A link to a neighbour names the net in the neighbour's scope, `u_cell[i - 1].out`. So every net belongs to one lane,
-//! and no tool sees a combinational loop where the lanes only form a chain.
+//! A link to a neighbour uses the net in the neighbour's scope, `u_cell[i - 1].out`. So every net belongs to one
+//! lane, and no tool sees a combinational loop where the lanes only form a chain.
 
 use super::branches::Target;
 use super::layout::{connect, generate, range, with_place, wrapped};
@@ -34,7 +34,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The block of what groups before this one read.
+    /// The block of nets that earlier groups read.
     fn ahead(&mut self, group: usize) -> Vec<String> {
         let nodes: Vec<NodeId> = self.groups.groups[group].ahead.iter().copied().collect();
         let Some(label) = self.lanes.groups[group].ahead.clone() else { return Vec::new() };
@@ -64,7 +64,7 @@ impl Printer<'_> {
         out
     }
 
-    /// A loop, or two, around what a lane has.
+    /// A loop, or two, around the contents of a lane.
     fn scopes(&mut self, group: usize, label: &str, place: Option<Loc>, body: Vec<String>) -> Vec<String> {
         let placed = |line: String| match place {
             Some(loc) => with_place(line, loc),
@@ -80,19 +80,19 @@ impl Printer<'_> {
         }
     }
 
-    /// The head of a loop over so many lanes; loops within loops have the next depth.
+    /// The head of a loop over `lanes` lanes; loops within loops have the next depth.
     pub fn for_lanes(&mut self, depth: usize, lanes: u32) -> String {
         let i = self.loop_variable(depth);
         format!("for ({i} = 0; {i} < {lanes}; {i} = {i} + 1)")
     }
 
-    /// The loop variable at a depth, which the text uses from here on.
+    /// The loop variable at a depth, which the text uses from now on.
     pub fn loop_variable(&mut self, depth: usize) -> String {
         self.lanes.used = self.lanes.used.max(depth + 1);
         self.lanes.genvars[depth].clone()
     }
 
-    /// The tables of a group's constants, and the ports that it takes side by side.
+    /// The tables of a group's constants, and the ports that it reads side by side.
     fn tables(&mut self, group: usize) -> Vec<String> {
         let mut out = Vec::new();
         for id in self.groups.groups[group].nets.clone() {
@@ -113,7 +113,8 @@ impl Printer<'_> {
         out
     }
 
-    /// The plain ports that a row is made of, the last first. Nets are not taken so: side by side, chains of lanes look like loops.
+    /// The plain ports that a row consists of, the last first. Nets are not read like this: side by side, chains of
+    /// lanes look like loops.
     fn ports_of_row(&mut self, id: NodeId) -> Option<Vec<String>> {
         let Op::Stack { parts, axis: 0 } = &self.module.node(id).op else { return None };
         let is_port =
@@ -122,7 +123,7 @@ impl Printer<'_> {
         is_row.then(|| parts.iter().rev().map(|&part| self.value(part)).collect())
     }
 
-    /// What one lane has.
+    /// The contents of one lane.
     fn scope(&mut self, group: usize) -> Vec<String> {
         let own = &self.groups.groups[group];
         let (nets, registers, memories) = (own.nets.clone(), own.registers.clone(), own.memories.clone());
@@ -165,7 +166,7 @@ impl Printer<'_> {
         out
     }
 
-    /// What a memory has read stands beside it, and in a net where it is read ahead of its group.
+    /// Read data is beside its memory, and also in a net if it is read before its group.
     fn data_ahead(&self, id: MemoryId, ahead: &BTreeSet<NodeId>) -> Vec<String> {
         let memory = &self.module.memories[id.0 as usize];
         let reads = memory.reads.iter().zip(&self.reads[id.0 as usize]);
@@ -174,7 +175,7 @@ impl Printer<'_> {
         reads.map(|(node, names)| format!("assign {} = {};", self.place_name(node), names.data)).collect()
     }
 
-    /// The declaration of a net or register, without what it is.
+    /// The declaration of a net or register, without its value.
     fn declaration(&self, id: NodeId) -> String {
         let is_variable = self.is_variable(id);
         let mark = self.attributes(id);
@@ -185,7 +186,7 @@ impl Printer<'_> {
     /// A net of a lane.
     fn lane_net(&mut self, id: NodeId, declare: bool) -> Vec<String> {
         let name = self.name(id).to_string();
-        // Seen from here, also where it is declared ahead.
+        // Seen from here, also if it is declared ahead.
         let target = self.target(id);
         let (width, is_net) = (self.module.width(id), self.plan.form(id) != Form::Constants);
         let mut out = if declare && is_net { vec![self.declaration(id)] } else { Vec::new() };
@@ -255,7 +256,7 @@ impl Printer<'_> {
         self.lanes.groups[home].tables.contains_key(&id)
     }
 
-    /// What another lane has, or the edge where there is none.
+    /// The value of another lane, or the edge if there is none.
     fn link(&mut self, id: NodeId, target: &str, of: NodeId, (axis, rule): (u32, Affine), edge: NodeId) -> Vec<String> {
         let name = self.name(id).to_string();
         let (extent, inner) = (self.module.shape(id).extent(axis), self.module.shape(of).extent(axis));
@@ -291,7 +292,7 @@ impl Printer<'_> {
         out
     }
 
-    /// What a net is called where it is assigned.
+    /// The name of a net as the target of an assignment.
     pub fn target(&self, id: NodeId) -> String {
         match self.groups.home(id) {
             Some(_) => self.place_name(id),
@@ -299,7 +300,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A label in the scope at hand, or of the module.
+    /// A label in the current scope, or in the module.
     pub fn label(&mut self, wanted: &str) -> String {
         match self.here {
             Some(group) => self.taken.fresh_in(&mut self.lanes.groups[group].scope, LANE, wanted),
@@ -307,7 +308,7 @@ impl Printer<'_> {
         }
     }
 
-    /// As [`Self::label`], for a loop whose lanes are read by it.
+    /// Like [`Self::label`], for a loop whose lanes are read through the label.
     pub fn loop_label(&mut self, wanted: &str) -> String {
         match self.here {
             Some(group) => self.taken.fresh_label_in(&mut self.lanes.groups[group].scope, LANE, wanted),
@@ -315,7 +316,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Names for a block in the scope at hand, none of which hides another: linters do not want that.
+    /// Names for a block in the current scope, none of which hides another: linters reject that.
     pub fn local<const N: usize>(&mut self, prefix: &str, wanted: [&str; N]) -> [String; N] {
         let scope = self.here.map(|group| &mut self.lanes.groups[group].scope);
         self.taken.local_in(scope, prefix, wanted)
@@ -334,7 +335,7 @@ impl Printer<'_> {
         connect(&child.name, &self.lanes.groups[group].instances[&(id.0 as usize)], &connections)
     }
 
-    /// Ties what some lane's reader lacks; known only when all else is printed.
+    /// Ties off the bits that no reader uses in some lane; these are known only after everything else is printed.
     pub fn tie_lanes(&mut self, group: usize) -> Option<String> {
         let own = &self.groups.groups[group];
         let outputs = own.instances.iter().flat_map(|&index| self.module.instances[index].outputs.clone());
@@ -361,7 +362,7 @@ impl Printer<'_> {
     }
 }
 
-/// Stands at the end of a group's scope for what [`Printer::tie_lanes`] says in the end; the group's number follows.
+/// A placeholder at the end of a group's scope for the result of [`Printer::tie_lanes`]; the group's number follows.
 pub const UNREAD: &str = "// unread";
 
 /// A loop or choice within a `generate`.

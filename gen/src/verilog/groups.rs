@@ -1,7 +1,8 @@
-//! Which nets stand together in the scopes of one `generate for`: those of one shape that are connected lane by lane.
+//! The nets that share the scopes of one `generate for`: those of one shape that are connected lane by lane.
 //!
-//! A group comes after those that it reads, so that no name is read before it is declared. Where groups read each other, as
-//! a row that reads a grid that reads the row, what is read ahead of its group is declared in a block of its own.
+//! A group comes after those that it reads, so that no name is read before it is declared. If groups read each other,
+//! as a row that reads a grid that reads the row, the values read before their group are declared in a block of their
+//! own.
 
 use super::order::{for_each_read, operands_first};
 use super::plan::{Form, Plan};
@@ -13,9 +14,9 @@ pub struct Group {
     pub shape: Shape,
     /// Nets and constants, operands first; registers and outputs are not among them.
     pub nets: Vec<NodeId>,
-    /// Nets that are read before their turn comes.
+    /// Nets that are read before their own position.
     pub early: BTreeSet<NodeId>,
-    /// What a group before this one reads.
+    /// Nets that an earlier group reads.
     pub ahead: BTreeSet<NodeId>,
     pub registers: Vec<usize>,
     pub memories: Vec<usize>,
@@ -23,7 +24,7 @@ pub struct Group {
     pub properties: Vec<usize>,
 }
 
-/// The groups in order, and the group of each node that is in one.
+/// The groups in sequence, and the group of each node that is in one.
 pub struct Groups {
     pub groups: Vec<Group>,
     home: BTreeMap<NodeId, usize>,
@@ -42,7 +43,7 @@ impl Groups {
         groups
     }
 
-    /// The group that a node is declared in.
+    /// The group that declares a node.
     pub fn home(&self, id: NodeId) -> Option<usize> {
         self.home.get(&id).copied()
     }
@@ -78,7 +79,7 @@ impl Groups {
             let reads = items.reads[item].iter().flat_map(|read| items.all[read.item].net());
             group.early.extend(reads.filter(|read| turn.get(read).is_some_and(|turn_of| *turn_of >= turn[&net])));
         }
-        // What an asynchronous read needs is the memory, not a net's turn.
+        // An asynchronous read needs its memory, not the position of a net.
         self.groups.push(group);
     }
 
@@ -98,7 +99,7 @@ impl Groups {
         item.nodes(module).first().and_then(|id| self.home(*id)).or_else(|| self.of_object(item)).unwrap_or(usize::MAX)
     }
 
-    /// The group of something that has no node.
+    /// The group of an object that has no node.
     fn of_object(&self, item: &Item) -> Option<usize> {
         self.groups.iter().position(|group| match item.what {
             What::Memory(memory) => group.memories.contains(&memory),
@@ -109,7 +110,7 @@ impl Groups {
     }
 }
 
-/// Something that is declared or made in a scope.
+/// An object that is declared or made in a scope.
 struct Item {
     index: usize,
     shape: Shape,
@@ -125,11 +126,11 @@ enum What {
     Property(usize),
 }
 
-/// What an item reads.
+/// A read of an item.
 struct Read {
     item: usize,
     node: Option<NodeId>,
-    /// Whether it is read in the same lane or in a neighbour's of the same shape.
+    /// Whether it reads the same lane, or that of a neighbour of the same shape.
     is_beside: bool,
 }
 
@@ -247,7 +248,8 @@ impl<'a> Items<'a> {
         found
     }
 
-    /// The items that stand together. What reads an instance's output stands with it only if it feeds the instance too.
+    /// The items that belong together. A reader of an instance's output is included only if it also feeds the
+    /// instance.
     fn sets(&self) -> Vec<Vec<usize>> {
         let mut union = Union::new(self.all.len());
         for item in &self.all {
@@ -261,8 +263,8 @@ impl<'a> Items<'a> {
         union.sets()
     }
 
-    /// The sets, each after those that it reads. Sets of one shape that read each other become one; those of different
-    /// shapes follow in the order of their first items.
+    /// The sets, each after those that it reads. Sets of one shape that read each other are merged; those of
+    /// different shapes follow in the sequence of their first items.
     fn in_order(&self, sets: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
         let merged = self.merge_cycles(sets);
         let mut waiting: Vec<(Vec<usize>, BTreeSet<usize>)> = Vec::new();
@@ -275,7 +277,7 @@ impl<'a> Items<'a> {
         while out.len() < waiting.len() {
             let next = (0..waiting.len()).filter(|&set| !done[set]);
             let ready = next.clone().find(|&set| waiting[set].1.iter().all(|&read| done[read] || read == set));
-            // None is ready where sets of two shapes read each other.
+            // None is ready if sets of two shapes read each other.
             let set = ready.or(next.clone().min_by_key(|&set| waiting[set].0[0])).expect("some set is left");
             done[set] = true;
             out.push(std::mem::take(&mut waiting[set].0));
@@ -319,7 +321,7 @@ fn reachable(reads: &[BTreeSet<usize>], from: usize) -> BTreeSet<usize> {
     seen
 }
 
-/// Sets that are joined, each known by its first member.
+/// Joined sets, each known by its first member.
 struct Union(Vec<usize>);
 
 impl Union {

@@ -5,7 +5,7 @@ use super::printer::Printer;
 use tilewright_hdl::ir::{Instance, Module};
 
 impl Printer<'_> {
-    /// The nets that take the outputs of plain instances.
+    /// The nets for the outputs of plain instances.
     pub fn output_nets(&self) -> Vec<String> {
         let module = self.module;
         let outputs = module.instances.iter().filter(|instance| instance.shape.is_plain()).flat_map(|i| &i.outputs);
@@ -16,7 +16,7 @@ impl Printer<'_> {
         outputs.copied().filter(|&id| !self.is_port(id)).map(declare).collect()
     }
 
-    /// The instances that are no arrays.
+    /// The instances that are not arrays.
     pub fn instances(&mut self) -> Vec<String> {
         let mut out = Vec::new();
         for instance in self.module.instances.iter().filter(|instance| instance.shape.is_plain()) {

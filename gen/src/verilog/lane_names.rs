@@ -1,4 +1,4 @@
-//! What the text of groups of lanes calls things.
+//! The names in the text of groups of lanes.
 
 use super::groups::{Group, Groups};
 use super::plan::{Form, Plan};
@@ -6,11 +6,11 @@ use super::scope::{LANE, Names, Scope};
 use std::collections::BTreeMap;
 use tilewright_hdl::ir::{Design, Module, NodeId, Op, Shape};
 
-/// The names that the groups of a module need, and the loop variables of all that is generated.
+/// The names that the groups of a module need, and the loop variables of everything generated.
 pub struct GroupNames {
     /// The loop variables, from the outermost on.
     pub genvars: [String; 2],
-    /// How many of them the text uses.
+    /// The number of them that the text uses.
     pub used: usize,
     /// The label of the inner loop of a grid.
     pub column: String,
@@ -20,19 +20,19 @@ pub struct GroupNames {
 
 /// The names in the scopes of a group.
 pub struct ScopeNames {
-    /// The label of the loop, of a grid's outer loop.
+    /// The label of the loop; for a grid, of the outer loop.
     pub label: String,
-    /// The label of the block of what is read ahead of the group, if there is any.
+    /// The label of the block for values read before the group, if there are any.
     pub ahead: Option<String>,
-    /// What its instances are called, by their index.
+    /// The names of its instances, by their index.
     pub instances: BTreeMap<usize, String>,
-    /// The tables of constants; declared outside of the lanes, or every lane has a copy.
+    /// The tables of constants; they are declared outside of the lanes, so that not every lane has a copy.
     pub tables: BTreeMap<NodeId, String>,
-    /// All of the names within.
+    /// All names within.
     pub scope: Scope,
 }
 
-/// The values that are made for a port of an instance, with the port's name: they are called as it is.
+/// The values that are made for a port of an instance, with the port's name, which they get.
 pub fn port_values(design: &Design, module: &Module, plan: &Plan) -> BTreeMap<NodeId, String> {
     let mut values = BTreeMap::new();
     for instance in module.instances.iter().filter(|instance| !instance.shape.is_plain()) {
@@ -54,7 +54,7 @@ pub fn port_values(design: &Design, module: &Module, plan: &Plan) -> BTreeMap<No
 }
 
 impl GroupNames {
-    /// Names the groups, and in `names` the outputs of their instances and what is made for a port.
+    /// Names the groups and, in `names`, the outputs of their instances and the values made for a port.
     pub fn new(
         design: &Design,
         module: &Module,
@@ -101,7 +101,7 @@ impl ScopeNames {
             let inside = &printed[instance.module.0 as usize];
             let wanted = if is_array { LANE } else { &instance.name };
             let prefixed = (0..).map(|number| format!("{}{wanted}", "u_".repeat(number)));
-            // What is in the instance must not hide it: linters do not want that.
+            // No name inside the instance may hide it: linters reject that.
             let free = |name: &String| !inside.hides(name) && (!is_array || !taken.contains(name));
             let name = { prefixed }.find(free).expect("some name is free");
             let name = if is_array { taken.instance_in(&mut scope, LANE, &name) } else { name };
@@ -120,7 +120,7 @@ impl ScopeNames {
     }
 }
 
-/// `row` or `cells`; with the name of something in it if there are several such groups, or one in a module within.
+/// `row` or `cells`; if there are several such groups, or one in a module within, with the name of something in it.
 fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<String>], taken: &Names) -> String {
     let kind = |shape: Shape| match shape {
         Shape::Grid(..) => "cells",
@@ -130,7 +130,7 @@ fn group_label(module: &Module, group: &Group, groups: &Groups, names: &[Option<
     let alike = groups.groups.iter().filter(|other| other.instances.len() != 1 && kind(other.shape) == own).count();
     let registers = group.registers.iter().map(|&register| module.registers[register].node);
     let words = group.memories.iter().map(|&memory| module.memories[memory].name.clone());
-    // What the description names comes first: it stays as it is when something else is edited.
+    // Names of the description come first: they stay the same when something else is edited.
     let described = registers.chain(group.nets.iter().copied()).filter_map(|id| module.node(id).name.clone());
     let nets = group.nets.iter().filter_map(|id| names[id.0 as usize].clone());
     match described.chain(words).chain(nets).next() {

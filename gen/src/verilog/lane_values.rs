@@ -1,4 +1,4 @@
-//! Constants that differ from lane to lane: a formula of the lane's number where they follow one, else a table.
+//! Constants that differ from lane to lane: a formula of the lane's number if they follow one, otherwise a table.
 
 use super::constant;
 use super::fold::lower::WIDEST_VECTOR;
@@ -6,10 +6,10 @@ use super::pattern::Pattern;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Module, NodeId, Op, Shape};
 
-/// A lane is not computed of more operators than this, one on the other.
+/// The longest chain of operators through which a lane is computed.
 const DEEPEST: u32 = 6;
 
-/// How the constants of the lanes are written.
+/// The form of the constants of the lanes.
 pub enum LaneConstants {
     /// By a formula of the index along that axis.
     Along(u32, Pattern),
@@ -19,7 +19,7 @@ pub enum LaneConstants {
     Table(Vec<Bits>),
 }
 
-/// The constants of a list, and of lists in it; `None` if there is anything else in it, or too much for a table.
+/// The constants of a list, and of lists in it; `None` if it contains anything else, or too much for a table.
 pub fn lane_constants(module: &Module, id: NodeId) -> Option<LaneConstants> {
     let shape = module.shape(id);
     let values = values(module, id)?;
@@ -33,7 +33,7 @@ pub fn lane_constants(module: &Module, id: NodeId) -> Option<LaneConstants> {
     }
 }
 
-/// A formula of the row or of the column alone.
+/// A formula of the row or of the column only.
 fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
     let Shape::Grid(rows, columns) = shape else {
         return Pattern::of(values).map(|pattern| LaneConstants::Along(0, pattern));
@@ -48,17 +48,17 @@ fn along(shape: Shape, values: &[Bits]) -> Option<LaneConstants> {
     is_by_column.then(|| Pattern::of(by_column).map(|pattern| LaneConstants::Along(1, pattern)))?
 }
 
-/// The value of every lane, also behind names and of what lanes take of other lanes.
+/// The value of every lane, also through names and through lanes taken from other lanes.
 pub fn values(module: &Module, id: NodeId) -> Option<Vec<Bits>> {
     (0..module.shape(id).lanes()).map(|lane| computed(module, id, lane, 0)).collect()
 }
 
-/// The value of one lane, also where it is computed of constants by a few operators.
+/// The value of one lane, also if a few operators compute it from constants.
 pub fn known(module: &Module, id: NodeId, lane: u32) -> Option<Bits> {
     computed(module, id, lane, DEEPEST)
 }
 
-/// The value of one lane, computed of constants by operators of which no more than `depth` stand one on the other.
+/// The value of one lane, computed from constants through at most `depth` nested operators.
 fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> {
     let (id, lane) = source(module, id, lane)?;
     let node = module.node(id);
@@ -78,8 +78,8 @@ fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> 
     constant::of(&node.op, node.width, &operands.iter().collect::<Vec<_>>())
 }
 
-/// The node and lane that a lane has its value from, behind all that only says so. It comes from one lane of one node at a time, so this ends where lanes
-/// chain, too.
+/// The node and lane from which a lane has its value, through all operators that only pass it on. It visits one lane
+/// of one node at a time, so it ends even with chains of lanes.
 fn source(module: &Module, mut id: NodeId, mut lane: u32) -> Option<(NodeId, u32)> {
     loop {
         let shape = module.shape(id);

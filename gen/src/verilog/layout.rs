@@ -1,12 +1,12 @@
-//! Small pieces of layout that every part of a module shares.
+//! Small pieces of layout for all parts of a module.
 
 use tilewright_hdl::Loc;
 
-/// Where a declaration's place in the source begins, if the declaration is shorter.
+/// The column of a declaration's source place, if the declaration is shorter.
 const PLACE_COLUMN: usize = 60;
-/// A line of more columns than this is broken.
+/// Longer lines are broken.
 const LONGEST: usize = 120;
-/// A list of fewer columns than this is not why a line is long.
+/// A shorter list is not the reason for a long line.
 const SHORT_LIST: usize = 60;
 
 /// `[7:0] `, or nothing for a single bit.
@@ -39,7 +39,8 @@ pub fn wrapped(items: &[String], indent: usize) -> String {
     out
 }
 
-/// The words of a text in lines of at most so many columns, however it was broken; a longer word has a line of its own.
+/// The words of a text in lines of at most `columns` columns, independent of its own line breaks; a longer word has a
+/// line of its own.
 pub fn prose(text: &str, columns: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -54,7 +55,7 @@ pub fn prose(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// The line; if it is too long, the items of the longest `{..}` in it stand on lines of their own.
+/// The line; if it is too long, the items of its longest `{..}` are on lines of their own.
 pub fn broken(line: String) -> Vec<String> {
     let (code, place) = match line.split_once(" // ") {
         Some((code, place)) => (code.trim_end(), Some(place)),
@@ -74,11 +75,11 @@ pub fn broken(line: String) -> Vec<String> {
     out
 }
 
-/// Where the items of the longest `{..}` begin, what they are, and where they end.
+/// The start of the longest `{..}`, its items, and its end.
 fn longest_list(code: &str) -> Option<(usize, Vec<String>, usize)> {
     let (mut depth, mut begin, mut commas) = (0, 0, Vec::new());
     let mut longest: Option<(usize, Vec<usize>, usize)> = None;
-    // Brackets of other kinds within a list are no deeper lists, but their commas, if any, are not the list's.
+    // Brackets of other kinds within a list are not deeper lists, but commas in them do not separate its items.
     let mut others = 0;
     for (at, c) in code.char_indices() {
         match c {
@@ -144,7 +145,7 @@ mod tests {
         let with_place = broken(format!("{list} // a.rs:1"));
         assert_eq!(with_place[0], format!("{:60} // a.rs:1", lines[0]));
         assert_eq!(with_place[4], "    };");
-        // A text stays what it is, and so does an expression.
+        // A string is unchanged, and so is an expression.
         for line in [format!("$display(\"{list}\");"), format!("{a} + {b} + {c}"), format!("{a} + {b} + {{c, {c}}}")] {
             assert_eq!(broken(line.clone()), [line]);
         }

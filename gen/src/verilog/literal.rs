@@ -1,8 +1,9 @@
-//! Constants: in the radix that the description says, else decimal where a number counts, hexadecimal where its bits make a pattern.
+//! Constants: in the radix of the description, otherwise decimal if the number counts, and hexadecimal if its bits
+//! are a pattern.
 
 use tilewright_hdl::{Bits, Radix};
 
-/// What a constant stands for where it is used.
+/// The meaning of a constant where it is used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Style {
     /// A number, as in a sum.
@@ -14,7 +15,7 @@ pub enum Style {
 /// Larger numbers are patterns wherever they are used.
 const LARGEST_COUNT: u64 = 99_999;
 
-/// What has more bits is not printed in binary.
+/// Wider values are not printed in binary.
 const WIDEST_BINARY: u32 = 64;
 
 /// A sized literal.
@@ -29,16 +30,16 @@ pub fn literal(value: &Bits, style: Style) -> String {
     }
 }
 
-/// The digits of a literal at most: Icarus reads none whose text is longer than 16,383 characters.
+/// The most digits of a literal: Icarus rejects a literal of more than 16,383 characters.
 const LONGEST: usize = 8192;
 
-/// A value in hexadecimal, whatever it is: one literal, or several side by side if it would be too long.
+/// A value in hexadecimal: one literal, or several side by side if it would be too long.
 pub fn pattern(value: &Bits) -> String {
     let (width, digits) = (value.width() as usize, format!("{value:x}"));
     if digits.len() <= LONGEST {
         return format!("{width}'h{digits}");
     }
-    // The first has what is left over by the others, which have whole digits.
+    // The first literal has the remainder; the others have whole digits.
     let (first, rest) = digits.split_at((digits.len() - 1) % LONGEST + 1);
     let rest = rest.as_bytes().chunks(LONGEST).map(|part| std::str::from_utf8(part).expect("digits are ASCII"));
     let head = format!("{}'h{first}", width - 4 * (digits.len() - first.len()));

@@ -1,7 +1,7 @@
-//! Memories, by templates from which Yosys infers block RAM on iCE40, ECP5 and Xilinx parts.
+//! Memories, in templates from which Yosys infers block RAM on iCE40, ECP5 and Xilinx parts.
 //!
-//! A read beyond the depth gives zero. Where an address can go that far, the raw word and a flag are registered, and
-//! the data is gated behind them: the array itself keeps the shape that block RAM needs.
+//! A read beyond the depth gives zero. If an address can go that far, the raw word and a flag are registered, and the
+//! data is gated after them: the array itself keeps the form that block RAM needs.
 
 use super::layout::{generate, range, with_place};
 use super::literal::{Style, literal};
@@ -12,7 +12,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{ClockId, Memory, MemoryId, NodeId, Op, ReadUnderWrite};
 
 impl Printer<'_> {
-    /// The arrays without lanes and the registers that their synchronous ports read into.
+    /// The arrays without lanes, and the data registers of their synchronous ports.
     pub fn memory_declarations(&mut self) -> Vec<String> {
         let plain = self.plain_memories();
         plain.into_iter().flat_map(|id| self.memory_declaration(id)).collect()
@@ -23,7 +23,7 @@ impl Printer<'_> {
         memories.filter(|(_, memory)| memory.shape.is_plain()).map(|(id, _)| id).collect()
     }
 
-    /// An array and the registers that its synchronous ports read into.
+    /// An array, and the data registers of its synchronous ports.
     pub fn memory_declaration(&mut self, id: MemoryId) -> Vec<String> {
         let module = self.module;
         let mut out = Vec::new();
@@ -83,13 +83,13 @@ impl Printer<'_> {
         out
     }
 
-    /// How many lanes of a word an enable is a mask of; 1 if it is for the whole word.
+    /// The number of lanes of a word that an enable masks; 1 if it is for the whole word.
     fn mask_lanes(&self, enable: Option<NodeId>) -> u32 {
         enable.map_or(1, |enable| self.module.width(enable))
     }
 
-    /// Whether writes on a clock have masks: then each lane of the words has an always block with all of them, in which the
-    /// last one wins.
+    /// Whether writes on a clock have masks: then each lane of the words has an always block with all writes, in
+    /// which the last one wins.
     fn has_masks(&self, memory: &Memory, clock: ClockId) -> bool {
         let writes = memory.writes.iter().filter(|write| write.clock == clock);
         writes.into_iter().any(|write| self.mask_lanes(Some(write.enable)) > 1)
@@ -137,7 +137,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The statement, where the enable holds or the lane's bit of it.
+    /// The statement under the enable, or under the lane's bit of it.
     fn when_lane(&mut self, enable: NodeId, i: &str, assign: Statement) -> Vec<Statement> {
         match self.module.width(enable) {
             1 => self.when(Some(enable), vec![assign]),

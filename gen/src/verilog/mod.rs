@@ -46,11 +46,11 @@ pub use scope::Names;
 pub use state::{ModuleState, ScopeState, State};
 use tilewright_hdl::ir::Design;
 
-/// The design as Verilog, one file a module, each followed by the data files of its memories; the top is the last
-/// module.
+/// Prints the design as Verilog: one file a module, each followed by the data files of its memories; the top is the
+/// last module.
 ///
-/// The text is a Verilog-2001 subset with ANSI ports: free of warnings in Verilator, Icarus, Yosys and slang, the same
-/// bytes for the same design, and with the names of the description.
+/// The text is a Verilog-2001 subset with ANSI ports. It causes no warnings in Verilator, Icarus, Yosys and slang,
+/// has the same bytes for the same design, and uses the names of the description.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -73,14 +73,14 @@ pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     files
 }
 
-/// What holds state in each module, by the names that its text has.
+/// The state of each module, by the names in its text.
 pub fn states(design: &Design) -> Vec<ModuleState> {
     let mut states = Vec::new();
     print_all(design, |printer, _| states.push(printer.state()));
     states
 }
 
-/// Calls `visit` with each module as it has been printed, and its text.
+/// Calls `visit` with each module as printed, and its text.
 fn print_all(design: &Design, mut visit: impl FnMut(&Printer, String)) {
     let mut names: Vec<Names> = Vec::new();
     for (module, latency) in design.modules().iter().zip(design.latencies()) {

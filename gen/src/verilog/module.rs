@@ -1,5 +1,5 @@
-//! A whole module, in this order: header, ports, state names, registers and memories, nets, instances, always blocks,
-//! outputs, properties, and what nothing reads.
+//! A whole module, in this sequence: header, ports, state names, registers and memories, nets, instances, always
+//! blocks, outputs, properties, and unread nets.
 
 use std::collections::BTreeSet;
 
@@ -10,7 +10,7 @@ use super::printer::Printer;
 use super::text::{attribute, mark};
 use tilewright_hdl::ir::{Latency, Module, NodeId, Op, Register};
 
-/// The text of a folded module, which was this one before.
+/// The text of a folded module; `described` is the module before folding.
 pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency>) -> String {
     let mut body = Body::default();
     let nets = printer.nets();
@@ -22,7 +22,7 @@ pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency
     let registers = printer.registers();
     let outputs = printer.output_assigns();
     let properties = printer.plain_properties();
-    // They may be all that mentions a code.
+    // They may be the only use of a code.
     let properties = printer.properties(&properties);
     body.section(printer.states.declarations());
     body.section(printer.register_declarations(false));
@@ -46,7 +46,7 @@ pub fn print(printer: &mut Printer, described: &Module, latency: Option<&Latency
     format!("{header}{}{body}endmodule\n`default_nettype wire\n", super::ports::print(printer))
 }
 
-/// The lines between the ports and `endmodule`; sections are set apart by a blank line.
+/// The lines between the ports and `endmodule`; a blank line separates sections.
 #[derive(Default)]
 struct Body {
     lines: Vec<String>,
@@ -79,7 +79,7 @@ fn header(module: &Module, latency: Option<&Latency>) -> String {
     };
     let facts = [("Parameters", &module.parameters), ("Latency", &latency), ("Source", &about.source)];
     for (title, text) in facts.into_iter().filter(|(_, text)| !text.is_empty()) {
-        // On one line: what comes after the next would be Verilog.
+        // On one line: the text after a line break would be Verilog.
         let words: Vec<&str> = text.split_whitespace().collect();
         lines.push(format!("{title:11} {}", words.join(" ")));
     }
@@ -89,9 +89,9 @@ fn header(module: &Module, latency: Option<&Latency>) -> String {
     format!("{}`default_nettype none\n\n", lines.iter().map(comment).collect::<String>())
 }
 
-/// Why other clocks may sample what is declared to be quasi-static.
+/// The reasons why other clocks may sample quasi-static signals.
 fn quasi_static(module: &Module) -> Vec<String> {
-    // What enters a synchronizer need not be stable.
+    // The input of a synchronizer need not be stable.
     let synchronizers = module.registers.iter().filter(|register| register.is_synchronizer);
     let entering: BTreeSet<NodeId> = synchronizers.map(|register| register.next).collect();
     let mut lines = Vec::new();
@@ -121,8 +121,8 @@ impl Printer<'_> {
         }
     }
 
-    /// What synthesizers are told of a register, in front of its declaration: to keep one of a synchronizer as it is, close to the other one; and what the
-    /// description says.
+    /// The attributes of a register, before its declaration: that of a synchronizer, so that its registers stay
+    /// unchanged and close together, and those of the description.
     pub fn attributes(&self, id: NodeId) -> String {
         let Op::Register(register) = self.module.node(id).op else { return String::new() };
         let Register { is_synchronizer, attributes, .. } = &self.module.registers[register.0 as usize];
@@ -130,7 +130,7 @@ impl Printer<'_> {
         mark(synchronizes.into_iter().chain(attributes.iter().map(attribute)).collect())
     }
 
-    /// The declarations of the registers that stand with the statements, or of the others.
+    /// The declarations of the registers used only by properties, or of the others.
     pub fn register_declarations(&self, stated: bool) -> Vec<String> {
         let module = self.module;
         let inner = self.plain_registers(stated).into_iter().map(|index| module.registers[index].node);
@@ -155,7 +155,7 @@ impl Printer<'_> {
         out
     }
 
-    /// Everything that the text does not read, in one reduction that linters know by its name.
+    /// All bits that the text does not read, in one reduction whose name linters recognise.
     fn unused(&mut self) -> Vec<String> {
         let module = self.module;
         let mut items: Vec<String> = Vec::new();
@@ -180,7 +180,7 @@ impl Printer<'_> {
         vec![format!("wire {name} = &{{{}}};", wrapped(&items, 8).replace('\n', "\n    "))]
     }
 
-    /// The parts of a net, called `name`, that nothing reads.
+    /// The unread parts of a net called `name`.
     pub fn unread_parts(&self, id: NodeId, name: &str) -> Vec<String> {
         let width = self.module.width(id);
         let text = |(low, count)| match count {
@@ -214,7 +214,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Indents the body, and says at the end of each group what of its lanes nothing reads.
+    /// Indents the body, and lists the unread bits of its lanes at the end of each group.
     fn fill_in_unread(&mut self, lines: Vec<String>) -> String {
         let mut out = String::new();
         for line in lines {

@@ -1,5 +1,5 @@
-//! Names: those of the description as they are, and for the few nets that have none a name made of the consumer's
-//! name and the operator, such as `count_sum`. An edit elsewhere in the module renames nothing.
+//! Names: those of the description unchanged. The few nets without one get a name made from the consumer's name and
+//! the operator, such as `count_sum`. An edit elsewhere in the module renames nothing.
 
 use super::order::for_each_read;
 use super::plan::{Form, Plan};
@@ -8,7 +8,7 @@ use super::scope::Names;
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Binary, Design, Directive, Module, NodeId, Op, Reduction, Relation, Unary};
 
-/// The name of every node that is referred to by one.
+/// The name of every node that is referred to by name.
 pub fn name_nodes(
     design: &Design,
     module: &Module,
@@ -68,7 +68,7 @@ struct Namer<'a> {
     design: &'a Design,
     module: &'a Module,
     plan: &'a Plan,
-    /// What is named after a port that it is made for.
+    /// Values named after the port for which they are made.
     ports: &'a BTreeMap<NodeId, String>,
     taken: &'a mut Names,
     names: Vec<Option<String>>,
@@ -121,7 +121,7 @@ impl Namer<'_> {
         }
     }
 
-    /// A combination of all lanes is called after the array, as in `u_cell_hit_any`.
+    /// A combination of all lanes is named after the array, as in `u_cell_hit_any`.
     fn reduction_name(&self, id: NodeId) -> Option<String> {
         let Op::Reduce { by: reduction, of, .. } = self.module.node(id).op else { return None };
         let Op::Output(instance, port) = self.module.node(of).op else { return None };
@@ -130,7 +130,7 @@ impl Namer<'_> {
         Some(format!("{}_{port}_{}", instance.name, combined(reduction)))
     }
 
-    /// `jobs_valid & jobs_ready` is that the payload of `jobs` is taken.
+    /// `jobs_valid & jobs_ready` means that the payload of `jobs` is taken.
     fn taken_name(&self, id: NodeId) -> Option<String> {
         let Op::Binary(Binary::And, a, b) = self.module.node(id).op else { return None };
         let pairs = [(a, b), (b, a)].into_iter();
@@ -141,7 +141,7 @@ impl Namer<'_> {
         streams.next().map(|stream| format!("{stream}_taken"))
     }
 
-    /// The names of the ports that have a node's value and this end, without it.
+    /// The names of the ports with a node's value and this suffix, without the suffix.
     fn streams(&self, id: NodeId, end: &str) -> Vec<&str> {
         let module = self.module;
         let source = |mut id: NodeId| {
@@ -155,13 +155,13 @@ impl Namer<'_> {
         ports.filter(|(node, _)| source(*node) == source(id)).filter_map(|(_, name)| name.strip_suffix(end)).collect()
     }
 
-    /// Names the nets that `root` is computed from and that nobody has named yet; `root` itself is called `itself`.
+    /// Names the still unnamed nets that `root` is computed from; `root` itself gets the name `itself`.
     fn name_below(&mut self, root: NodeId, base: &str, itself: &str) {
         let mut stack = vec![root];
         let mut seen = BTreeSet::new();
         let module = self.module;
         while let Some(id) = stack.pop() {
-            // Where lanes chain, a net leads back to itself.
+            // With chains of lanes, a net leads back to itself.
             if !seen.insert(id) {
                 continue;
             }
@@ -184,7 +184,7 @@ impl Namer<'_> {
     }
 }
 
-/// What all lanes of an output make together.
+/// The suffix for the combination of all lanes of an output.
 fn combined(reduction: Reduction) -> &'static str {
     match reduction {
         Reduction::And => "all",
@@ -196,7 +196,7 @@ fn combined(reduction: Reduction) -> &'static str {
     }
 }
 
-/// What a value is called after the operator that makes it.
+/// The suffix for the operator of a value.
 fn suffix(op: &Op) -> &'static str {
     match op {
         Op::Unary(Unary::Not, _) => "inverse",

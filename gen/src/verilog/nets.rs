@@ -14,9 +14,9 @@ use tilewright_hdl::ir::{NodeId, Op};
 /// The text of the nets.
 #[derive(Default)]
 pub struct Nets {
-    /// What comes before the groups of lanes.
+    /// The text before the groups of lanes.
     pub before: Vec<String>,
-    /// What comes after them.
+    /// The text after them.
     pub after: Vec<String>,
 }
 

@@ -1,8 +1,9 @@
-//! Walks over a module's expressions that do not recurse: a description may chain a hundred thousand of them.
+//! Walks over a module's expressions without recursion: a description may chain a hundred thousand of them.
 
 use tilewright_hdl::ir::{Module, NodeId, Op};
 
-/// Every node of the module, operands and addresses before the nodes that use them; otherwise in order of creation.
+/// Every node of the module, operands and addresses before the nodes that use them; otherwise in the order of
+/// creation.
 pub fn operands_first(module: &Module) -> Vec<NodeId> {
     let mut order = Vec::with_capacity(module.nodes.len());
     let mut seen = vec![false; module.nodes.len()];

@@ -1,5 +1,5 @@
-//! A value that has a place, by the name of the place: a net of the same scope, a net in the scope of another lane, or bits
-//! of a vector that holds lanes side by side.
+//! A value that has a place, by the name of the place: a net of the same scope, a net in the scope of another lane,
+//! or bits of a vector with lanes side by side.
 
 use super::lane_values::{LaneConstants, lane_constants};
 use super::plan::Form;
@@ -7,20 +7,20 @@ use super::printer::Printer;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Affine, NodeId, Op, Shape};
 
-/// The lane along one axis that the text at hand is about.
+/// The lane along one axis at which the current text is printed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Index {
-    /// As Verilog says it.
+    /// Its Verilog text.
     pub text: String,
-    /// What the text is computed from, and how.
+    /// The base expression of the text, and the rule applied to it.
     base: String,
     rule: Affine,
-    /// The lanes that it goes through; all of them if not said.
+    /// The lanes that it takes on; `None` means all of them.
     pub from: Option<Vec<u32>>,
 }
 
 impl Index {
-    /// An expression that goes through every lane, such as a loop variable.
+    /// An expression that takes on every lane, such as a loop variable.
     pub fn all(text: &str) -> Index {
         Index { text: text.to_string(), base: text.to_string(), rule: Affine::shift(0), from: None }
     }
@@ -29,17 +29,17 @@ impl Index {
         Index { from: Some(vec![lane]), ..Index::all(&lane.to_string()) }
     }
 
-    /// The same expression, that goes through these lanes.
+    /// The same expression, taking on these lanes.
     pub fn only(self, lanes: Vec<u32>) -> Index {
         Index { from: Some(lanes), ..self }
     }
 
-    /// The lanes, of `extent`.
+    /// The lanes, out of `extent`.
     fn lanes(&self, extent: u32) -> Vec<u32> {
         self.from.clone().unwrap_or_else(|| (0..extent).collect())
     }
 
-    /// The lane that `rule` takes for this one, where it is inside: this goes through `extent` lanes, and the operand has
+    /// The source lane of `rule` for this one, if it is in range. This one takes on `extent` lanes; the operand has
     /// `inner`.
     pub fn mapped(&self, rule: Affine, extent: u32, inner: u32) -> Index {
         let from: Vec<u32> = self.lanes(extent).into_iter().filter_map(|lane| rule.source(lane, inner)).collect();
@@ -53,20 +53,20 @@ impl Index {
         Index { text: formula(&base, rule), base, rule, from: Some(from) }
     }
 
-    /// The rule that this one and then `rule` are, if one says both.
+    /// The composition of this rule and `rule`, if a single rule can express it.
     fn after(&self, rule: Affine) -> Option<Affine> {
         let mul = self.rule.mul.checked_mul(rule.mul)?;
         let add = self.rule.add.checked_mul(rule.mul)?.checked_add(rule.add)?;
         (self.rule.div == 1).then_some(Affine { mul, add, div: rule.div })
     }
 
-    /// This lane of `k` parts that are interleaved, in its part.
+    /// The lane, within its part, of this lane of `k` interleaved parts.
     pub fn shared(&self, k: u32) -> Index {
         Index::all(&formula(&self.text, Affine { mul: 1, add: 0, div: k }))
     }
 }
 
-/// `(mul * i + add) / div` without what is not needed.
+/// `(mul * i + add) / div` without redundant terms.
 fn formula(i: &str, Affine { mul, add, div }: Affine) -> String {
     let i = if i.contains(' ') { format!("({i})") } else { i.to_string() };
     let product = match mul.unsigned_abs() {
@@ -88,7 +88,7 @@ fn formula(i: &str, Affine { mul, add, div }: Affine) -> String {
 }
 
 impl Printer<'_> {
-    /// What `print` says at other lanes.
+    /// The result of `print` at other lanes.
     pub fn at<R>(&mut self, at: Vec<Index>, print: impl FnOnce(&mut Self) -> R) -> R {
         let before = std::mem::replace(&mut self.at, at);
         let text = print(self);
@@ -96,28 +96,28 @@ impl Printer<'_> {
         text
     }
 
-    /// The lanes at hand without those along an axis.
+    /// The current lanes without those along an axis.
     pub fn at_without(&self, axis: u32) -> Vec<Index> {
         let mut at = self.at.clone();
         at.remove(axis as usize);
         at
     }
 
-    /// The lanes at hand with another axis.
+    /// The current lanes with another axis.
     pub fn at_with(&self, axis: u32, index: Index) -> Vec<Index> {
         let mut at = self.at.clone();
         at.insert(axis as usize, index);
         at
     }
 
-    /// The lanes at hand with others along an axis.
+    /// The current lanes with others along an axis.
     pub fn at_instead(&self, axis: u32, index: Index) -> Vec<Index> {
         let mut at = self.at.clone();
         at[axis as usize] = index;
         at
     }
 
-    /// Where the operand of an operator that only names a place is, and at which lanes.
+    /// The operand of an operator that only names a place, and its lanes.
     pub fn operand_place(&self, id: NodeId) -> Option<(NodeId, Vec<Index>)> {
         let module = self.module;
         match module.node(id).op {
@@ -152,14 +152,14 @@ impl Printer<'_> {
         }
     }
 
-    /// Bits of a vector that holds the lanes side by side.
+    /// Bits of a vector with lanes side by side.
     pub fn vector_part(&mut self, id: NodeId, low: u32, width: u32) -> String {
-        // Each lane's index and how many bits lanes are apart, the innermost first.
+        // Each lane's index and the distance of lanes in bits, the innermost first.
         let (mut of, mut at, mut steps) = (id, self.at.clone(), Vec::new());
         loop {
             let step = self.module.width(of);
             match self.module.node(of).op {
-                // The vector's own name is no place to look at, even where these lanes have one.
+                // The vector's own name cannot be used here, even if these lanes have one.
                 Op::Unpack { of: inner, axis } if of == id || self.plan.form(of) == Form::Inline => {
                     let extent = self.module.shape(of).extent(axis);
                     steps.push((at.remove(axis as usize), step, extent));
@@ -185,7 +185,7 @@ impl Printer<'_> {
         if width == 1 { format!("{name}[{first}]") } else { format!("{name}[{first} +: {width}]") }
     }
 
-    /// Notes which bits of the vector are read.
+    /// Records which bits of the vector are read.
     fn mark_steps(&mut self, of: NodeId, steps: &[(Index, u32, u32)], low: u32, width: u32) {
         let mut firsts = vec![low];
         for (index, step, extent) in steps {
@@ -199,7 +199,7 @@ impl Printer<'_> {
         }
     }
 
-    /// Notes that bits of a node are read at the lanes at hand.
+    /// Records that bits of a node are read at the current lanes.
     fn mark(&mut self, id: NodeId, low: u32, width: u32) {
         let shape = self.module.shape(id);
         if self.at.iter().all(|index| index.from.is_none()) {
@@ -217,7 +217,7 @@ impl Printer<'_> {
         self.usage.mark_lanes(id, shape.lanes(), &lanes);
     }
 
-    /// The name of a node at the lanes at hand, seen from where the text stands.
+    /// The name of a node at the current lanes, as seen from the current scope.
     pub fn place_name(&self, id: NodeId) -> String {
         let name = self.name(id);
         let Some(home) = self.groups.home(id) else { return name.to_string() };
@@ -234,7 +234,7 @@ impl Printer<'_> {
         }
     }
 
-    /// The constant of the lane at hand.
+    /// The constant of the current lane.
     pub fn constant_lane(&self, id: NodeId) -> String {
         let (shape, width) = (self.module.shape(id), self.module.width(id));
         let home = self.groups.home(id).expect("constants are in a group");
@@ -249,7 +249,7 @@ impl Printer<'_> {
         formula_value(&self.place_name(id), width)
     }
 
-    /// The number of the lane at hand, in row-major order.
+    /// The number of the current lane, in row-major order.
     pub fn lane_number(&self, shape: Shape) -> String {
         match (&self.at[..], shape) {
             ([row, column], Shape::Grid(_, columns)) => {
@@ -269,7 +269,7 @@ impl Printer<'_> {
         })
     }
 
-    /// The words of a table, for constants that follow no rule.
+    /// The words of a table, for constants without a rule.
     pub fn table(&self, id: NodeId) -> Option<Vec<Bits>> {
         match lane_constants(self.module, id)? {
             LaneConstants::Table(words) => Some(words),
@@ -283,7 +283,7 @@ fn bits(low: u32, width: u32) -> String {
     if width == 1 { format!("[{low}]") } else { format!("[{}:{low}]", low + width - 1) }
 }
 
-/// The bit where a lane begins: each index with how many bits its lanes are apart, the innermost first.
+/// The first bit of a lane: each index with the distance of its lanes in bits, the innermost first.
 fn offset(steps: &[(Index, u32, u32)], low: u32) -> String {
     let bracketed = |text: String| if text.contains(' ') { format!("({text})") } else { text };
     let mut text: Option<(String, u32)> = None;
@@ -304,7 +304,7 @@ fn offset(steps: &[(Index, u32, u32)], low: u32) -> String {
     if low == 0 { first } else { format!("{first} + {low}") }
 }
 
-/// The bits in use of a formula's 32.
+/// The used bits of a formula's 32.
 pub fn formula_value(name: &str, width: u32) -> String {
     match width {
         1 => format!("{name}[0]"),

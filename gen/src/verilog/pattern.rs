@@ -1,4 +1,4 @@
-//! Constants of the lanes of an array that follow a rule: a formula of the lane's number says more than a table.
+//! Constants of an array's lanes that follow a rule: a formula of the lane's number is clearer than a table.
 
 use tilewright_hdl::Bits;
 
@@ -12,7 +12,7 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// The rule that the values follow, if they follow one and fit in the 32 bits of a formula.
+    /// The rule of the values, if they follow one and fit in the 32 bits of a formula.
     pub fn of(values: &[Bits]) -> Option<Pattern> {
         let small = |value: &Bits| value.to_u64().filter(|&value| value < 1 << 31).map(|value| value as i64);
         let values: Vec<i64> = values.iter().map(small).collect::<Option<_>>()?;
@@ -30,7 +30,7 @@ impl Pattern {
         self.first + self.step * self.period.map_or(count, |period| count % period) as i64
     }
 
-    /// The formula, with the lane's number called `i`.
+    /// The formula, with `i` as the lane's number.
     pub fn text(&self, i: &str) -> String {
         let run = if self.run == 1 { i.to_string() } else { format!("{i} / {}", self.run) };
         let (count, simple) = match (self.period, self.run) {
@@ -72,7 +72,7 @@ mod tests {
         assert_eq!(formula(|lane| 3 + lane % 2).as_deref(), Some("3 + (i % 2)"));
         assert_eq!(formula(|lane| lane / 24).as_deref(), Some("i / 24"));
         assert_eq!(formula(|lane| lane * lane), None);
-        // A step that comes once, and late, is no rule.
+        // A single, late step is not a rule.
         assert_eq!(formula(|lane| lane / 25), None);
         assert_eq!(formula(|lane| u64::from(lane == 47)), None);
     }

@@ -1,7 +1,9 @@
-//! A lane that a signal says. No scope can be chosen at run time, so the lanes are copied into an array of nets, which is indexed.
+//! A lane selected by a signal. No scope can be selected at run time, so the lanes are copied into an array of nets,
+//! which is indexed.
 //!
-//! A part of a vector, `lanes[index * 40 +: 40]`, is taken where 40 is a power of two and the vector is there, or there are many lanes.
-//! Otherwise Yosys makes a multiplier and a shifter to any bit of it, with three to ten times the cells of a multiplexer.
+//! A part of a vector, `lanes[index * 40 +: 40]`, is used if the width is a power of two and the vector exists, or if
+//! there are many lanes. Otherwise Yosys makes a multiplier and a shifter to any bit of it, with three to ten times
+//! the cells of a multiplexer.
 
 use super::fold::lower::WIDEST_VECTOR;
 use super::layout::range;
@@ -12,15 +14,15 @@ use super::printer::Printer;
 use tilewright_hdl::ir::{NodeId, Op};
 use tilewright_hdl::{Bits, index_width};
 
-/// An array of more nets than this is avoided: Yosys takes time that grows with the square of their number.
+/// Larger arrays of nets are avoided: Yosys takes time quadratic in their number.
 const LONGEST_ARRAY: u32 = 256;
 
 impl Printer<'_> {
-    /// The lane of `of` that `index` says, zero beyond the last; `target` is the net that takes it.
+    /// The lane of `of` selected by `index`, zero if out of range; `target` is the net that takes it.
     pub fn pick(&mut self, id: NodeId, target: &str, of: NodeId, axis: u32, index: NodeId) -> Vec<String> {
         let (lanes, width) = (self.module.shape(of).extent(axis), self.module.width(of));
         let (mut out, lane) = if lanes == 1 {
-            // A vector of one bit is none.
+            // A vector of one bit is not indexed.
             let only = self.at_with(axis, Index::one(0));
             (Vec::new(), self.at(only, |printer| printer.value(of)))
         } else if let Some(vector) = self.vector_of(of, axis) {
@@ -46,7 +48,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The vector that has the lanes side by side, if there is one from which a part of their width can be taken.
+    /// The vector with the lanes side by side, if there is one from which a part of their width can be taken.
     fn vector_of(&mut self, of: NodeId, axis: u32) -> Option<String> {
         let Op::Unpack { of: vector, axis: same } = self.module.node(of).op else { return None };
         let is_there = matches!(self.plan.form(vector), Form::Declared | Form::Net | Form::Block);
@@ -55,13 +57,13 @@ impl Printer<'_> {
         (is_there && is_whole && self.module.width(of).is_power_of_two()).then(|| self.part(vector, 0, width))
     }
 
-    /// The lane of a vector that an index says.
+    /// The lane of a vector with a given index.
     fn lane_of(&mut self, vector: &str, width: u32, index: NodeId, lanes: u32) -> String {
         let index = self.fitting(index, index_width(lanes.into()));
         if width == 1 { format!("{vector}[{index}]") } else { format!("{vector}[{index} * {width} +: {width}]") }
     }
 
-    /// An array of nets, one a lane, and the text that makes it.
+    /// An array of nets, one a lane, and the text that declares it.
     fn copied(&mut self, id: NodeId, of: NodeId, axis: u32, lanes: u32) -> (Vec<String>, String) {
         let width = self.module.width(of);
         let array = self.label(&format!("{}_lanes", self.name(id)));
@@ -73,7 +75,7 @@ impl Printer<'_> {
         (out, array)
     }
 
-    /// A vector of the lanes side by side, and the text that makes it.
+    /// A vector of the lanes side by side, and the text that declares it.
     fn side_by_side(&mut self, id: NodeId, of: NodeId, axis: u32) -> (Vec<String>, String) {
         let (lanes, width) = (self.module.shape(of).extent(axis), self.module.width(of));
         let vector = self.label(&format!("{}_lanes", self.name(id)));
@@ -85,7 +87,7 @@ impl Printer<'_> {
         (out, vector)
     }
 
-    /// What is declared, with an assignment of each lane to its place there.
+    /// A declaration, with an assignment of each lane to its place.
     fn each_lane(
         &mut self,
         id: NodeId,
@@ -104,7 +106,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The lowest bits of an index, as many as count the lanes.
+    /// The lowest bits of an index, as many as the lanes need.
     fn fitting(&mut self, index: NodeId, bits: u32) -> String {
         match self.module.width(index) {
             width if width > bits => self.part(index, 0, bits),
@@ -113,7 +115,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A tree of multiplexers: each level halves the lanes by a bit of the index. What is beyond the last lane is zero.
+    /// A tree of multiplexers: each level halves the lanes by a bit of the index. Lanes out of range are zero.
     fn choose(&mut self, id: NodeId, of: NodeId, axis: u32, index: NodeId) -> (Vec<String>, String) {
         let (name, depth) = (self.name(id).to_string(), self.at.len());
         let (i, width) = (self.loop_variable(depth), self.module.width(of));

@@ -1,11 +1,11 @@
-//! The ports of a module, with what is said about them: of a port behind it, of a record of ports above its first one.
+//! The ports of a module with their documentation: of a port, after it; of a record of ports, above its first one.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::layout::{prose, range};
 use super::printer::Printer;
 
-/// What is said about a port stands behind it up to here, else above it.
+/// A port's documentation is after it if it ends at this column, otherwise above it.
 const COLUMNS: usize = 120;
 
 struct Port<'a> {
@@ -14,7 +14,7 @@ struct Port<'a> {
     name: &'a str,
     /// Its path in the block's bundle; a clock has none.
     path: &'a str,
-    /// What is said about the ports of its direction.
+    /// The documentation of the ports of its direction.
     about: &'a BTreeMap<String, String>,
 }
 
@@ -73,7 +73,7 @@ fn ports<'a>(printer: &'a Printer) -> Vec<Port<'a>> {
     ports
 }
 
-/// A path without the numbers of elements: what is said about a list is said about each of them.
+/// A path without the numbers of elements: the documentation of a list is that of each element.
 fn without_numbers(path: &str) -> String {
     let names = path.split('.').filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
     names.collect::<Vec<_>>().join(".")

@@ -1,4 +1,4 @@
-//! A folded module while it is being printed: what is known of it before, and what its text has read so far.
+//! A folded module during printing: what is known of it beforehand, and what its text has read so far.
 
 use super::fold::Folded;
 use super::groups::Groups;
@@ -13,7 +13,7 @@ use super::states::StateNames;
 use super::usage::Usage;
 use tilewright_hdl::ir::{ClockId, Design, Directive, Module, NodeId};
 
-/// A folded module while it is being printed.
+/// A folded module during printing.
 pub struct Printer<'a> {
     pub design: &'a Design,
     pub module: &'a Module,
@@ -27,23 +27,23 @@ pub struct Printer<'a> {
     pub groups: Groups,
     /// The names of the groups.
     pub lanes: GroupNames,
-    /// For each register what it is reset to, if that differs between its lanes.
+    /// For each register its reset value, if that differs between its lanes.
     pub resets: &'a [Option<NodeId>],
     /// For each memory and read port whether the address can be beyond the last word.
     pub beyond: &'a [Vec<bool>],
-    /// For each register whether it stands with the statements.
+    /// For each register, whether only properties use it.
     pub stated: Vec<bool>,
     /// The task that a failing assertion or assumption calls.
     pub stop: Option<String>,
     /// The group whose scope is being printed.
     pub here: Option<usize>,
-    /// The lane that the text at hand is about, by axis.
+    /// The lane at which the current text is printed, by axis.
     pub at: Vec<Index>,
     pub usage: Usage,
 }
 
 impl<'a> Printer<'a> {
-    /// With the names of the modules before it in the design.
+    /// `printed` has the names of the earlier modules of the design.
     pub fn new(design: &'a Design, folded: &'a Folded, printed: &[Names]) -> Printer<'a> {
         let Folded { module, resets, beyond } = folded;
         let plan = Plan::new(folded);
@@ -90,14 +90,14 @@ impl<'a> Printer<'a> {
         self.module.outputs.iter().any(|output| output.node == id && Some(&output.name) == name)
     }
 
-    /// The name of a clock's port, which is read from here on.
+    /// The name of a clock's port, which counts as read from now on.
     pub fn clock_port(&mut self, clock: ClockId) -> String {
         let port = self.module.clocks[clock.0 as usize].port.clone();
         self.usage.clocks.insert(port.clone());
         port
     }
 
-    /// The name of the reset port that goes with a clock, which is read from here on.
+    /// The name of a clock's reset port, which counts as read from now on.
     pub fn reset_port(&mut self, clock: ClockId) -> String {
         let reset = self.module.clocks[clock.0 as usize].reset.clone();
         let reset = reset.expect("a clock with a reset register has a reset port");

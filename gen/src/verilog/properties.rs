@@ -1,6 +1,6 @@
-//! What is stated: a simulation says which assertion or assumption fails, where and when, and ends with a non-zero status. Where
-//! [`PRINTS_COVERS`] is defined it says when a cover is hit for the first time. A formal tool proves, takes for granted, and looks for
-//! them; synthesis does not see them.
+//! Properties. A simulation reports a failing assertion or assumption with its place and time, and ends with a
+//! non-zero status. With [`PRINTS_COVERS`] defined, it reports the first hit of each cover. A formal tool proves
+//! assertions, relies on assumptions, and searches for covers. Synthesis does not see properties.
 
 use super::layout::with_place;
 use super::literal::Style;
@@ -9,7 +9,7 @@ use super::printer::Printer;
 use super::text::format_text;
 use tilewright_hdl::ir::{ClockId, Directive, NodeId, Op, Property, Unary};
 
-/// The macro with which covers are printed: in a simulation of somebody else's they are of no account.
+/// The macro with which covers are printed: they do not matter in simulations of other people.
 pub const PRINTS_COVERS: &str = "TILEWRIGHT_COVERS";
 
 /// Ends a simulation with a non-zero status. Without a terminal, Icarus ends with status 0 at `$stop`.
@@ -28,8 +28,8 @@ impl Printer<'_> {
         out
     }
 
-    /// These properties for a formal tool, and for a simulation, with the registers that nothing else reads. What they read counts as unread: a tool for synthesis
-    /// finds nothing that reads it.
+    /// These properties for a formal tool and for a simulation, with the registers that only properties read. The
+    /// nodes that they read count as unread, because a synthesis tool finds no reader.
     pub fn properties(&mut self, properties: &[usize]) -> Vec<String> {
         let module = self.module;
         if properties.is_empty() {
@@ -62,7 +62,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The registers that nothing but statements look at.
+    /// The registers that only properties read.
     fn stated_registers(&mut self) -> Vec<String> {
         let registers = self.plain_registers(true);
         if registers.is_empty() || self.here.is_some() {
@@ -74,7 +74,7 @@ impl Printer<'_> {
         out
     }
 
-    /// The bits of these registers that no statement looks at, for linters.
+    /// The bits of these registers that no property reads, for linters.
     fn unread_of_stated(&mut self) -> Option<String> {
         if self.here.is_some() {
             return None;
@@ -95,7 +95,7 @@ impl Printer<'_> {
         [head].into_iter().chain(body).chain(["end".to_string()]).collect()
     }
 
-    /// The register that says that a cover was hit.
+    /// The register that records that a cover was hit.
     fn hit(&mut self, property: &Property) -> Option<String> {
         (property.directive == Directive::Cover).then(|| self.label("is_covered"))
     }
@@ -140,7 +140,7 @@ impl Printer<'_> {
         [head].into_iter().chain(body).chain(["end".to_string()]).collect()
     }
 
-    /// That a condition does not hold, as one of several that are tied by `&&`.
+    /// The negation of a condition, as an operand of `&&`.
     fn fails(&mut self, condition: NodeId) -> String {
         match self.module.node(condition).op {
             Op::Unary(Unary::Not, of) if self.plan.form(condition) == Form::Inline => self.operand(of, Style::Count),

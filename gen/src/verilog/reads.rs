@@ -1,21 +1,21 @@
-//! Read ports of memories: what they are called, and whether their address can exceed the depth.
+//! Read ports of memories: their names, and whether their address can exceed the depth.
 
 use super::scope::Names;
 use tilewright_hdl::ir::{Memory, Module, NodeId, Op};
 
-/// What a synchronous read port is called.
+/// The names of a synchronous read port.
 #[derive(Debug, Clone)]
 pub struct ReadNames {
     /// The data: a register, or a net where the word is gated.
     pub data: String,
-    /// The registers behind the data, where the address can exceed the depth.
+    /// The registers before the data, if the address can exceed the depth.
     pub raw: Option<RawRead>,
 }
 
 /// The registers of a read whose address can exceed the depth.
 #[derive(Debug, Clone)]
 pub struct RawRead {
-    /// What the array gave.
+    /// The word from the array.
     pub word: String,
     /// Whether the address was inside.
     pub inside: String,
@@ -23,7 +23,7 @@ pub struct RawRead {
 
 /// The names of every read port, by memory; asynchronous ports have none.
 ///
-/// The data is called what the description calls it, else `m_read` for memory `m`; with several synchronous ports
+/// The data has the name from the description, or else `m_read` for memory `m`; with several synchronous ports
 /// `m_read0`, `m_read1` and so on.
 pub fn name_reads(module: &Module, beyond: &[Vec<bool>], taken: &mut Names) -> Vec<Vec<Option<ReadNames>>> {
     module.memories.iter().zip(beyond).map(|(memory, beyond)| name_reads_of(module, memory, beyond, taken)).collect()
@@ -54,7 +54,7 @@ fn highest_value(width: u32) -> u64 {
     if width >= 64 { u64::MAX } else { (1 << width) - 1 }
 }
 
-/// The value of an address that is constant; one of more than 64 bits counts as the largest.
+/// The value of a constant address; one of more than 64 bits counts as the largest.
 pub fn constant_address(module: &Module, address: NodeId) -> Option<u64> {
     match &module.node(address).op {
         Op::Const(value) => Some(value.to_u64().unwrap_or(u64::MAX)),
@@ -63,7 +63,7 @@ pub fn constant_address(module: &Module, address: NodeId) -> Option<u64> {
     }
 }
 
-/// Whether the address of a read port can exceed the depth by its width, and is not known to.
+/// Whether the address of a read port can exceed the depth by its width, unless its value is known not to.
 pub fn can_exceed(module: &Module, memory: &Memory, address: NodeId) -> bool {
     let node = module.node(address);
     let highest = match &node.op {

@@ -8,7 +8,7 @@ use super::printer::Printer;
 use tilewright_hdl::ir::{NodeId, Op, Reduction};
 
 impl Printer<'_> {
-    /// What combines all lanes of a value; `target` is the net that takes it.
+    /// Combines all lanes of a value; `target` is the net that takes it.
     pub fn reduction(&mut self, id: NodeId, target: &str, by: Reduction, of: NodeId, axis: u32) -> Vec<String> {
         let node = self.module.node(id);
         let lanes = self.module.shape(of).extent(axis);
@@ -91,18 +91,18 @@ impl Printer<'_> {
         self.generated(head, vec![format!("assign {to} = {value};")])
     }
 
-    /// A loop; `generate` stands around it where it is not in one already.
+    /// A loop; `generate` is added around it if it is not in one already.
     pub fn generated(&self, head: String, body: Vec<String>) -> Vec<String> {
         if self.here.is_some() { block(head, body) } else { generate(head, body) }
     }
 
-    /// The line with the node's place, if it is one of the module and not of each lane.
+    /// The line with the node's source place, if the node belongs to the module and not to each lane.
     pub fn placed(&self, line: String, id: NodeId) -> String {
         if self.here.is_some() { line } else { with_place(line, self.module.node(id).loc) }
     }
 }
 
-/// What stands between two lanes; nothing for the smaller and the larger, which are compared.
+/// The operator between two lanes; `None` for the minimum and the maximum, which are compared.
 fn operator(by: Reduction) -> Option<&'static str> {
     match by {
         Reduction::And => Some("&"),

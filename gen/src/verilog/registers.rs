@@ -1,5 +1,5 @@
-//! Registers: an always block for those that share clock, reset and enable, in the shape that power and lint tools
-//! look for.
+//! Registers: an always block for those that share clock, reset and enable, in the form that power and lint tools
+//! expect.
 
 use super::branches::Target;
 use super::literal::{Style, literal};
@@ -8,7 +8,7 @@ use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
 use tilewright_hdl::ir::{ClockId, NodeId, Op, Register};
 
-/// What the registers of one always block have in common.
+/// The common properties of the registers of one always block.
 #[derive(Clone, Copy)]
 struct Group {
     clock: ClockId,
@@ -16,7 +16,7 @@ struct Group {
     enable: Option<NodeId>,
 }
 
-/// What happens first, else what follows; if that is one choice, as its first arm.
+/// A first condition, and otherwise what follows; a single choice becomes a chain with it as the first arm.
 fn after(first: (String, Vec<Statement>), mut body: Vec<Statement>) -> Statement {
     match body.pop() {
         Some(Statement::If(mut arms, last)) if body.is_empty() => {
@@ -37,14 +37,14 @@ impl Printer<'_> {
         self.register_blocks(&plain)
     }
 
-    /// The registers without lanes that stand with the statements, or the others.
+    /// The registers without lanes that only properties use, or the others.
     pub fn plain_registers(&self, stated: bool) -> Vec<usize> {
         let registers = self.module.registers.iter().enumerate();
         let plain = registers.filter(|(_, register)| self.module.shape(register.node).is_plain());
         plain.map(|(index, _)| index).filter(|&index| self.stated[index] == stated).collect()
     }
 
-    /// What these registers have at power-on, and their always blocks, first those without reset.
+    /// The values of these registers at power-on, and their always blocks, those without reset first.
     pub fn register_blocks(&mut self, registers: &[usize]) -> Vec<String> {
         let module = self.module;
         let group = |register: &Register| Group {
@@ -74,7 +74,7 @@ impl Printer<'_> {
         (a.clock, a.has_reset, enable(a)) == (b.clock, b.has_reset, enable(b))
     }
 
-    /// What is the same in all lanes along these axes: each register has a broadcast of its own.
+    /// The operand that is the same in all lanes along these axes: each register has a broadcast of its own.
     fn spread(&self, mut id: NodeId) -> (NodeId, Vec<u32>) {
         let mut axes = Vec::new();
         while let (Form::Inline, &Op::Broadcast { of, axis }) = (self.plan.form(id), &self.module.node(id).op) {
@@ -114,7 +114,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What a register has at power-on.
+    /// The value of a register at power-on.
     fn initial_value(&mut self, index: usize) -> Option<String> {
         let register = &self.module.registers[index];
         let value = register.initial.as_ref()?;

@@ -1,25 +1,26 @@
 //! Name tables: one for a module, one for each scope within it. A name of an inner scope hides that of the module, so
-//! that none is given twice in what can be seen from one place.
+//! no name is used twice among those visible from one place.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Design, Module, Shape};
 
-/// What the instance in each lane of an array is called where nothing else has that name.
+/// The name of the instance in each lane of an array, unless it is taken.
 pub const LANE: &str = "lane";
 
-/// The names in use in a module; Verilog tells them apart by case, people and some tools do not.
+/// The names in use in a module. Verilog distinguishes them by case, but people and some tools do not.
 #[derive(Default)]
 pub struct Names {
     module: BTreeSet<String>,
-    /// What its instances are called, which linters do not want to see hidden in it.
+    /// The names of its instances, which must not be hidden in it: linters reject that.
     own: BTreeSet<String>,
-    /// The names of all scopes within, of which a new name of the module must be none: it would be hidden there.
+    /// The names of all scopes within. A new name of the module must not be one of them: it would be hidden there.
     inner: BTreeSet<String>,
-    /// Of all these what is no instance: an instance of the module may not be called so, as it would be hidden in it.
+    /// Of all these, the names that are not instances. An instance of the module must not have one of them: it would
+    /// be hidden in it.
     declared: BTreeSet<String>,
-    /// The labels of loops whose lanes are read by their names, here and in all modules within.
+    /// The labels of loops whose lanes are read by name, here and in all modules within.
     labels: BTreeSet<String>,
-    /// For each name that was wanted more than once, the number to try next.
+    /// For each name that was requested more than once, the number to try next.
     numbers: BTreeMap<String, u32>,
 }
 
@@ -27,13 +28,13 @@ pub struct Names {
 #[derive(Default)]
 pub struct Scope {
     own: BTreeSet<String>,
-    /// The names of the scopes within, of which a new name of this one must be none: it would be hidden there.
+    /// The names of the scopes within. A new name of this one must not be one of them: it would be hidden there.
     inner: BTreeSet<String>,
 }
 
 impl Names {
-    /// Every name that the module declares, and its own. `printed` has the names of the modules before it in the design, which are all that it has
-    /// instances of.
+    /// Every name that the module declares, and its own. `printed` has the names of the earlier modules of the
+    /// design, which include all that it instantiates.
     pub fn of(design: &Design, module: &Module, printed: &[Names]) -> Names {
         let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
         let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));
@@ -42,7 +43,7 @@ impl Names {
         let instances = module.instances.iter().map(|instance| &instance.name);
         let all = design.modules().iter().flat_map(|parent| &parent.instances);
         let own = all.filter(|instance| design.module(instance.module).name == module.name);
-        // An array is called either in its lanes.
+        // In its lanes, an array has one of two names.
         let lane = |shape: Shape| if shape.is_plain() { None } else { Some(LANE) };
         let own = own.flat_map(|instance| [Some(instance.name.as_str()), lane(instance.shape)]).flatten();
         let within = module.instances.iter().flat_map(|instance| &printed[instance.module.0 as usize].labels);
@@ -57,7 +58,7 @@ impl Names {
         names
     }
 
-    /// Puts a name to use.
+    /// Marks a name as used.
     pub fn take(&mut self, name: &str) {
         self.module.insert(name.to_lowercase());
     }
@@ -68,13 +69,13 @@ impl Names {
         self.module.contains(&name) || self.own.contains(&name)
     }
 
-    /// Whether the module would hide an instance of it that is called so.
+    /// Whether the module would hide an instance of it with this name.
     pub fn hides(&self, name: &str) -> bool {
         self.declared.contains(&name.to_lowercase())
     }
 
-    /// The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free in the module and that no scope within
-    /// hides; it is in use from now on.
+    /// The requested name, or the first of `wanted_2`, `wanted_3` ... that is free in the module and that no scope
+    /// within hides. It is in use from now on.
     pub fn fresh(&mut self, wanted: &str) -> String {
         let mut name = wanted.to_string();
         while self.contains(&name) || self.inner.contains(&name.to_lowercase()) {
@@ -87,15 +88,15 @@ impl Names {
         name
     }
 
-    /// The wanted name, or the first of `prefix_wanted`, `prefix_wanted_2` ... that is free in the scope and hides
-    /// nothing of the module; it is in use in that scope from now on.
+    /// The requested name, or the first of `prefix_wanted`, `prefix_wanted_2` ... that is free in the scope and hides
+    /// nothing of the module. It is in use in that scope from now on.
     pub fn fresh_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
         let name = self.instance_in(scope, prefix, wanted);
         self.declared.insert(name.to_lowercase());
         name
     }
 
-    /// As [`Self::fresh_in`], for an instance.
+    /// Like [`Self::fresh_in`], for an instance.
     pub fn instance_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
         let numbered = (2..).map(|number| format!("{prefix}_{wanted}_{number}"));
         let names = [wanted.to_string(), format!("{prefix}_{wanted}")].into_iter().chain(numbered);
@@ -107,7 +108,8 @@ impl Names {
         name
     }
 
-    /// As [`Self::fresh_in`], for the names of a block in the scope, or in the module: other blocks may have the same.
+    /// Like [`Self::fresh_in`], for the names of a block in the scope, or in the module: other blocks may have the
+    /// same names.
     pub fn local_in<const N: usize>(
         &mut self,
         scope: Option<&mut Scope>,
@@ -122,8 +124,8 @@ impl Names {
         names
     }
 
-    /// A fresh name for a loop whose lanes are read by it. No such loop in a module within has it: where Verilator has inlined what is in the lanes of that
-    /// one, it looks for them around the module.
+    /// A fresh name for a loop whose lanes are read through it. No such loop in a module within has the same name:
+    /// when Verilator has inlined the lanes of that loop, it looks for them around the module.
     pub fn fresh_label(&mut self, wanted: &str) -> String {
         let mut name = self.fresh(wanted);
         while !self.labels.insert(name.to_lowercase()) {
@@ -132,7 +134,7 @@ impl Names {
         name
     }
 
-    /// As [`Self::fresh_label`], for a loop in a scope.
+    /// Like [`Self::fresh_label`], for a loop in a scope.
     pub fn fresh_label_in(&mut self, scope: &mut Scope, prefix: &str, wanted: &str) -> String {
         let mut name = self.fresh_in(scope, prefix, wanted);
         while !self.labels.insert(name.to_lowercase()) {
@@ -141,7 +143,7 @@ impl Names {
         name
     }
 
-    /// As [`Self::fresh_label`], for an array, whose name is the module's already.
+    /// Like [`Self::fresh_label`], for an array, whose name belongs to the module already.
     pub fn array_label(&mut self, array: &str) -> String {
         if self.labels.insert(array.to_lowercase()) { array.to_string() } else { self.fresh_label(array) }
     }

@@ -1,32 +1,32 @@
-//! What holds state in a module, by the names that the printed text has: for testbenches, which set it.
+//! The state of a module, by the names in the printed text: for testbenches, which set it.
 
 use super::printer::Printer;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Contents, Init, InstanceId, Memory, Register, Shape};
 
-/// What a testbench knows of a module.
+/// A testbench's view of a module.
 pub struct ModuleState {
-    /// What holds state in the module itself, neither in its instances nor in lanes.
+    /// The state in the module itself, not in its instances or lanes.
     pub own: Vec<State>,
-    /// What is in lanes.
+    /// The state in lanes.
     pub scopes: Vec<ScopeState>,
 }
 
-/// What holds state in the scopes of a `generate for`.
+/// The state in the scopes of a `generate for`.
 pub struct ScopeState {
     pub shape: Shape,
-    /// The label of the loop, of a grid's outer loop.
+    /// The label of the loop; for a grid, of the outer loop.
     label: String,
     /// The label of a grid's inner loop.
     column: String,
-    /// What is in a lane itself.
+    /// The state in a lane itself.
     pub own: Vec<State>,
-    /// The instances in a lane, and what they are called there.
+    /// The instances in a lane, and their names there.
     pub instances: Vec<(InstanceId, String)>,
 }
 
 impl ScopeState {
-    /// The scope of a lane, each of whose indices is given as text.
+    /// The scope of a lane, with each index given as text.
     pub fn path(&self, lane: &[&str]) -> String {
         match lane {
             [row, column] => format!("{}[{row}].{}[{column}]", self.label, self.column),
@@ -35,18 +35,18 @@ impl ScopeState {
     }
 }
 
-/// Something that holds state.
+/// An element of state.
 pub enum State {
-    /// A register that starts at this value if nobody says otherwise; with lanes that differ, at these, in row-major order.
+    /// A register that starts at this value by default; with different lanes, at these values, in row-major order.
     Register { name: String, start: Vec<Bits> },
-    /// The data of a synchronous read whose word is gated: the word's register and the flag that lets it through.
+    /// The data of a synchronous read whose word is gated: the word's register and the gating flag.
     GatedRead { name: String, word: String, inside: String, width: u32 },
-    /// A memory; one of unknown contents starts with zeros.
+    /// A memory; one with unknown contents starts with zeros.
     Memory { name: String, depth: u32, width: u32, is_unknown: bool },
 }
 
 impl Printer<'_> {
-    /// Registers, read data and memories, also of the lanes.
+    /// Registers, read data and memories, including those of the lanes.
     pub fn state(&self) -> ModuleState {
         let module = self.module;
         let is_plain = |id| module.shape(id).is_plain();
@@ -58,7 +58,7 @@ impl Printer<'_> {
         ModuleState { own: registers.chain(memories).collect(), scopes: scopes.collect() }
     }
 
-    /// The scopes of a group, and those of what is read ahead of it.
+    /// The scopes of a group, and those of the values read before it.
     fn scope_states(&self, group: usize) -> Vec<ScopeState> {
         let (module, own, names) = (self.module, &self.groups.groups[group], &self.lanes.groups[group]);
         let (ahead, later): (Vec<usize>, Vec<usize>) =

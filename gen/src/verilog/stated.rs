@@ -1,16 +1,16 @@
-//! Which registers only statements look at, such as those of past values: a synthesizer need not see them.
+//! The registers that only properties read, such as those of past values: synthesizers need not see them.
 
 use super::plan::Plan;
 use tilewright_hdl::ir::{Module, NodeId, Op};
 
-/// For each register whether it stands with the statements: nothing that is printed elsewhere reads it.
+/// For each register, whether it belongs to the properties: nothing printed elsewhere reads it.
 pub fn stated(module: &Module, plan: &Plan, resets: &[Option<NodeId>]) -> Vec<bool> {
     let by_statements = reached(module, module.properties.iter().map(|property| property.condition).collect(), true);
     let plain = |index: usize| module.shape(module.registers[index].node).is_plain() && resets[index].is_none();
     let is_port = |node: NodeId| module.outputs.iter().any(|output| output.node == node);
     let may = |index: usize| by_statements[index] && plain(index) && !is_port(module.registers[index].node);
     let mut stated: Vec<bool> = (0..module.registers.len()).map(may).collect();
-    // What stays outside may read another register, which then has to stay, too.
+    // A register that stays outside may read another one, which then must stay too.
     loop {
         let outside = reached(module, printed_outside(module, plan, &stated), false);
         let left: Vec<bool> = stated.iter().zip(&outside).map(|(stated, read)| *stated && !read).collect();
@@ -21,7 +21,8 @@ pub fn stated(module: &Module, plan: &Plan, resets: &[Option<NodeId>]) -> Vec<bo
     }
 }
 
-/// What is read where no statement is: by ports, instances, memories and the other registers, and by what has lines of its own.
+/// The nodes that are read outside of properties: by ports, instances, memories and the other registers, and by nodes
+/// with lines of their own.
 fn printed_outside(module: &Module, plan: &Plan, stated: &[bool]) -> Vec<NodeId> {
     let mut roots: Vec<NodeId> = module.outputs.iter().map(|output| output.node).collect();
     roots.extend(module.instances.iter().flat_map(|instance| &instance.inputs));
@@ -36,7 +37,7 @@ fn printed_outside(module: &Module, plan: &Plan, stated: &[bool]) -> Vec<NodeId>
     roots
 }
 
-/// Which registers these nodes read: within the cycle, or also by way of other registers.
+/// The registers that these nodes read: within the cycle, or also through other registers.
 fn reached(module: &Module, mut open: Vec<NodeId>, through_registers: bool) -> Vec<bool> {
     let mut reached = vec![false; module.registers.len()];
     let mut seen = vec![false; module.nodes.len()];

@@ -2,7 +2,7 @@
 
 /// A statement.
 pub enum Statement {
-    /// `target <= value;` or `target = value;`, whole.
+    /// A complete `target <= value;` or `target = value;`.
     Assign(String),
     /// `if ... else if ... else`: conditions with bodies, then the last `else`, which may be empty.
     If(Vec<(String, Vec<Statement>)>, Vec<Statement>),
@@ -11,12 +11,12 @@ pub enum Statement {
         subject: String,
         arms: Vec<(String, Vec<Statement>)>,
         default: Vec<Statement>,
-        /// What the default stands for, as a comment.
+        /// The meaning of the default, as a comment.
         note: Option<String>,
     },
 }
 
-/// Whether some of the statements assigns, whatever the conditions are.
+/// Whether one of the statements assigns under all conditions.
 pub fn assign_always(statements: &[Statement]) -> bool {
     statements.iter().any(|statement| match statement {
         Statement::Assign(_) => true,
@@ -27,7 +27,7 @@ pub fn assign_always(statements: &[Statement]) -> bool {
     })
 }
 
-/// The same statements, those that follow each other under the same conditions in one.
+/// The same statements, with successive ones under the same conditions merged.
 pub fn merged(statements: Vec<Statement>) -> Vec<Statement> {
     let mut out: Vec<Statement> = Vec::with_capacity(statements.len());
     for statement in statements {
@@ -98,7 +98,7 @@ fn print(statement: &Statement, indent: usize, out: &mut Vec<String>) {
 
 fn print_arm(label: &str, body: &[Statement], indent: usize, out: &mut Vec<String>) {
     let pad = "    ".repeat(indent);
-    // One condition with one assignment stands behind its label.
+    // One condition with one assignment follows its label on the line.
     if let [Statement::If(arms, last)] = body
         && let ([(condition, body)], []) = (&arms[..], &last[..])
         && let [Statement::Assign(text)] = &body[..]
@@ -114,7 +114,7 @@ fn print_arm(label: &str, body: &[Statement], indent: usize, out: &mut Vec<Strin
     }
 }
 
-/// Whether the body fits behind its condition.
+/// Whether the body fits on the line of its condition.
 fn is_short(body: &[Statement]) -> bool {
     match body {
         [] => true,

@@ -1,5 +1,5 @@
-//! The names of codes: the codes of an enum that the text mentions are `localparam`s, and the constants that a value of
-//! that enum takes or is compared with are printed by that name.
+//! The names of codes. The codes of an enum that the text mentions are `localparam`s. Constants that are assigned to
+//! a value of that enum or compared with it are printed by name.
 
 use super::layout::{range, wrapped};
 use super::literal::{Style, literal};
@@ -8,10 +8,10 @@ use std::collections::BTreeSet;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Kind, Module, Names, NodeId};
 
-/// The enums of a module and the nodes that hold a code.
+/// The enums of a module, and the nodes whose values are codes.
 pub struct StateNames {
     enums: Vec<Enum>,
-    /// For each node, the enum whose states it takes.
+    /// For each node, its enum of states.
     of: Vec<Option<usize>>,
 }
 
@@ -40,7 +40,7 @@ impl StateNames {
         all
     }
 
-    /// The enum whose states a node takes.
+    /// The enum of a node.
     pub fn of(&self, id: NodeId) -> Option<usize> {
         self.of[id.0 as usize]
     }
@@ -59,7 +59,7 @@ impl StateNames {
         }
     }
 
-    /// The state that is none of these, if there is exactly one.
+    /// The one state that is not among these, if there is exactly one.
     pub fn remaining<'a>(&self, index: usize, keys: impl Iterator<Item = &'a Bits>) -> Option<String> {
         let keys: BTreeSet<u64> = keys.filter_map(Bits::to_u64).collect();
         let names = self.enums[index].localparams.iter().enumerate();
@@ -68,8 +68,8 @@ impl StateNames {
         only.filter(|_| others.next().is_none())
     }
 
-    /// The declarations; codes that the text does not mention are listed behind them, as linters warn of a `localparam`
-    /// that nothing reads.
+    /// The declarations. Codes that the text does not mention are listed after them as a comment, because linters
+    /// warn about an unused `localparam`.
     pub fn declarations(&self) -> Vec<String> {
         self.enums.iter().filter(|states| !states.used.is_empty()).flat_map(Enum::declarations).collect()
     }

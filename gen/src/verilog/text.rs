@@ -24,7 +24,7 @@ pub fn attribute(attribute: &Attribute) -> String {
     format!("{} = \"{}\"", attribute.name, escaped(&attribute.value))
 }
 
-/// Attributes in front of what they are of; nothing if there are none.
+/// Attributes before their object; nothing if there are none.
 pub fn mark(attributes: Vec<String>) -> String {
     if attributes.is_empty() { String::new() } else { format!("(* {} *) ", attributes.join(", ")) }
 }

@@ -1,18 +1,18 @@
-//! What the text reads; the rest is tied into `_unused_ok`, so that no linter warns.
+//! The bits that the text reads; all others are tied into `_unused_ok`, so that no linter warns.
 
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::NodeId;
 
-/// What was read so far.
+/// The reads so far.
 #[derive(Clone)]
 pub struct Usage {
     /// The bits, by node.
     bits: Vec<Vec<u64>>,
-    /// Which lanes of a value something reads whole, where not all are read alike.
+    /// The lanes of a value that are read whole, if not all lanes are read alike.
     lanes: BTreeMap<NodeId, Vec<bool>>,
     /// Clock and reset ports.
     pub clocks: BTreeSet<String>,
-    /// Memories of which something reads a word.
+    /// Memories with a word that is read.
     pub memories: BTreeSet<String>,
 }
 
@@ -23,7 +23,7 @@ impl Usage {
         Usage { bits: vec![Vec::new(); nodes], lanes, clocks, memories }
     }
 
-    /// Bits `low .. low + width` of the node are read.
+    /// Records that bits `low .. low + width` of the node are read.
     pub fn mark(&mut self, id: NodeId, low: u32, width: u32) {
         let limbs = &mut self.bits[id.0 as usize];
         limbs.resize(limbs.len().max((low + width).div_ceil(64) as usize), 0);
@@ -32,13 +32,13 @@ impl Usage {
         }
     }
 
-    /// These of a node's so many lanes are read whole.
+    /// Records that these of a node's `count` lanes are read whole.
     pub fn mark_lanes(&mut self, id: NodeId, count: u32, lanes: &[u32]) {
         let read = self.lanes.entry(id).or_insert_with(|| vec![false; count as usize]);
         lanes.iter().for_each(|&lane| read[lane as usize] = true);
     }
 
-    /// The ranges that nothing reads, as lowest bit and width, highest first.
+    /// The unread ranges, as lowest bit and width, highest first.
     pub fn unread(&self, id: NodeId, width: u32) -> Vec<(u32, u32)> {
         if self.lanes.get(&id).is_some_and(|lanes| lanes.iter().all(|&read| read)) {
             return Vec::new();

@@ -1,10 +1,10 @@
-//! Modules with lanes that some tool has or had something to say of.
+//! Modules with lanes about which some tool complains or has complained.
 
 use super::build::Build;
 use super::modules::zero;
 use tilewright_hdl::ir::*;
 
-/// So many lanes to pick from, by a number of so many bits.
+/// A selection from this many lanes, by a number of this many bits.
 pub fn far_pick(lanes: u32, bits: u32) -> Module {
     let b = &mut Build::new("far_pick");
     let (seed, which) = (b.input("seed", 40, Shape::Plain), b.input("which", bits, Shape::Plain));
@@ -32,7 +32,7 @@ fn list(b: &mut Build, width: u32, values: &[u64]) -> NodeId {
     b.stack(&parts, 0)
 }
 
-/// Comparisons that are decided in some lanes.
+/// Comparisons that are constant in some lanes.
 pub fn comparisons() -> Module {
     let b = &mut Build::new("comparisons");
     let (x, which) = (b.input("x", 2, Shape::Row(4)), b.input("which", 8, Shape::Row(3)));
@@ -52,7 +52,7 @@ pub fn comparisons() -> Module {
     b.module.clone()
 }
 
-/// Constants that enable, choose and address.
+/// Constants that enable, select and address.
 pub fn decided() -> Module {
     let b = &mut Build::new("decided");
     let row = Shape::Row(4);
@@ -81,7 +81,7 @@ pub fn decided() -> Module {
     b.module.clone()
 }
 
-/// A row of memories of so many words, whose data a grid reads that the row reads.
+/// A row of memories of this many words; a grid reads their data, and the row reads the grid.
 pub fn read_ahead(depth: u32) -> Module {
     let b = &mut Build::new("read_ahead");
     let row = Shape::Row(3);
@@ -102,7 +102,7 @@ pub fn read_ahead(depth: u32) -> Module {
     b.module.clone()
 }
 
-/// Bits of what is computed and broadcast, and the lane of a row of one that a signal says.
+/// Bits of computed and broadcast values, and the selected lane of a row of one.
 pub fn bits_of_lanes() -> Module {
     let b = &mut Build::new("bits_of_lanes");
     let (x, y) = (b.input("x", 4, Shape::Plain), b.input("y", 1, Shape::Row(1)));
@@ -118,7 +118,7 @@ pub fn bits_of_lanes() -> Module {
     b.module.clone()
 }
 
-/// Each lane is the one before, with nothing in between.
+/// Each lane equals the previous one, with nothing in between.
 pub fn passed_on() -> Module {
     let b = &mut Build::new("passed_on");
     let first = b.input("first", 4, Shape::Plain);
@@ -130,7 +130,7 @@ pub fn passed_on() -> Module {
     b.module.clone()
 }
 
-/// Shifts by constants of the lanes, of which some leave nothing.
+/// Shifts by constants of the lanes, some of which shift everything out.
 pub fn shifted_out() -> Module {
     let b = &mut Build::new("shifted_out");
     let row = Shape::Row(3);
@@ -144,7 +144,8 @@ pub fn shifted_out() -> Module {
     b.module.clone()
 }
 
-/// Comparisons with constants that lanes take of others: every second one of two rows that are woven, the next one of a row of a grid.
+/// Comparisons with constants that lanes take from others: every second one of two interleaved rows, and the next one
+/// of a row of a grid.
 pub fn passed_constants() -> Module {
     let b = &mut Build::new("passed_constants");
     let x = b.input("x", 2, Shape::Row(4));
@@ -165,7 +166,7 @@ pub fn passed_constants() -> Module {
     b.module.clone()
 }
 
-/// What enters rows of registers, and stands beside it, is computed of a constant for each row.
+/// The inputs of rows of registers, and values beside them, are computed from a constant for each row.
 pub fn entered_constants() -> Module {
     let b = &mut Build::new("entered_constants");
     let x = b.input("x", 3, Shape::Row(2));
@@ -182,7 +183,8 @@ pub fn entered_constants() -> Module {
     b.module.clone()
 }
 
-/// Rows in rows, down four levels, of arrays, rows and trees that are called the same in each; so many that some are inlined and some are not.
+/// Rows in rows, down four levels, of arrays, rows and trees with the same names at each level; enough that some are
+/// inlined and some are not.
 pub fn nested() -> Vec<Module> {
     let mut modules = Vec::new();
     for (level, lanes) in [2, 2, 2, 40].into_iter().enumerate() {
@@ -206,7 +208,7 @@ pub fn nested() -> Vec<Module> {
     modules
 }
 
-/// A choice by a value of a lane that comes later.
+/// A choice by a value of a later lane.
 pub fn chosen_by_another() -> Module {
     let b = &mut Build::new("chosen_by_another");
     let row = Shape::Row(3);
@@ -223,7 +225,8 @@ pub fn chosen_by_another() -> Module {
     b.module.clone()
 }
 
-/// The greatest and the smallest of lanes, of which every second one is an end of the range once it is computed, and comparisons with them.
+/// The maximum and the minimum of lanes, every second of which is computed to be an end of the range, and comparisons
+/// with them.
 pub fn ends_in_some_lanes() -> Module {
     let b = &mut Build::new("ends_in_some_lanes");
     let x = b.input("x", 4, Shape::Plain);
@@ -242,7 +245,8 @@ pub fn ends_in_some_lanes() -> Module {
     b.module.clone()
 }
 
-/// A list of which each entry is computed of the one before it, and a comparison with it: the second entry is always zero.
+/// A list in which each entry is computed from the previous one, and a comparison with it: the second entry is always
+/// zero.
 pub fn listed_of_each_other() -> Module {
     let b = &mut Build::new("listed_of_each_other");
     let row = Shape::Row(3);

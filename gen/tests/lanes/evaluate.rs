@@ -1,11 +1,12 @@
-//! What a module with lanes does, lane by lane and as plainly as can be: values of at most 64 bits, one clock.
+//! The behaviour of a module with lanes, lane by lane and as plainly as possible: values of at most 64 bits, one
+//! clock.
 
 use std::collections::BTreeMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::*;
 use tilewright_hdl::recording::{Recording, Step};
 
-/// A run of the last module on random inputs, with the reset in the first steps or so.
+/// A run of the last module on random inputs, with the reset in the first steps.
 pub fn recording(modules: &[Module], steps: u64) -> Recording {
     let top = modules.last().expect("a top");
     let mut state = State::new(top);
@@ -14,7 +15,7 @@ pub fn recording(modules: &[Module], steps: u64) -> Recording {
         random ^= random << 13;
         random ^= random >> 7;
         random ^= random << 17;
-        // Small numbers often, or no index is ever inside.
+        // Small numbers often, or no index is ever in range.
         let value = if random >> 60 < 6 { random & 7 } else { random >> 3 };
         value & mask(width)
     };
@@ -48,7 +49,7 @@ fn mask(width: u32) -> u64 {
     if width >= 64 { u64::MAX } else { (1 << width) - 1 }
 }
 
-/// What is held between the edges, by lane.
+/// The state between the edges, by lane.
 #[derive(Clone)]
 struct State {
     registers: BTreeMap<NodeId, Vec<u64>>,
@@ -227,7 +228,7 @@ impl Now<'_> {
         inside.value(output, lane % lanes)
     }
 
-    /// What is held after the edge.
+    /// The state after the edge.
     fn next(&mut self, is_reset: bool) -> State {
         let (module, mut next) = (self.module, self.state.clone());
         for register in &module.registers {

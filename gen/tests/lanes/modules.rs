@@ -1,4 +1,4 @@
-//! Modules with lanes, of which every linter finds nothing to say.
+//! Modules with lanes about which no linter complains.
 
 use super::build::Build;
 use tilewright_hdl::Bits;
@@ -8,7 +8,7 @@ pub fn zero(width: u32) -> Option<Init> {
     Some(Init::Same(Bits::zero(width)))
 }
 
-/// A row of counters, each with a limit of its own, which wake their neighbours.
+/// A row of counters with different limits, which wake their neighbours.
 pub fn counters() -> Module {
     let b = &mut Build::new("counters");
     let row = Shape::Row(5);
@@ -35,7 +35,7 @@ pub fn counters() -> Module {
     b.module.clone()
 }
 
-/// A tree in one row: what enters at the root is at the leaves after three clocks, with the path that led there.
+/// A tree in one row: the input at the root is at the leaves after three clocks, with the path that led there.
 pub fn tree() -> Module {
     let b = &mut Build::new("tree");
     let (nodes, parent) = (15, Affine { mul: 1, add: -1, div: 2 });
@@ -58,7 +58,7 @@ pub fn tree() -> Module {
     b.module.clone()
 }
 
-/// Lanes that signals say: of a port, of registers, of each column of a grid, of constants.
+/// Lanes selected by signals: of a port, of registers, of each column of a grid, of constants.
 pub fn picks() -> Module {
     let b = &mut Build::new("picks");
     let (words, which) = (b.input("words", 8, Shape::Row(5)), b.input("which", 3, Shape::Plain));
@@ -82,7 +82,7 @@ pub fn picks() -> Module {
     b.module.clone()
 }
 
-/// A memory of lanes with one address, whose enables are masks or not, and one with an address a lane.
+/// A memory of lanes with one address, whose enables are masks or not, and one with an address for each lane.
 pub fn memories() -> Module {
     let b = &mut Build::new("memories");
     let row = Shape::Row(4);
@@ -157,7 +157,7 @@ pub fn rings() -> Module {
     let largest = b.reduce(Reduction::Max, cell, 1);
     let sum = b.add(largest, x);
     b.next(total, None, sum);
-    // Each lane adds to the one before.
+    // Each lane adds to the previous one.
     let rippled = b.add(x, x);
     b.named("rippled", rippled);
     let before = b.previous(rippled, 0, first);

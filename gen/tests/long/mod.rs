@@ -2,24 +2,24 @@
 
 use tilewright_hdl::*;
 
-/// What there is much of.
+/// The repeated part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Kind {
-    /// A register that takes a value under each of so many conditions.
+    /// A register that takes a value under each of the conditions.
     Whens,
-    /// The same, in which some arms are choices themselves, and some keep what it holds.
+    /// The same, with some arms that are choices themselves, and some that keep the value.
     MixedWhens,
-    /// A `select` of so many arms.
+    /// A `select` with this number of arms.
     Select,
     /// Multiplexers, each in the other one's `else`.
     Muxes,
     /// Multiplexers, each in the other one's `then`.
     DeepMuxes,
-    /// A `case` of so many arms.
+    /// A `case` with this number of arms.
     Case,
-    /// A concatenation of so many parts.
+    /// A concatenation of this number of parts.
     Concat,
-    /// Operators one on the other.
+    /// A chain of nested operators.
     Or,
     Xor,
     Add,
@@ -84,7 +84,7 @@ impl Block for Long {
             Kind::Case => case(i.x, (0..count).map(|k| (k, byte(k))), 7) ^ i.bits.any_one().zext(8),
             Kind::Concat => {
                 m.ignore(&i.x);
-                // Three is no factor of the counts.
+                // Three does not divide the counts.
                 let parts: Vec<Signal> = (0..count).map(|k| bit((k * 3) % count)).collect();
                 concat(&parts)
             }

@@ -1,4 +1,4 @@
-//! Constants that differ from lane to lane: what is computed of them is constant, too.
+//! Constants that differ from lane to lane: results computed from them are constants too.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is};
@@ -11,7 +11,8 @@ use tilewright_hdl::ir::{NodeId, Op, Reduction, Relation, Shape};
 const MOST_LANES: u32 = 4096;
 
 impl Fold {
-    /// The value of an operator whose operands are constants of the lanes, and a comparison with one that linters take.
+    /// The value of an operator whose operands are constants of the lanes, or a comparison with one in a form that
+    /// linters accept.
     pub(super) fn lane_constant(&mut self, id: NodeId, op: &Op) -> Option<Outcome> {
         let (shape, width) = (self.module.shape(id), self.width(id));
         if shape.is_plain() || shape.lanes() > MOST_LANES {
@@ -56,8 +57,8 @@ impl Fold {
         Is(op)
     }
 
-    /// A comparison that is decided in some lanes, as `x >= 0` is, is one of more bits: a linter complains of a lane where
-    /// it is constant.
+    /// A comparison that is constant in some lanes, as `x >= 0` is, gets more bits: a linter complains about a lane
+    /// in which it is constant.
     fn widened(&mut self, id: NodeId, relation: Relation, signed: bool, operands: [NodeId; 2]) -> Option<Outcome> {
         if matches!(relation, Relation::Eq | Relation::Ne) {
             return None;
@@ -71,7 +72,8 @@ impl Fold {
         Some(Is(Op::Compare { relation, signed: true, operands }))
     }
 
-    /// The greatest or smallest of lanes of which some are known to be an end of the range: between bits that make none of them one.
+    /// The maximum or minimum of lanes, some of which are known to be an end of the range. Additional bits make none
+    /// of them one.
     pub(super) fn between_ends(&mut self, id: NodeId, by: Reduction, of: NodeId, axis: u32) -> Option<Outcome> {
         if !matches!(by, Reduction::Min | Reduction::Max) || !self.has_end(of, false) {
             return None;

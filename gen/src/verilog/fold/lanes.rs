@@ -1,4 +1,5 @@
-//! Lanes: what needs none is plain, what is the same in every lane is said once, and what is taken of a list is an entry.
+//! Lanes: values that need none become plain, values that are the same in every lane are computed once, and a lane of
+//! a list becomes an entry.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
@@ -6,7 +7,7 @@ use super::lower::WIDEST_VECTOR;
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Affine, NodeId, Op, Reduction, Relation};
 
-/// A list of more lanes than this is combined by a generated tree rather than by an expression.
+/// Longer lists are combined by a generated tree rather than by an expression.
 const LONGEST_LIST: usize = 64;
 
 impl Fold {
@@ -55,7 +56,7 @@ impl Fold {
             Op::Broadcast { of: plain, axis: same } if *same == axis => from(&|_| *plain),
             Op::Stack { parts, axis: same } if *same == axis => from(&|lane| parts[lane as usize]),
             _ if self.is_small(lanes, index) => return Is(Op::Map { of, axis, index, edge }),
-            // The formula would need more than the 32 bits that Verilog computes with.
+            // The formula would exceed the 32 bits in which Verilog computes.
             _ => {
                 let width = self.width(of);
                 let lane = |fold: &mut Self, index: u32| fold.add(id, width, Op::Lane { of, axis, index });
@@ -66,7 +67,7 @@ impl Fold {
         self.lane_op(id, Op::Stack { parts, axis })
     }
 
-    /// Whether no step of the rule leaves 32 bits.
+    /// Whether every step of the rule fits in 32 bits.
     fn is_small(&self, lanes: u32, index: Affine) -> bool {
         let before = Affine { div: 1, ..index };
         let product = Affine { add: 0, ..before };
@@ -101,7 +102,7 @@ impl Fold {
         }
     }
 
-    /// A list of single values is combined by an expression, anything else by a generated tree.
+    /// A list of single values is combined by an expression; everything else by a generated tree.
     fn reduce(&mut self, id: NodeId, by: Reduction, of: NodeId, axis: u32) -> Outcome {
         if self.extent(of, axis) == 1 {
             return self.lane(of, axis, 0);
@@ -130,7 +131,7 @@ impl Fold {
         Same(level[0])
     }
 
-    /// Two values combined, in the place of `id`.
+    /// Two values combined, at the place of `id`.
     fn combined(&mut self, id: NodeId, by: Reduction, a: NodeId, b: NodeId) -> NodeId {
         let width = self.width(a);
         match by.operator() {

@@ -1,15 +1,15 @@
-//! Before anything else, what Verilog has no lanes for becomes plain: a port with lanes is a vector, lane 0 lowest, and so
-//! is a port of a child; a memory with lanes and one address is a memory of wide words, and its enables are write masks;
-//! reset values a lane are constants a lane.
+//! First, lanes that Verilog cannot express become plain. A port with lanes becomes a vector, lane 0 lowest, and so
+//! does a child's port. A memory with lanes and one address becomes a memory of wide words whose enables are write
+//! masks. Reset values for each lane become constants for each lane.
 
 use tilewright_hdl::ir::{Contents, Design, Init, InstanceId, MemoryId, Module, Node, NodeId, Op, Shape};
 use tilewright_hdl::{Bits, index_width};
 
-/// A vector wider than this is avoided: tools limit the width of one.
+/// Wider vectors are avoided: tools limit their width.
 pub const WIDEST_VECTOR: u64 = 65_536;
 
-/// The module with vectors in place of lanes where they leave it, and for each register the constant that it is reset to,
-/// if that differs between lanes.
+/// The module with vectors instead of lanes at its borders, and for each register its reset constant, if that differs
+/// between lanes.
 pub fn lower(design: &Design, module: &Module) -> (Module, Vec<Option<NodeId>>) {
     let mut lower = Lower { design, module: module.clone() };
     lower.inputs();
@@ -36,7 +36,7 @@ impl Lower<'_> {
         NodeId(self.module.nodes.len() as u32 - 1)
     }
 
-    /// The lanes of `of` side by side, but for those of the first `kept` axes.
+    /// The lanes of `of` side by side, except along the first `kept` axes.
     fn packed(&mut self, mut of: NodeId, kept: u32) -> NodeId {
         while self.module.shape(of).axes() > kept {
             let node = self.module.node(of);
@@ -48,8 +48,8 @@ impl Lower<'_> {
         of
     }
 
-    /// Makes `id` of a vector that has all but its first `kept` axes side by side; returns what the vector is to be
-    /// instead of the present operator.
+    /// Computes `id` from a vector that has all but its first `kept` axes side by side; returns the value of the
+    /// vector, the present operator.
     fn unpack(&mut self, id: NodeId, kept: u32) -> NodeId {
         let Node { op, width, shape, name, loc, .. } = self.module.node(id).clone();
         let first = match (shape, kept) {
@@ -77,7 +77,7 @@ impl Lower<'_> {
         }
     }
 
-    /// A node of the name of its port leaves the name to the port.
+    /// A node with the name of its port leaves the name to the port.
     fn outputs(&mut self) {
         for index in 0..self.module.outputs.len() {
             let id = self.module.outputs[index].node;
@@ -118,7 +118,8 @@ impl Lower<'_> {
             let addresses = memory.reads.iter().map(|read| read.address);
             let mut addresses = addresses.chain(memory.writes.iter().map(|write| write.address));
             let width = u64::from(memory.width) * u64::from(memory.shape.lanes());
-            // Beyond the depth a read is gated, which lanes of a word that are read at different times cannot share.
+            // Beyond the depth a read is gated; lanes of a word that are read at different times cannot share the
+            // gate.
             let is_gated = u64::from(memory.depth) < 1 << index_width(memory.depth.into());
             let is_masked = |enable: &NodeId| !self.module.shape(*enable).is_plain();
             let splits = is_gated && memory.reads.iter().any(|read| read.enable.as_ref().is_some_and(is_masked));
@@ -149,7 +150,7 @@ impl Lower<'_> {
         self.module.memories[index] = memory;
     }
 
-    /// One memory a lane: what all lanes share is broadcast.
+    /// One memory for each lane: what all lanes share is broadcast.
     fn spread_ports(&mut self, index: usize) {
         let mut memory = self.module.memories[index].clone();
         let shape = memory.shape;
@@ -204,7 +205,7 @@ impl Lower<'_> {
     }
 }
 
-/// The name, with as many `_` behind it as make it one that nothing in the module has.
+/// The name, followed by as many `_` as make it unique in the module.
 fn free_name(module: &Module, wanted: &str) -> String {
     let clocks = module.clocks.iter().flat_map(|clock| [Some(&clock.port), clock.reset.as_ref()]).flatten();
     let ports = module.inputs.iter().map(|port| &port.name).chain(module.outputs.iter().map(|port| &port.name));

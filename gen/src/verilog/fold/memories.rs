@@ -1,4 +1,4 @@
-//! Memories that some tool would take apart or complain about.
+//! Memories that some tool would break into registers or complain about.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is};
@@ -7,7 +7,7 @@ use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Contents, MemoryId, Node, NodeId, Op};
 
 impl Fold {
-    /// The bit that every lane of a mask is, if it is one; else the mask.
+    /// The bit that all lanes of a mask have, if they have one; otherwise the mask.
     fn one_for_all(&mut self, mask: NodeId) -> NodeId {
         let node = self.module.node(mask);
         match &node.op {
@@ -34,8 +34,8 @@ impl Fold {
         }
     }
 
-    /// Drops writes that never happen. A memory that is never written is zero, rather than undriven. A constant write
-    /// address gets a net, for Yosys takes a memory with a literal one apart into registers.
+    /// Removes writes that never happen. A memory that is never written is zero, not undriven. A constant write
+    /// address gets a net, because Yosys makes registers of a memory with a literal one.
     pub(super) fn settle_memories(&mut self) {
         for index in 0..self.module.memories.len() {
             let mut memory = self.module.memories[index].clone();
@@ -45,7 +45,7 @@ impl Fold {
                 let never = self.constant(write.enable).is_some_and(|enable| enable.is_zero());
                 !never && address.is_none_or(|address| address.to_u64().is_some_and(|address| address < depth))
             });
-            // A mask that is one bit in every lane is no mask.
+            // A mask with the same bit in every lane is not a mask.
             memory.reads.iter_mut().for_each(|read| read.enable = read.enable.map(|id| self.one_for_all(id)));
             memory.writes.iter_mut().for_each(|write| write.enable = self.one_for_all(write.enable));
             for write in &mut memory.writes {

@@ -1,5 +1,5 @@
-//! Makes a module printable: constants are folded, so that no linter meets `a >= 8'd0`; shifts by a constant become
-//! slices; nodes that only pass a value on disappear unless they have a name.
+//! Prepares a module for printing. Constants are folded, so that no linter meets `a >= 8'd0`; shifts by a constant
+//! become slices; nodes that only pass a value on disappear unless they have a name.
 
 mod constants;
 mod lanes;
@@ -18,7 +18,7 @@ use tilewright_hdl::ir::{Binary, Design, Directive, Kind, Module, Node, NodeId, 
 pub struct Folded {
     /// Simplified; ports have no lanes.
     pub module: Module,
-    /// For each register what it is reset to, if that differs between its lanes.
+    /// For each register its reset value, if that differs between its lanes.
     pub resets: Vec<Option<NodeId>>,
     /// For each memory and read port whether the address can be beyond the last word.
     pub beyond: Vec<Vec<bool>>,
@@ -29,7 +29,7 @@ pub fn fold(design: &Design, module: &Module) -> Folded {
     let (module, mut resets) = lower::lower(design, module);
     let order = operands_first(&module);
     let mut fold = Fold { same: (0..module.nodes.len() as u32).map(NodeId).collect(), module };
-    // Where lanes chain, a node is visited before what it is computed from, and so once more.
+    // With chains of lanes, a node is visited before its operands, and so a second time.
     let passes = if has_chains(&fold.module, &order) { 2 } else { 1 };
     for _ in 0..passes {
         order.iter().for_each(|&id| fold.visit(id));
@@ -41,7 +41,7 @@ pub fn fold(design: &Design, module: &Module) -> Folded {
     Folded { module: fold.module, resets, beyond }
 }
 
-/// Whether some node comes before an operand of its.
+/// Whether some node comes before one of its operands.
 fn has_chains(module: &Module, order: &[NodeId]) -> bool {
     let mut done = vec![false; module.nodes.len()];
     order.iter().any(|&id| {
@@ -54,11 +54,11 @@ fn has_chains(module: &Module, order: &[NodeId]) -> bool {
 
 struct Fold {
     module: Module,
-    /// For each node, the node that stands for it.
+    /// For each node, the node that replaces it.
     same: Vec<NodeId>,
 }
 
-/// What a node turns out to be.
+/// The replacement of a node.
 enum Outcome {
     /// An operator on other nodes.
     Op(Op),
@@ -82,7 +82,8 @@ impl Fold {
         }
     }
 
-    /// Lets `to`, which is a number, be a code where the node is one for which it is to stand. Whether it may: not where it is a code of another enum.
+    /// Makes `to`, which is a number, a code if the node that it replaces is one. Returns whether that is possible:
+    /// not if it is a code of another enum.
     fn hands_over_kind(&mut self, of: NodeId, to: NodeId) -> bool {
         let (kind, node) = (self.module.node(of).kind, &mut self.module.nodes[to.0 as usize]);
         match (kind, node.kind, &node.op) {
@@ -93,16 +94,16 @@ impl Fold {
         true
     }
 
-    /// Lets registers, memories, instances, outputs and properties refer to the nodes that are left.
+    /// Makes registers, memories, instances, outputs and properties refer to the remaining nodes.
     fn rewire(&mut self) {
         let same: Vec<NodeId> = (0..self.same.len() as u32).map(|id| self.stands_for(NodeId(id))).collect();
         let to = |id: &mut NodeId| *id = same[id.0 as usize];
         let module = &mut self.module;
-        // Where lanes chain, a node is visited before what it is computed from.
+        // With chains of lanes, a node is visited before its operands.
         for node in &mut module.nodes {
             node.op = map_operands(&node.op, |operand| same[operand.0 as usize]);
         }
-        // A mask is neither as long as some lanes are.
+        // A mask is constant only if all lanes are.
         let constant = |nodes: &[Node], id: NodeId| match &nodes[id.0 as usize].op {
             Op::Const(bits) if bits.not().is_zero() => Some(true),
             Op::Const(bits) if bits.is_zero() => Some(false),
@@ -132,13 +133,13 @@ impl Fold {
         module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(to);
         module.outputs.iter_mut().for_each(|output| to(&mut output.node));
         module.properties.iter_mut().for_each(|property| to(&mut property.condition));
-        // What always holds is not printed; that something always happens is.
+        // An assertion that is always true is not printed; a cover that always happens is.
         module.properties.retain(|property| {
             property.directive == Directive::Cover || constant(&module.nodes, property.condition) != Some(true)
         });
     }
 
-    /// The node that stands for this one.
+    /// The node that replaces this one.
     fn stands_for(&self, mut id: NodeId) -> NodeId {
         while self.same[id.0 as usize] != id {
             id = self.same[id.0 as usize];
@@ -146,7 +147,7 @@ impl Fold {
         id
     }
 
-    /// The value of a node that is constant, the same in every lane, also behind a name.
+    /// The value of a node that is constant and the same in every lane, even if it has a name.
     fn constant(&self, mut id: NodeId) -> Option<Bits> {
         loop {
             match &self.module.node(id).op {
@@ -161,9 +162,9 @@ impl Fold {
         self.module.width(id)
     }
 
-    /// A new unnamed node, in the place of `of`.
+    /// A new unnamed node, at the place of `of`.
     fn add(&mut self, of: NodeId, width: u32, op: Op) -> NodeId {
-        // What leads to another shape says so itself.
+        // An operation that changes the shape determines it.
         let shape = match op {
             Op::Lane { of, axis, .. } => self.module.shape(of).without(axis),
             _ => self.module.shape(of),
@@ -171,7 +172,7 @@ impl Fold {
         self.add_shaped(of, width, shape, op)
     }
 
-    /// As [`Fold::add`], of another shape.
+    /// Like [`Fold::add`], with another shape.
     fn add_shaped(&mut self, of: NodeId, width: u32, shape: Shape, op: Op) -> NodeId {
         let id = NodeId(self.module.nodes.len() as u32);
         let loc = self.module.node(of).loc;

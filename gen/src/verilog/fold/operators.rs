@@ -1,4 +1,4 @@
-//! Operators with constant operands, or whose result one operand alone decides.
+//! Operators with constant operands, or with one operand that determines the result.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
@@ -7,11 +7,11 @@ use crate::verilog::plan::{MOST_ARMS, MOST_KEYS};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Node, NodeId, Op, Relation, Unary};
 
-/// A concatenation of more parts than this is one of concatenations: Verilator makes one of it in which each part is a level deeper, and has
-/// no stack for tens of thousands.
+/// Longer concatenations are nested: Verilator makes each part one level deeper, and runs out of stack at tens of
+/// thousands.
 const MOST_PARTS: usize = 256;
 
-/// Verilator 5.006 has no wider signed product.
+/// Verilator 5.006 supports no wider signed product.
 pub(super) const WIDEST_SIGNED_PRODUCT: u32 = 512;
 
 impl Fold {
@@ -57,7 +57,7 @@ impl Fold {
         }
     }
 
-    /// A signed product as the low half of an unsigned one, of factors of its width.
+    /// A signed product as the low half of an unsigned one, with factors of its width.
     pub(super) fn wide_product(&mut self, id: NodeId, a: NodeId, b: NodeId) -> Outcome {
         let width = self.width(id);
         let [a, b] = [a, b].map(|of| self.add(id, width, Op::Extend { of, signed: true }));
@@ -141,7 +141,7 @@ impl Fold {
         }
     }
 
-    /// Each part of a long `case` becomes a net, which is the default of the part before.
+    /// Each part of a long `case` becomes a net, which is the default of the previous part.
     pub(super) fn case(
         &mut self,
         id: NodeId,
@@ -170,7 +170,7 @@ impl Fold {
         }
     }
 
-    /// Bits of what is put together are those of its parts: no name is needed for the whole.
+    /// A slice of a concatenation is a slice of its parts: the whole needs no name.
     pub(super) fn slice(&mut self, id: NodeId, of: NodeId, low: u32, width: u32) -> Outcome {
         if width == self.width(of) {
             return Same(of);
@@ -236,7 +236,7 @@ impl Fold {
     }
 }
 
-/// The relation that holds where this one does not.
+/// The negated relation.
 fn opposite(relation: Relation) -> Relation {
     match relation {
         Relation::Eq => Relation::Ne,

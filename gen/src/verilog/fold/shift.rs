@@ -1,11 +1,12 @@
-//! Shifts: by a constant they are slices; by a very wide amount they are cut, for some tools take no more.
+//! Shifts: by a constant they become slices; a very wide amount is truncated, because some tools accept no wider
+//! ones.
 
 use super::Fold;
 use super::Outcome::{self, Op as Is, Same};
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, NodeId, Op, Shift, Unary};
 
-/// Shift amounts above this width are cut, with the fill where a dropped bit is set.
+/// Wider shift amounts are truncated, with the fill if a dropped bit is set.
 const WIDEST_AMOUNT: u32 = 16;
 
 impl Fold {
@@ -34,8 +35,8 @@ impl Fold {
         self.mux(beyond, filling, shifted)
     }
 
-    /// For a value that is shifted the same way already: what it was before, and both amounts together. Verilator 5.048 makes one shift of two,
-    /// also across nets, and loses the carry of the amounts.
+    /// For a value that is already shifted in the same direction: the original, and the sum of both amounts.
+    /// Verilator 5.048 merges two shifts, also across nets, and loses the carry of the amounts.
     fn twice_shifted(&mut self, id: NodeId, shift: Shift, mut a: NodeId, amount: NodeId) -> Option<(NodeId, NodeId)> {
         while let Op::Wire(of) | Op::QuasiStatic(of, _) = self.module.node(a).op {
             a = of;

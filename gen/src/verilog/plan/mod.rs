@@ -10,22 +10,22 @@ pub use needs::is_place;
 use needs::{lane_operands, lists};
 use tilewright_hdl::ir::{Binary, Module, Node, NodeId, Op, Shift, Unary};
 
-/// An expression longer than this, in columns, is split.
+/// Longer expressions, in columns, are split.
 const LONGEST: usize = 84;
-/// What the name of a node without one is taken to need, in columns, before names are given.
+/// The assumed length of a generated name, in columns, before names are given.
 const NAME: usize = 16;
-/// Branches of an always block nest no deeper than this.
+/// The deepest nesting of branches of an always block.
 const DEEPEST: u32 = 4;
 
-/// A net that is chosen under more conditions than this is several: Yosys takes time that grows with the square of those that one
-/// `always @*` has. A register is one, however many it has.
+/// A net with a choice of more conditions is split: Yosys takes time quadratic in those of one `always @*`. A
+/// register is never split.
 pub const MOST_ARMS: usize = 64;
 
-/// An assignment takes fewer parts of vectors than this, a block more: Icarus takes time that grows with the square of those that
-/// assignments take from one vector.
+/// If more parts are taken from vectors, a block is used instead of an assignment: Icarus takes time quadratic in the
+/// parts that assignments take from one vector.
 const MOST_SLICES: usize = 128;
 
-/// The most keys of a `case`: Verilator takes time that grows with the square of their number.
+/// The most keys of a `case`: Verilator takes time quadratic in their number.
 pub const MOST_KEYS: usize = 256;
 
 /// How a node appears.
@@ -33,11 +33,11 @@ pub const MOST_KEYS: usize = 256;
 pub enum Form {
     /// Not at all.
     Dead,
-    /// By a name that is declared as something else than a net: a port, a register, an instance's output.
+    /// By a name that is declared otherwise than as a net: a port, a register, an instance's output.
     Declared,
     /// As its expression, wherever it is used.
     Inline,
-    /// As branches in the always block of the register or net that it leads to.
+    /// As branches in the always block of its register or net.
     Branches,
     /// As a net with a continuous assignment.
     Net,
@@ -51,7 +51,7 @@ pub enum Form {
 pub struct Plan(Vec<Form>);
 
 impl Plan {
-    /// Decides for a folded module, and what its registers are reset to.
+    /// Decides for a folded module with its reset values.
     pub fn new(folded: &Folded) -> Plan {
         let Folded { module, resets, beyond } = folded;
         let order = operands_first(module);
@@ -75,8 +75,8 @@ impl Plan {
     }
 }
 
-/// Calls `visit` with every node that a register, memory, instance, port or property takes its value from, as often as
-/// the text names it.
+/// Calls `visit` with every node from which a register, memory, instance, port or property takes its value, as often
+/// as the text names it.
 pub fn for_each_root(module: &Module, beyond: &[Vec<bool>], mut visit: impl FnMut(NodeId)) {
     for register in &module.registers {
         register.enable.iter().for_each(|&id| visit(id));
@@ -114,20 +114,20 @@ impl Planner<'_> {
         self.form[id.0 as usize] = form;
     }
 
-    /// Counts uses from what is printed; whatever has a name is printed.
+    /// Counts uses from printed objects; every named node is printed.
     fn find_live(&mut self, order: &[NodeId], resets: &[Option<NodeId>], beyond: &[Vec<bool>]) {
         let module = self.module;
         for_each_root(module, beyond, |id| self.uses[id.0 as usize] += 1);
         resets.iter().flatten().for_each(|id| self.uses[id.0 as usize] += 1);
         let mut live: Vec<NodeId> = order.iter().copied().rev().filter(|&id| self.is_root(id)).collect();
         live.reverse();
-        // Where lanes chain, what uses a node may come before it in any order.
+        // With chains of lanes, a user of a node may come before it in any sequence.
         while let Some(id) = live.pop() {
             if self.form(id) != Form::Dead {
                 continue;
             }
             self.set(id, self.first_form(id));
-            // A formula or a table does not name what it is made of.
+            // A formula or a table does not name its operands.
             let is_list = matches!(module.node(id).op, Op::Stack { .. } | Op::Broadcast { .. });
             if is_list && lane_constants(module, id).is_some() {
                 continue;
@@ -165,7 +165,7 @@ impl Planner<'_> {
         }
     }
 
-    /// An inline node becomes a net where Verilog needs a name, or where it is used twice and worth one.
+    /// An inline node becomes a net if Verilog needs a name, or if it is used twice and worth one.
     fn find_nets(&mut self, order: &[NodeId]) {
         for &id in order {
             if self.form(id) == Form::Inline && self.uses[id.0 as usize] > 1 && !self.is_trivial(id) {
@@ -180,7 +180,7 @@ impl Planner<'_> {
             for of in lane_operands(&self.module.node(id).op) {
                 self.name_lane_operand(id, of);
             }
-            // Linters complain of a lane that is shifted by its width or more.
+            // Linters complain about a lane that is shifted by its width or more.
             if let Op::Shift(_, _, amount) = self.module.node(id).op {
                 self.keep_constants(vec![amount]);
             }
@@ -193,7 +193,7 @@ impl Planner<'_> {
         self.find_mask_nets();
     }
 
-    /// Whether a node reads no worse than the name that would stand for it.
+    /// Whether a node's expression is as readable as a name for it.
     fn is_trivial(&self, id: NodeId) -> bool {
         let declared = |id: NodeId| matches!(self.form(id), Form::Declared | Form::Net | Form::Block);
         match &self.module.node(id).op {
@@ -204,7 +204,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Selects become branches: of the register that they lead to, else of an `always @*` block.
+    /// Selects become branches: of their register, or else of an `always @*` block.
     fn find_branches(&mut self, order: &[NodeId]) {
         let module = self.module;
         for register in &module.registers {
@@ -220,7 +220,7 @@ impl Planner<'_> {
             if wants_block {
                 self.set(id, Form::Block);
                 self.branch_operands(id, DEEPEST, MOST_ARMS);
-                // A block that reads nothing but constants never runs; a net has a first value.
+                // A block that reads only constants never runs; a net has a first value.
                 let mut reads = Vec::new();
                 for_each_read(self.module, id, |read| reads.push(read));
                 self.keep_constants(reads);
@@ -228,13 +228,13 @@ impl Planner<'_> {
         }
     }
 
-    /// Whether so many parts are taken from vectors that a block is to do it.
+    /// Whether enough parts are taken from vectors that a block must do it.
     fn is_of_many_bits(&self, parts: &[NodeId]) -> bool {
         let is_slice = |id: &&NodeId| matches!(self.module.node(**id).op, Op::Slice { .. });
         parts.iter().filter(is_slice).count() >= MOST_SLICES
     }
 
-    /// Whether three multiplexers or more follow each other in the `else` of one.
+    /// Whether at least three multiplexers are nested in each other's `else`.
     fn is_chain(&self, mut id: NodeId) -> bool {
         for _ in 0..2 {
             match self.module.node(id).op {
@@ -253,12 +253,12 @@ impl Planner<'_> {
         }
     }
 
-    /// The last `else` may go on as `else if` without nesting deeper, up to so many of them.
+    /// The last `else` may continue as `else if` without nesting deeper, up to `most` of them.
     fn branch_operands(&mut self, mut id: NodeId, depth: u32, most: usize) {
         let module = self.module;
         let mut count = 0;
         loop {
-            // What is never chosen would have no driver.
+            // A value that is never chosen would have no driver.
             match &module.node(id).op {
                 Op::Mux { select, .. } => self.keep_constants(vec![*select]),
                 Op::Case { subject, .. } => {
@@ -301,7 +301,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Turns the longest operands of an over-long expression into nets.
+    /// Makes nets of the longest operands of an over-long expression.
     fn split_long(&mut self, order: &[NodeId]) {
         let module = self.module;
         let name = |node: &Node| node.name.as_ref().map_or(NAME, String::len);

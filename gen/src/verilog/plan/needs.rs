@@ -1,13 +1,13 @@
-//! Where Verilog needs a name: bits are taken of names alone, another lane is read by its net's name, and a constant that
-//! decides something would be computed away.
+//! Where Verilog needs a name: bits can only be taken of names, another lane is read by its net's name, and a
+//! constant in a condition would be optimised away.
 
 use super::{Form, Planner};
 use crate::verilog::order::for_each_read;
 use tilewright_hdl::ir::{Node, NodeId, Op};
 
 impl Planner<'_> {
-    /// What is read in another lane, or more than once, has a name; but a plain expression may stand in the one lane that
-    /// it is broadcast to.
+    /// A value that is read in another lane, or more than once, gets a name; but a plain expression may be printed in
+    /// the one lane to which it is broadcast.
     pub(super) fn name_lane_operand(&mut self, id: NodeId, of: NodeId) {
         let end = self.end_of_places(of);
         let is_broadcast = matches!(self.module.node(id).op, Op::Broadcast { .. });
@@ -20,7 +20,8 @@ impl Planner<'_> {
         }
     }
 
-    /// Makes nets of the constants that an expression reads: it stands in a scope of another shape, from where no tool finds a parameter of theirs.
+    /// Makes nets of the constants that an expression reads: it is in a scope of another shape, from which no tool
+    /// finds their parameter.
     pub(super) fn name_constants(&mut self, of: NodeId) {
         let mut stack = vec![of];
         while let Some(read) = stack.pop() {
@@ -32,7 +33,7 @@ impl Planner<'_> {
         }
     }
 
-    /// What an operand is where operators end that only say where it is.
+    /// The operand behind all operators that only name a place.
     fn end_of_places(&self, of: NodeId) -> NodeId {
         let mut end = of;
         while let Op::Broadcast { of: inner, .. }
@@ -56,7 +57,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Of wide words, lanes are written one by one: mask and data have names.
+    /// The lanes of wide words are written one by one, so mask and data have names.
     pub(super) fn find_mask_nets(&mut self) {
         let module = self.module;
         for memory in &module.memories {
@@ -73,20 +74,20 @@ impl Planner<'_> {
         }
     }
 
-    /// An address that is computed becomes a net: Icarus does not cut an expression in an index to its width.
+    /// A computed address becomes a net: Icarus does not truncate an expression in an index to its width.
     pub(super) fn find_address_nets(&mut self) {
         for memory in &self.module.memories {
             let reads = memory.reads.iter().map(|read| read.address);
             for address in reads.chain(memory.writes.iter().map(|write| write.address)) {
                 let op = &self.module.node(address).op;
                 let plain = is_place(op) || matches!(op, Op::Slice { .. } | Op::Concat(_));
-                // Yosys takes a memory with a constant one apart into registers.
+                // Yosys makes registers of a memory with a constant address.
                 if self.form(address) == Form::Inline && !plain || self.form(address) == Form::Constants {
                     self.set(address, Form::Net);
                 }
             }
         }
-        // What is never enabled would have no driver if that were a constant.
+        // A port that is never enabled would have no driver if that were a constant.
         let module = self.module;
         let enables = module.registers.iter().filter_map(|register| register.enable);
         let reads = module.memories.iter().flat_map(|memory| memory.reads.iter().filter_map(|read| read.enable));
@@ -94,7 +95,7 @@ impl Planner<'_> {
         enables.chain(reads).chain(writes).for_each(|enable| self.keep_constants(vec![enable]));
     }
 
-    /// Where expressions read nothing but constants of the lanes, makes nets of those: no tool computes them away.
+    /// If expressions read only constants of the lanes, makes nets of those: no tool optimises them away.
     pub(super) fn keep_constants(&mut self, mut stack: Vec<NodeId>) {
         let mut constants = Vec::new();
         while let Some(read) = stack.pop() {
@@ -107,7 +108,8 @@ impl Planner<'_> {
         constants.into_iter().for_each(|id| self.set(id, Form::Net));
     }
 
-    /// Makes a net of what a `case` asks if it reads other lanes: Yosys wants to know its width before it has made the lanes behind this one.
+    /// Makes a net of the subject of a `case` that reads other lanes: Yosys needs its width before it has made the
+    /// lanes after this one.
     pub(super) fn name_subject(&mut self, subject: NodeId) {
         let mut stack = vec![subject];
         while let Some(read) = stack.pop() {
@@ -121,7 +123,7 @@ impl Planner<'_> {
         }
     }
 
-    /// The operand that a node needs a name for: Verilog takes bits of names alone.
+    /// The operand that a node needs a name for: Verilog takes bits of names only.
     pub(super) fn must_be_net(&self, id: NodeId) -> Option<NodeId> {
         let module = self.module;
         let op = |of: NodeId| &module.node(of).op;
@@ -138,13 +140,12 @@ impl Planner<'_> {
     }
 }
 
-/// Whether an operator without a name only says where its operand's lane is, or what it is: it costs nothing wherever it
-/// stands.
+/// Whether an operator without a name only names a lane of its operand: it costs nothing wherever it is used.
 pub fn is_place(op: &Op) -> bool {
     matches!(op, Op::Const(_) | Op::Broadcast { .. } | Op::Lane { .. } | Op::Unpack { .. } | Op::Map { edge: None, .. })
 }
 
-/// The operands that stand in scopes of another shape, and as they are.
+/// The operands that are printed in scopes of another shape, unchanged.
 pub(super) fn lists(op: &Op) -> Vec<NodeId> {
     match op {
         Op::Stack { parts, .. } => parts.clone(),

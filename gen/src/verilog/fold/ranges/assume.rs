@@ -1,11 +1,11 @@
-//! What a condition says of the nodes that it is computed from.
+//! Conclusions from a condition about the nodes that it is computed from.
 
 use super::interval::Range;
 use super::{Ranges, WIDEST};
 use tilewright_hdl::ir::{Binary, NodeId, Op, Relation, Unary};
 
 impl Ranges<'_> {
-    /// The range of a node where a condition is so; none if it never is.
+    /// The range of a node if a condition has the value `so`; `None` if it never has.
     pub fn where_it_is(&mut self, condition: NodeId, so: bool, id: NodeId, depth: u32) -> Option<Range> {
         let mark = self.before.len();
         let range = if self.assume(condition, so, depth) { self.range(id, depth) } else { None };
@@ -22,7 +22,7 @@ impl Ranges<'_> {
         }
     }
 
-    /// Takes for granted that a condition is so; whether it can be.
+    /// Assumes that a condition has the value `so`; returns whether that is possible.
     pub fn assume(&mut self, condition: NodeId, so: bool, depth: u32) -> bool {
         if !self.narrow(condition, Some(Range::one(so.into()))) {
             return false;
@@ -70,7 +70,7 @@ impl Ranges<'_> {
         }
     }
 
-    /// Takes for granted that a node's value is in a range; whether it can be.
+    /// Assumes that a node's value is in a range; returns whether that is possible.
     pub fn narrow(&mut self, mut id: NodeId, range: Option<Range>) -> bool {
         let Some(range) = range else { return false };
         loop {

@@ -1,4 +1,4 @@
-//! An interval of values, and what operators make of it.
+//! An interval of values, and the results of operators on it.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Binary;
@@ -27,13 +27,13 @@ impl Range {
         Range { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
-    /// What is in both, if there is anything.
+    /// The intersection, if it is not empty.
     pub fn within(self, other: Range) -> Option<Range> {
         let (low, high) = (self.low.max(other.low), self.high.min(other.high));
         (low <= high).then_some(Range { low, high })
     }
 
-    /// Without a value, which has to be at an end.
+    /// Without a value, which must be an end of the range.
     pub fn without(self, value: u64) -> Option<Range> {
         match self {
             Range { low, high } if low == high && low == value => None,
@@ -53,7 +53,7 @@ fn mask(value: u64) -> u64 {
     highest(64 - value.leading_zeros())
 }
 
-/// What an operator makes of all values of two intervals; `width` is all that its result has room for.
+/// The results of an operator on all values of two intervals; `width` is the range of the result's width.
 pub fn of_binary(operator: Binary, a: Range, b: Range, width: Range) -> Range {
     match operator {
         Binary::And => Range { low: 0, high: a.high.min(b.high) },

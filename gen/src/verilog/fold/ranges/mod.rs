@@ -1,7 +1,8 @@
-//! Whether the address of a read can be beyond the last word of its memory, as far as the circuit says.
+//! Whether the address of a read can be beyond the last word of its memory, as far as the circuit shows.
 //!
-//! Each node has an interval that holds all values that it ever has. A register begins with what it starts from, and grows with what it takes
-//! until no interval changes. Each arm of a choice is looked at under its condition: so a counter that begins anew at a limit stays below it.
+//! Each node has an interval that contains all values that it ever has. The interval of a register begins with the
+//! start value, and grows by the next values until no interval changes. Each arm of a choice is examined under its
+//! condition: so a counter that restarts at a limit stays below it.
 
 mod assume;
 mod interval;
@@ -13,15 +14,15 @@ use interval::Range;
 use std::collections::{BTreeMap, BTreeSet};
 use tilewright_hdl::ir::{Init, Memory, Module, NodeId, Op};
 
-/// A choice in a choice is looked at so deep.
+/// The depth to which nested choices are examined.
 const DEEPEST: u32 = 8;
-/// For one node no more nodes than this are looked at.
+/// The most nodes that are examined for one node.
 const MOST_WORK: u32 = 1024;
-/// After so many rounds a register that still grows may have any value.
+/// After this number of rounds, a register that still grows may have any value.
 const PATIENT_ROUNDS: usize = 12;
-/// After so many rounds nothing is known.
+/// After this number of rounds, the search gives up.
 const MOST_ROUNDS: usize = 40;
-/// The range of a node that has wider values is not looked for.
+/// Ranges of wider values are not searched.
 const WIDEST: u32 = 63;
 
 /// For each memory and read port, whether the address can be beyond the last word.
@@ -42,7 +43,7 @@ pub fn beyond(module: &Module) -> Vec<Vec<bool>> {
     beyond
 }
 
-/// What those addresses follow from, operands first.
+/// The nodes on which those addresses depend, operands first.
 fn cone(module: &Module, beyond: &[Vec<bool>]) -> Vec<NodeId> {
     let reads = module.memories.iter().zip(beyond).flat_map(|(memory, beyond)| memory.reads.iter().zip(beyond));
     let mut stack: Vec<NodeId> = reads.filter(|(_, can)| **can).map(|(read, _)| read.address).collect();
@@ -64,12 +65,12 @@ fn cone(module: &Module, beyond: &[Vec<bool>]) -> Vec<NodeId> {
 
 struct Ranges<'a> {
     module: &'a Module,
-    /// By node, whatever holds.
+    /// For each node, its range in general.
     all: Vec<Range>,
-    /// By node, where the conditions hold that are taken for granted, and what to go back to.
+    /// For each node, its range under the assumed conditions, and the earlier ranges to restore.
     known: BTreeMap<NodeId, Range>,
     before: Vec<(NodeId, Option<Range>)>,
-    /// How many more nodes are looked at for the one at hand.
+    /// The number of nodes that may still be examined for the current one.
     work: u32,
 }
 
@@ -87,12 +88,12 @@ impl<'a> Ranges<'a> {
                 reset => vec![reset.lane(0).clone()],
             });
             let start = reset.chain(register.initial.clone()).map(|value| Range::of_constant(&value));
-            // What has neither starts from anything.
+            // A register with neither value starts with any.
             let start = start.reduce(Range::with).filter(|_| width <= WIDEST);
             ranges.all[register.node.0 as usize] = start.unwrap_or(Range::of_width(width));
         }
         for round in 0..MOST_ROUNDS {
-            // Where lanes chain, a node comes before what it is computed from, of which nothing is known then.
+            // With chains of lanes, a node comes before its operands, and nothing is known of it then.
             for &id in order {
                 if !matches!(module.node(id).op, Op::Register(_)) {
                     ranges.all[id.0 as usize] = Range::of_width(module.width(id));
@@ -101,7 +102,7 @@ impl<'a> Ranges<'a> {
             for &id in order {
                 if !matches!(module.node(id).op, Op::Register(_)) {
                     ranges.work = MOST_WORK;
-                    // What is below is known; but not what a choice's condition says of it.
+                    // The range from the operands is known, but not the one under a choice's condition.
                     let is_choice = matches!(module.node(id).op, Op::Mux { .. } | Op::Select { .. } | Op::Case { .. });
                     let range = ranges.range(id, if is_choice { DEEPEST } else { 1 });
                     ranges.all[id.0 as usize] = range.unwrap_or(Range::of_width(module.width(id)));
@@ -114,7 +115,7 @@ impl<'a> Ranges<'a> {
         None
     }
 
-    /// Lets registers have what they take, too; whether that is more than before.
+    /// Extends registers by the values that they take; returns whether that changed anything.
     fn grow(&mut self, is_wanted: &BTreeSet<NodeId>, round: usize, limits: &BTreeSet<u64>) -> bool {
         let module = self.module;
         let mut grown = false;
@@ -141,7 +142,7 @@ impl<'a> Ranges<'a> {
     }
 }
 
-/// The numbers that a growing register is looked at: what is compared with, and its neighbours.
+/// The numbers at which growing registers are examined: constants in comparisons, and their neighbours.
 fn limits(module: &Module) -> BTreeSet<u64> {
     let mut limits: BTreeSet<u64> = module.memories.iter().map(|memory| u64::from(memory.depth) - 1).collect();
     for node in &module.nodes {

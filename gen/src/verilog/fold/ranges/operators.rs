@@ -5,7 +5,7 @@ use super::{Ranges, WIDEST};
 use tilewright_hdl::ir::{NodeId, Op, Shift, Unary};
 
 impl Ranges<'_> {
-    /// The range of a node under what is taken for granted; none if that contradicts itself.
+    /// The range of a node under the assumptions; `None` if these are contradictory.
     pub fn range(&mut self, id: NodeId, depth: u32) -> Option<Range> {
         let all = self.all[id.0 as usize];
         self.work = self.work.saturating_sub(1);
@@ -82,7 +82,7 @@ impl Ranges<'_> {
                 let inner = self.range(*of, depth)?;
                 if *signed && inner.high > highest(module.width(*of) - 1) { width } else { inner }
             }
-            // Of another lane, nothing is known that is so in this one.
+            // An assumption about this lane says nothing about another lane.
             Op::Broadcast { of, .. } | Op::Lane { of, .. } | Op::Map { of, edge: None, .. } => lanes(self, &[*of]),
             Op::Map { of, edge: Some(edge), .. } => lanes(self, &[*of, *edge]),
             Op::Stack { parts, .. } | Op::Interleave { parts, .. } => lanes(self, parts),

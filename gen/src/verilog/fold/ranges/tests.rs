@@ -1,4 +1,4 @@
-//! Ranges of random circuits against every value that a run of them comes to.
+//! Ranges of random circuits compared with every value in a run of them.
 
 use super::interval::highest;
 use super::*;
@@ -11,7 +11,7 @@ bundle! {
     struct Out<T> { y: T, z: T }
 }
 
-/// Two registers of 4 bits and what a random walk makes of them.
+/// Two registers of 4 bits with random logic.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Walk {
     seed: u64,
@@ -121,7 +121,7 @@ fn values(module: &ir::Module, order: &[NodeId], registers: &[u64], inputs: [u64
     all
 }
 
-/// Every value of every node in every state that a run of any inputs comes to is in the node's range; and ranges say something.
+/// Every value of every node in every reachable state is in the node's range; and ranges are not trivial.
 #[test]
 fn no_value_is_out_of_its_range() {
     let (mut tight, mut nodes) = (0, 0);
