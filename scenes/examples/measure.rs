@@ -1,4 +1,4 @@
-//! Measures scenes, the built-in ones unless others are named: what a machine will meet, and the checksums that `tests/pinned.rs` holds.
+//! Measures scenes, by default the built-in ones: the load on a machine, and the checksums in `tests/pinned.rs`.
 //!
 //! `cargo run --release -p tilewright-scenes --example measure [SCENE ...]`
 
@@ -17,7 +17,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// What is there to be measured of a scene with spheres.
+/// The measurements of a scene with spheres.
 fn spheres(scene: &Scene) -> Result<(), SceneError> {
     let polygons = project_polygons(scene, scene.size)?;
     let frame = golden::render_polygons(&polygons, golden::Rule::Least, scene.background);

@@ -1,12 +1,13 @@
 //! Sine, cosine and tangent from + - * / alone, so that a camera is bit-equal on every machine.
 //!
-//! IEEE 754 fixes the result of + - * / and of the square root, but not of sin, cos or tan: those come from the system's
-//! library and differ between systems in the last bit, which is enough to move a snapped vertex. Here: exact reduction to
-//! -45..45 degrees, then the Taylor series. Error below 1e-15.
+//! IEEE 754 fixes the result of + - * / and of the square root, but not of sin, cos or tan. Those come from the
+//! system's library and differ between systems in the last bit, which is enough to move a snapped vertex. This module
+//! reduces the angle exactly to -45..45 degrees and then uses the Taylor series. The error is below 1e-15.
 
 /// Sine and cosine of an angle in degrees. Multiples of 90 degrees are exact.
 pub fn sin_cos(degrees: f64) -> (f64, f64) {
-    // Exact: the remainder of a division by 360 is, and so are the subtractions of multiples of 90 from a nearby number.
+    // Exact: so is the remainder of a division by 360, and so are the subtractions of multiples of 90 from a nearby
+    // number.
     let turned = degrees % 360.0;
     let quarters = (turned / 90.0).round();
     let rest = turned - quarters * 90.0;

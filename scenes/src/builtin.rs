@@ -1,7 +1,7 @@
-//! The built-in scenes: those of the VC-1 paper, with exactly its polygon counts (facts D, VC1-SCENE), two of lines, one with
-//! textures, and one of spheres.
+//! The built-in scenes: those of the VC-1 paper with exactly its polygon counts (facts D, VC1-SCENE), two of lines, one
+//! with textures, and one of spheres.
 //!
-//! Cameras are the ones of facts D; light and background are ours.
+//! Cameras are those of facts D; light and background are our choice.
 
 pub mod molecule;
 mod shape;
@@ -23,7 +23,7 @@ use glam::{DVec3, dvec3};
 pub const NAMES: [&str; 9] =
     ["teapot", "teapot16", "table", "ter1k", "ter250", "wireframe", "star", "textured", "molecule"];
 
-/// A built-in scene, or `None` if there is none of that name.
+/// The built-in scene with that name, or `None`.
 pub fn scene(name: &str) -> Option<Scene> {
     let (mesh, camera) = match name {
         "teapot" => (teapot::mesh(8), teapot_camera()),
@@ -46,13 +46,13 @@ pub fn scene(name: &str) -> Option<Scene> {
 }
 
 impl Scene {
-    /// A built-in scene by its name, one of [`NAMES`], or `None`.
+    /// The built-in scene with that name, one of [`NAMES`], or `None`.
     pub fn builtin(name: &str) -> Option<Scene> {
         scene(name)
     }
 }
 
-/// A scene with the light, the background and the size that everything gets unless it asks for others.
+/// A scene with the default light, background and size.
 pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
     Scene {
         name: name.to_owned(),
@@ -70,7 +70,7 @@ pub(crate) fn with_defaults(name: &str, mesh: Mesh, camera: Camera) -> Scene {
 /// Night blue: visible against a black border, dark behind every scene.
 pub(crate) const BACKGROUND: [u8; 3] = [24, 28, 44];
 
-/// A key light from behind the eye's left shoulder and a weak one from the right, whatever the camera.
+/// A key light from behind the eye's left shoulder and a weak one from the right, for every camera.
 pub(crate) fn default_lighting(camera: &Camera) -> Lighting {
     let back = camera.eye - camera.target;
     let right = camera.up.cross(back);
@@ -107,7 +107,7 @@ fn molecule_camera() -> Camera {
     Camera { eye: molecule::MIDDLE + dvec3(1.6, -7.0, 11.0), target: molecule::MIDDLE, up: DVec3::Z, fov: 34.0 }
 }
 
-/// 62 km out and 38 km up from the middle of the map, which is 79.75 km square and lies on the plane z = 0.
+/// 62 km away and 38 km up from the middle of the map. The map is 79.75 km square and lies on the plane z = 0.
 fn terrain_camera() -> Camera {
     let centre = dvec3(terrain::MIDDLE, terrain::MIDDLE, 0.0);
     Camera { eye: centre + dvec3(0.0, -62.0, 38.0), target: centre, up: DVec3::Z, fov: 50.0 }

@@ -1,4 +1,4 @@
-//! The camera: where the eye is, what it looks at, and how wide it sees.
+//! The camera: the eye, its target, and its field of view.
 //!
 //! The recipe for views round a scene (VC1-T1: 48 azimuths) is [`Camera::orbited`].
 
@@ -12,7 +12,7 @@ use glam::DVec3;
 /// A perspective camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    /// Where the eye is, in the mesh's unit.
+    /// The position of the eye, in the mesh's unit.
     pub eye: DVec3,
     /// The point in the middle of the picture.
     pub target: DVec3,
@@ -60,7 +60,7 @@ impl Camera {
         Camera { eye: centre + towards * (radius / sine), target: centre, up, fov }
     }
 
-    /// The camera turned round the axis through the target along `up`, counter-clockwise seen from above, in degrees.
+    /// The camera rotated round the axis through the target along `up`, counter-clockwise seen from above, in degrees.
     pub fn orbited(&self, degrees: f64) -> Camera {
         let axis = self.up / self.up.dot(self.up).sqrt();
         let arm = self.eye - self.target;
@@ -82,10 +82,10 @@ impl Camera {
         self.examined().map_err(|(_, error)| error)
     }
 
-    /// The view, or what is wrong and which part of the camera to blame.
+    /// The view, or what is wrong and the part of the camera that causes it.
     pub(crate) fn examined(&self) -> Result<View, (Part, SceneError)> {
         let wrong = |part, problem, remedy: &str| Err((part, SceneError::invalid(problem, remedy)));
-        // From so far away that a narrower one frames a mesh, its vertices could no longer be told apart.
+        // From so far away, if a narrower field of view frames a mesh, its vertices can no longer be distinguished.
         if !(self.fov >= 1e-6 && self.fov < 180.0) {
             let problem = format!("the camera's field of view is {} degrees", number(self.fov));
             return wrong(Part::Fov, problem, "give an angle from 1e-6 to less than 180");
@@ -115,7 +115,7 @@ impl Camera {
 }
 
 impl View {
-    /// What is to the right in the picture, a unit vector.
+    /// The direction to the right in the picture, a unit vector.
     pub(crate) fn right(&self) -> DVec3 {
         self.right
     }
@@ -131,7 +131,7 @@ impl View {
     }
 }
 
-/// `v` at length 1; NaN if it has none.
+/// `v` at length 1; NaN if it has no direction.
 fn unit(v: DVec3) -> DVec3 {
     let scaled = v / v.abs().max_element();
     scaled / scaled.dot(scaled).sqrt()

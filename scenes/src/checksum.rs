@@ -1,4 +1,4 @@
-//! FNV-1a, 64 bits: a checksum that pins meshes and frames in tests. Not a defence against anybody.
+//! FNV-1a, 64 bits: a checksum that pins meshes and frames in tests. It does not protect against tampering.
 //!
 //! Source: Fowler, Noll and Vo's published constants. Numbers are fed least significant byte first, on every machine.
 

@@ -1,19 +1,20 @@
-//! Clipping in view space: a polygon or a line against the near plane and, where it leaves the guard band, against that.
+//! Clipping in view space: cuts a polygon or a line at the near plane and, where it leaves the guard band, at that.
 //!
-//! Source: facts E0 (vertices are 16 bits of 1/16 pixel, so the front end clips); the method is Sutherland and Hodgman's, 1974.
-//! An edge is always cut from its inner end to its outer one, so two triangles that share it get the same new vertex.
+//! Source: facts E0 (vertices are 16 bits of 1/16 pixel, so the front end clips); the method is Sutherland and
+//! Hodgman's, 1974. An edge is always cut from its inner end to its outer one. So two triangles that share an edge get
+//! the same new vertex.
 
 use glam::{DVec2, DVec3};
 
-/// A vertex in view space: (right, down, forward) of the eye, and what varies from one to the next.
+/// A vertex in view space: (right, down, forward) of the eye, and its attributes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct ViewVertex {
     pub(crate) at: DVec3,
     /// The lit colour, each channel 0 to 1.
     pub(crate) rgb: DVec3,
-    /// The same before light falls on it.
+    /// The colour before lighting.
     pub(crate) diffuse: DVec3,
-    /// The normal in view space, turned to the eye; its length is 1 where nothing was cut.
+    /// The normal in view space, on the eye's side; its length is 1 where nothing was cut.
     pub(crate) normal: DVec3,
     /// Texture coordinates.
     pub(crate) uv: DVec2,
@@ -62,7 +63,7 @@ impl ClipPlane {
     }
 }
 
-/// Where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
+/// The point where the edge from `inner` (inside by d) to `outer` (by e, negative) meets the plane.
 fn cut(inner: ViewVertex, d: f64, outer: ViewVertex, e: f64) -> ViewVertex {
     let t = d / (d - e);
     ViewVertex {
@@ -92,7 +93,7 @@ mod tests {
     #[test]
     fn a_cut_has_the_place_and_the_attributes_at_which_the_edge_meets_the_plane() {
         let plane = ClipPlane { normal: DVec3::Z, offset: 2.0 };
-        // Normal and texture coordinates vary as the colour does, each in its own way.
+        // Normal and texture coordinates are interpolated like the colour.
         let vertex = |at: [f64; 3], rgb: [f64; 3]| ViewVertex {
             at: at.into(),
             rgb: rgb.into(),
@@ -114,7 +115,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(500) })]
 
-        /// Two triangles run along a shared edge in opposite directions; to the last bit, they must get the same new vertices.
+        /// Two triangles run along a shared edge in opposite directions; they must get exactly the same new vertices.
         #[test]
         fn an_edge_is_cut_alike_from_both_sides(corners in [vertex(), vertex(), vertex()], normal in vertex(), offset in -3.0..3.0f64) {
             let plane = ClipPlane { normal: normal.at, offset };

@@ -1,4 +1,4 @@
-//! Comparing two frames: where they first differ, in how many pixels, and a picture of it.
+//! Compares two frames: where they first differ, in how many pixels, and a picture of the difference.
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 use crate::packet::EMPTY_DEPTH;
@@ -18,14 +18,14 @@ pub struct Difference {
     pub right: u64,
 }
 
-/// What [`compare`] found. `Display` is a sentence for a person.
+/// The result of [`compare`]. `Display` is a sentence for a person.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
     /// The sizes of the left and the right frame; if they differ, no pixel was compared.
     pub sizes: [Size; 2],
     /// How many pixels differ.
     pub differing: u64,
-    /// How many of them differ in colour; the others differ in depth alone.
+    /// How many of them differ in colour; the others differ only in depth.
     pub in_colour: u64,
     /// Whether depths were left out, as for a picture, which has none.
     pub colours_alone: bool,
@@ -40,7 +40,7 @@ pub fn compare(left: &Frame, right: &Frame) -> Comparison {
     compare_under(left, right, u64::MAX)
 }
 
-/// Compares the colours of two frames; for frames read from a PNG file, which holds no depths.
+/// Compares the colours of two frames; for frames read from a PNG file, which has no depths.
 pub fn compare_colours(left: &Frame, right: &Frame) -> Comparison {
     compare_under(left, right, COLOUR)
 }
@@ -67,7 +67,7 @@ fn compare_under(left: &Frame, right: &Frame, mask: u64) -> Comparison {
         let differs = (l ^ r) & mask != 0;
         let in_colour = rgb_of(l) != rgb_of(r);
         let shown = match (differs, in_colour) {
-            // The left frame at a quarter of its brightness shows where one is.
+            // The left frame at a quarter of its brightness shows the position of a difference.
             (false, _) => rgb_of(l).map(|c| c / 4),
             (true, false) => [0, 160, 255],
             (true, true) => [255, 64, 32],
@@ -89,8 +89,8 @@ impl Comparison {
         self.same_size() && self.differing == 0
     }
 
-    /// A picture of the differences, or `None` if the sizes differ: red where colours differ, blue where depths alone do, and a
-    /// dark copy of the left frame elsewhere. Write it with [`Frame::write_png`].
+    /// A picture of the differences, or `None` if the sizes differ. Red pixels differ in colour and blue ones only in
+    /// depth; elsewhere it is a dark copy of the left frame. Write it with [`Frame::write_png`].
     pub fn picture(&self) -> Option<&Frame> {
         self.picture.as_ref()
     }

@@ -14,12 +14,12 @@ pub enum SceneError {
         /// The height asked for, in pixels.
         height: i64,
     },
-    /// A name that is neither a built-in scene nor a file's.
+    /// A name that is neither a built-in scene nor a file.
     #[error("there is no scene {}: {remedy}", quote(name))]
     UnknownScene {
-        /// What was asked for.
+        /// The requested name.
         name: String,
-        /// What to type instead.
+        /// The remedy: what to type instead.
         remedy: String,
     },
     /// A file that cannot be opened or read.
@@ -27,9 +27,9 @@ pub enum SceneError {
     Read {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The system's message.
         reason: String,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
     /// A file that cannot be written; nothing of it is left behind.
@@ -37,9 +37,9 @@ pub enum SceneError {
     Write {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// The system's message.
         reason: String,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
     /// A mistake in a line of a file.
@@ -49,9 +49,9 @@ pub enum SceneError {
         path: PathBuf,
         /// The line, counted from 1.
         line: usize,
-        /// What is wrong there.
+        /// The problem.
         problem: String,
-        /// What to write instead.
+        /// The remedy: what to write instead.
         remedy: String,
     },
     /// A mistake at a place of a scene file.
@@ -63,9 +63,9 @@ pub enum SceneError {
         line: usize,
         /// The column in characters, counted from 1.
         column: usize,
-        /// What is wrong there.
+        /// The problem.
         problem: String,
-        /// What to write instead.
+        /// The remedy: what to write instead.
         remedy: String,
     },
     /// A mistake in a file as a whole.
@@ -73,17 +73,17 @@ pub enum SceneError {
     File {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// The problem.
         problem: String,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
-    /// A mesh, camera or light made in code that makes no picture.
+    /// A mesh, camera or light made in code that gives no picture.
     #[error("{problem}: {remedy}")]
     Invalid {
-        /// What is wrong.
+        /// The problem.
         problem: String,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
 }

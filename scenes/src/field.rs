@@ -1,4 +1,4 @@
-//! Fields of an interlaced display: each second line of a frame.
+//! Fields of an interlaced display: every second line of a frame.
 
 use crate::error::SceneError;
 use crate::frame::Frame;

@@ -1,7 +1,7 @@
-//! The golden rasterizer: the plainest double loop over the integer contract, against which every machine is compared.
+//! The golden rasterizer: a plain double loop over the integer contract, against which every machine is compared.
 //!
-//! Source: facts E0. It shares the packet's type with the machines and nothing else: products are formed directly in i64, with
-//! no increments and no tree, over each pixel of a polygon's box, so that it can be checked by reading.
+//! Source: facts E0. It shares only the packet's type with the machines. Products are computed directly in i64, without
+//! increments and without a tree, for each pixel of a polygon's box. So it can be checked by reading.
 
 mod deferred;
 mod passes;
@@ -49,16 +49,16 @@ fn plane_at(plane: &Plane, x: u32, y: u32, bits: u32) -> u64 {
     (sum & ((1 << bits) - 1)) >> FRACTION_BITS
 }
 
-/// Renders triangles, or other polygons, over a background: each pixel keeps the least word (DES-MIN), so their order does not
-/// matter.
+/// Renders triangles, or other polygons, over a background: each pixel keeps the least word (DES-MIN), so their
+/// sequence does not matter.
 pub fn render<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
     packets.iter().for_each(|packet| draw(&mut frame, packet, least));
     frame
 }
 
-/// As [`render`], with a call of `watch` before every packet; it gets how many of them are done, from 0 to 1, and may break it
-/// off: then there is no frame.
+/// As [`render`], but calls `watch` before every packet with the fraction done, from 0 to 1. `watch` may stop the
+/// rendering; then there is no frame.
 pub fn render_watched<E: AsRef<[Edge]>>(
     size: Size,
     packets: &[Packet<E>],
@@ -68,7 +68,8 @@ pub fn render_watched<E: AsRef<[Edge]>>(
     draw_watched(Frame::blank(size, background), packets, [0, packets.len()], least, watch)
 }
 
-/// Renders packets with the strict rule: depth alone decides, and of equal depths the first submitted stays (facts E0).
+/// Renders packets with the strict rule: depth alone decides, and of equal depths the first submitted is kept (facts
+/// E0).
 pub fn render_strict<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>], background: [u8; 3]) -> Frame {
     let mut frame = Frame::blank(size, background);
     packets.iter().for_each(|packet| draw(&mut frame, packet, nearest));
@@ -85,9 +86,9 @@ pub fn render_strict_watched<E: AsRef<[Edge]>>(
     draw_watched(Frame::blank(size, background), packets, [0, packets.len()], nearest, watch)
 }
 
-/// What covers pixels.
+/// A primitive that covers pixels.
 pub(crate) trait Primitive {
-    /// No pixel that it covers is outside.
+    /// It covers no pixel outside this box.
     fn bounds(&self) -> PixelBox;
     /// Whether it covers that pixel.
     fn covers(&self, x: u32, y: u32) -> bool;
@@ -109,17 +110,17 @@ impl<E: AsRef<[Edge]>> Primitive for Packet<E> {
     }
 }
 
-/// What a pixel keeps of its word and a fragment: the smaller.
+/// The smaller of a pixel's word and a fragment.
 fn least(kept: u64, fragment: u64) -> u64 {
     kept.min(fragment)
 }
 
-/// What a pixel keeps of its word and a later fragment by the strict rule.
+/// The word that a pixel keeps by the strict rule, given its word and a later fragment.
 fn nearest(kept: u64, fragment: u64) -> u64 {
     if depth_of(fragment) < depth_of(kept) { fragment } else { kept }
 }
 
-/// Draws primitives, of which there were so many before, and of all so many.
+/// Draws primitives; `before` were drawn earlier, and `count` is the total.
 fn draw_watched(
     mut frame: Frame,
     primitives: &[impl Primitive],
@@ -143,12 +144,13 @@ fn draw(frame: &mut Frame, packet: &impl Primitive, keep: impl Fn(u64, u64) -> u
     });
 }
 
-/// How often exact depth ties decide a frame (facts E0: to be counted per scene).
+/// How often exact depth ties decide a frame (facts E0 asks for the count of each scene).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ties {
     /// Pixels whose least depth is reached by two or more polygons.
     pub pixels: u64,
-    /// Those among them where the tied polygons differ in colour, so that a rule is needed: least word, or first submitted.
+    /// The pixels among them where the tied polygons differ in colour, so that a rule is needed: least word, or first
+    /// submitted.
     pub decided_by_colour: u64,
     /// Pixels that some polygon covers.
     pub covered: u64,
@@ -187,7 +189,7 @@ pub fn ties<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> Ties {
     ties
 }
 
-/// The pixels that polygons cover, each as often as it is covered: what a machine draws that hides nothing before.
+/// The pixels that polygons cover, counted once for each polygon: what a machine without hidden-surface removal draws.
 ///
 /// ```
 /// use tilewright_scenes::{ScreenVertex, Size, golden, set_up};
@@ -204,8 +206,8 @@ pub fn fragments<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> u64 {
     count
 }
 
-/// Calls `visit` with each pixel of a box that a polygon or a sphere covers, by its number in raster order, and its word there. Spheres have the numbers
-/// after those of the polygons.
+/// Calls `visit` with each pixel of a box that a polygon or a sphere covers, by its number in raster order, and with
+/// its word there. Spheres are numbered after the polygons.
 ///
 /// ```
 /// use tilewright_scenes::{PixelBox, Scene, Size, golden, project_polygons};
@@ -218,7 +220,7 @@ pub fn fragments<E: AsRef<[Edge]>>(size: Size, packets: &[Packet<E>]) -> u64 {
 /// ```
 ///
 /// # Panics
-/// There are not so many.
+/// If `number` is out of range.
 pub fn visit_fragments(polygons: &Polygons, number: usize, within: &PixelBox, mut visit: impl FnMut(u32, u64)) {
     let Polygons { size, polygons, spheres, .. } = polygons;
     match polygons.get(number) {

@@ -1,4 +1,4 @@
-//! Reading a user's file: no further than a limit, and with an error that names the file.
+//! Reads a user's file: up to a limit, and with an error that names the file.
 
 use crate::error::SceneError;
 use crate::output::reason;
@@ -6,9 +6,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// What a file is read as.
+/// The kind of a file.
 pub(crate) struct Kind {
-    /// The most that is read of it, in MiB.
+    /// The largest size that is read, in MiB.
     limit: u64,
     /// What to do if it is larger.
     smaller: &'static str,
@@ -20,9 +20,9 @@ const SCENE_OR_MESH: &str = "name a .toml, .obj, .gltf, .glb, .ply or .stl file 
 
 /// A scene file.
 pub(crate) const SCENE: Kind = Kind { limit: 1, smaller: "name a scene file", readable: SCENE_OR_MESH };
-/// A mesh; of that size it has some three million polygons.
+/// A mesh; a file of the largest size has about three million polygons.
 pub(crate) const MESH: Kind = Kind { limit: 256, smaller: "simplify the mesh, or cut it", readable: SCENE_OR_MESH };
-/// A part of a mesh, in a file beside it.
+/// A part of a mesh, in a separate file.
 pub(crate) const BUFFER: Kind =
     Kind { limit: 256, smaller: "simplify the mesh, or cut it", readable: "make it readable" };
 /// The materials of a mesh.
@@ -51,7 +51,7 @@ pub(crate) fn read_bytes(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError
     let file = open(path, kind)?;
     let failed = |error: io::Error| unreadable(path, kind, &error);
     let most = kind.limit << 20;
-    // A device or a pipe does not know its length, so what comes is counted as well.
+    // A device or a pipe does not know its length, so the bytes are counted as well.
     let length = file.metadata().map_err(failed)?.len();
     let mut bytes = Vec::with_capacity(length.min(most) as usize);
     if length <= most {
@@ -77,7 +77,7 @@ pub(crate) fn read_lines(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError
     Ok(bytes)
 }
 
-/// The bytes of a text, in ASCII or in an encoding that contains it, with lines that end as they like.
+/// The bytes of a text, in ASCII or in an encoding that contains it, with any line endings.
 pub(crate) fn read_text(path: &Path, kind: &Kind) -> Result<Vec<u8>, SceneError> {
     let bytes = read_bytes(path, kind)?;
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {

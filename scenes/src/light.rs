@@ -1,19 +1,20 @@
-//! Lighting: ambient light and directional lights, diffuse, one colour per corner (Gouraud), both sides of a triangle alike.
+//! Lighting: ambient light and directional lights, diffuse, one colour per corner (Gouraud), the same on both sides of
+//! a triangle.
 //!
-//! Facts D: the teapot must be drawn two-sided, since the gap round its lid shows insides. So each corner's normal is turned to
-//! the side of its triangle that the eye is on.
+//! Facts D: the teapot must be drawn two-sided, since the gap round its lid shows insides. So each corner's normal is
+//! flipped to the side of its triangle that the eye is on.
 
 use crate::error::SceneError;
 use crate::mesh::{representable, unit_or_z};
 use crate::quote::number;
 use glam::DVec3;
 
-/// A light from far away.
+/// A light far away.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// From the scene towards the light; any length but zero.
     pub toward: DVec3,
-    /// How bright: 1 lights a surface that faces it in its full diffuse colour.
+    /// Brightness: 1 lights a surface that faces it in its full diffuse colour.
     pub intensity: f64,
 }
 
@@ -72,7 +73,7 @@ impl Lighting {
     }
 }
 
-/// Turns a corner's normal to the side of its triangle that faces the eye.
+/// Flips a corner's normal to the side of its triangle that faces the eye.
 ///
 /// `face` is the triangle's own normal (any length), `to_eye` goes from the triangle to the eye. Deciding per triangle, not per
 /// corner, keeps a triangle on the silhouette from being lit on both sides at once.

@@ -1,7 +1,8 @@
-//! Line set-up: two ends become the packet of a quadrilateral.
+//! Line set-up: converts two ends to the packet of a quadrilateral.
 //!
-//! Source: facts E0, and PP5-HV, whose machine draws vectors as polygons. A line from P to Q is the quadrilateral of P and Q, each moved
-//! by half a pixel to both sides along the minor axis, the one along which the line is shorter:
+//! Source: facts E0, and PP5-HV, whose machine draws vectors as polygons. The minor axis is the one along which the
+//! line is shorter. A line from P to Q is the quadrilateral of P and Q, each moved by half a pixel to both sides along
+//! the minor axis:
 //!
 //! ```text
 //!      P-______                 P- to P+ is one pixel high, so each column of centres between P and Q
@@ -10,9 +11,9 @@
 //!              ------Q+
 //! ```
 //!
-//! The fill rule is that of all polygons: the end with the lesser coordinate has its column, the other one has not. So no pixel of a
-//! chain of lines in one direction is drawn twice, and a line that ends where it begins has none. Depth and colour change along the
-//! major axis alone, since both corners of an end have the same; nothing is new in set-up.
+//! The fill rule is that of all polygons: the end with the lesser coordinate has its column, the other one has not. So
+//! no pixel of a chain of lines in one direction is drawn twice, and a line of length zero has none. Depth and colour
+//! change only along the major axis, since both corners of an end have the same. Set-up needs nothing new.
 
 use crate::packet::{Polygon, SUBPIXELS, ScreenVertex};
 use crate::polygon::set_up_polygon;
@@ -21,8 +22,8 @@ use crate::size::Size;
 /// Half the width of a line along its minor axis, in 1/16 pixel.
 const HALF_WIDTH: i32 = SUBPIXELS / 2;
 
-/// Sets a line up for a screen of `size` pixels: a packet of four edges, which has one pixel in each column, or in each row if it is
-/// steeper than 45 degrees, from one end to the other.
+/// Sets up a line for a screen of `size` pixels. The packet has four edges. It has one pixel in each column from one
+/// end to the other, or in each row if the line is steeper than 45 degrees.
 ///
 /// `None` if there is nothing to draw. The direction does not matter. Ends are as [`set_up`](crate::set_up) takes vertices.
 ///
@@ -37,13 +38,13 @@ const HALF_WIDTH: i32 = SUBPIXELS / 2;
 /// assert_eq!(pixels, [(1, 1, 100), (2, 2, 120), (3, 2, 140), (4, 3, 160)]);
 /// ```
 pub fn set_up_line(ends: [ScreenVertex; 2], size: Size) -> Option<Polygon> {
-    // Convex and in one plane, so it is one packet.
+    // Convex and planar, so it is one packet.
     set_up_polygon(&line_corners(ends), size).pop()
 }
 
-/// The corners of the quadrilateral that a line is, from the end with the lesser coordinate on along its side; a line of 45 degrees
-/// counts as flat. A corner may be half a pixel outside of the guard band: the edges of the quadrilateral have 17 bits all the same, since they are
-/// as long as the line or as it is wide, and those of its halves 18 of the packet's 20.
+/// The corners of a line's quadrilateral, starting at the end with the lesser coordinate; a line at 45 degrees counts
+/// as flat. A corner may be half a pixel outside the guard band. Even so, the quadrilateral's edges have 17 bits,
+/// because they are as long as the line or as it is wide. Those of its halves have 18 of the packet's 20.
 ///
 /// ```
 /// use tilewright_scenes::{ScreenVertex, line_corners};

@@ -36,10 +36,10 @@ use names::{stem, unknown_name};
 use std::path::Path;
 
 impl Scene {
-    /// Loads a scene: the name of a built-in one ([`builtin::NAMES`]), or the path of a scene file (`.toml`) or a mesh (`.obj`, `.gltf`, `.glb`,
-    /// `.ply` or `.stl`).
+    /// Loads a scene: the name of a built-in one ([`builtin::NAMES`]), or the path of a scene file (`.toml`) or a mesh
+    /// (`.obj`, `.gltf`, `.glb`, `.ply` or `.stl`).
     ///
-    /// What was odd but harmless, such as a missing material file, is in [`Scene::warnings`].
+    /// Harmless problems, such as a missing material file, are in [`Scene::warnings`].
     ///
     /// # Errors
     /// [`SceneError`], one sentence that names file, line and remedy.
@@ -47,8 +47,8 @@ impl Scene {
         Scene::load_sized(name_or_path, None)
     }
 
-    /// As [`Scene::load`], for a screen of `size` pixels instead of what the scene asks for: a camera that frames a mesh by itself
-    /// frames it for that screen.
+    /// As [`Scene::load`], for a screen of `size` pixels instead of the scene's own size. An automatic camera frames
+    /// the mesh for that screen.
     ///
     /// # Errors
     /// As [`Scene::load`].

@@ -1,4 +1,5 @@
-//! Materials: what deferred shading knows of a surface besides its colour, and where textures lie on triangles.
+//! Materials: a surface's properties for deferred shading besides its colour, and the placement of textures on
+//! triangles.
 
 use crate::error::SceneError;
 use crate::quote::number;
@@ -9,19 +10,19 @@ use std::sync::Arc;
 /// The most materials of a mesh: a pixel names one in 8 bits, and lines have one of their own.
 pub const MOST_MATERIALS: usize = 255;
 
-/// What a surface looks like besides its colour.
+/// A surface's look besides its colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
     /// Index of its texture, whose colours multiply its own; `None` for none.
     pub texture: Option<u32>,
-    /// How bright its highlights are, 0 to 1.
+    /// The brightness of its highlights, 0 to 1.
     pub specular: f64,
     /// The power of the cosine that makes a highlight: 1, 2, 4 and so on up to 128. The greater, the smaller the highlight.
     pub shininess: u32,
 }
 
 impl Default for Material {
-    /// What a surface gets of which nothing is said: no texture, and soft highlights.
+    /// The default surface: no texture, and soft highlights.
     fn default() -> Material {
         Material { texture: None, specular: 0.25, shininess: 32 }
     }
@@ -31,7 +32,7 @@ impl Material {
     /// Checks its highlights.
     ///
     /// # Errors
-    /// [`SceneError::Invalid`] if `specular` is not from 0 to 1, or `shininess` no power of two up to 128.
+    /// [`SceneError::Invalid`] if `specular` is not from 0 to 1, or `shininess` is not a power of two up to 128.
     pub fn check(&self) -> Result<(), SceneError> {
         if !(0.0..=1.0).contains(&self.specular) {
             return Err(SceneError::invalid(
@@ -49,7 +50,7 @@ impl Material {
     }
 }
 
-/// What a triangle is made of.
+/// The material of a triangle.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Mapping {
     /// Index of its material.
@@ -58,16 +59,16 @@ pub struct Mapping {
     pub coordinates: [u32; 3],
 }
 
-/// The materials of a mesh, their textures, and where they lie on its triangles.
+/// The materials of a mesh, their textures, and the placement on its triangles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Materials {
-    /// Textures; in place of one that could not be read, why. Who draws with it gets that error.
+    /// Textures; an unreadable one is replaced by its error, which is reported when something is drawn with it.
     pub textures: Vec<Result<Arc<Texture>, SceneError>>,
     /// 1 to [`MOST_MATERIALS`].
     pub materials: Vec<Material>,
-    /// Texture coordinates u (rightward) and v (upward); a texture fills 0 to 1 and goes on repeating.
+    /// Texture coordinates u (rightward) and v (upward); a texture fills 0 to 1 and repeats beyond.
     pub coordinates: Vec<DVec2>,
-    /// One of each triangle of the mesh.
+    /// One entry for each triangle of the mesh.
     pub mappings: Vec<Mapping>,
 }
 
@@ -77,7 +78,7 @@ impl Materials {
         self.mappings.iter().any(|mapping| self.materials[mapping.material as usize].texture.is_some())
     }
 
-    /// One material for so many triangles, which have no texture coordinates.
+    /// One material for `triangles` triangles, which have no texture coordinates.
     pub(crate) fn plain(material: Material, triangles: usize) -> Materials {
         let mappings = vec![Mapping::default(); triangles];
         Materials { textures: Vec::new(), materials: vec![material], coordinates: vec![DVec2::ZERO], mappings }
@@ -94,7 +95,7 @@ impl Materials {
         self.mappings[triangle as usize].coordinates.map(|i| self.coordinates[i as usize])
     }
 
-    /// Checks that they fit a mesh of so many triangles.
+    /// Checks that they fit a mesh with this number of triangles.
     pub(crate) fn check(&self, triangles: usize) -> Result<(), SceneError> {
         let refuse = |problem: String, remedy: &str| Err(SceneError::invalid(problem, remedy));
         let (given, materials) = (self.mappings.len(), self.materials.len());

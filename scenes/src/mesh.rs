@@ -1,7 +1,7 @@
 //! Meshes: positions, normals, triangles and lines, each with a colour.
 //!
-//! Numbers are f64 (glam's `DVec3`): its operations here are + - * / and square root alone, which IEEE 754 fixes to the last
-//! bit, and 53 bits leave the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
+//! Numbers are f64 (glam's `DVec3`). The operations used are + - * / and square root, which IEEE 754 fixes to the last
+//! bit. 53 bits keep the snapping to 1/16 pixel and the 24-bit depth far from rounding noise.
 
 mod colours;
 mod vertex;
@@ -21,11 +21,11 @@ pub struct MeshTriangle {
     pub positions: [u32; 3],
     /// Three indices into the normals, one per corner.
     pub normals: [u32; 3],
-    /// Diffuse red, green and blue, each 0 to 1; [`Mesh::with_corner_colours`] takes its place.
+    /// Diffuse red, green and blue, each 0 to 1; [`Mesh::with_corner_colours`] overrides it.
     pub diffuse: [f64; 3],
 }
 
-/// A line of a mesh, as indices into its positions. No light falls on it, as it has no side to turn to one.
+/// A line of a mesh, as indices into its positions. It is not lit, because it has no side that could face a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshLine {
     /// Where it begins and ends.
@@ -34,18 +34,19 @@ pub struct MeshLine {
     pub colour: [f64; 3],
 }
 
-/// A mesh whose indices and numbers have been checked. Triangles keep their order, and then lines theirs: it is the order of submission.
+/// A mesh whose indices and numbers have been checked. The triangles come first, then the lines, each in the given
+/// sequence: this is the sequence of submission.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     positions: Vec<DVec3>,
     normals: Vec<DVec3>,
     triangles: Vec<MeshTriangle>,
     lines: Vec<MeshLine>,
-    /// How many triangles each face consists of; none if each is a face of its own.
+    /// The number of triangles in each face; empty if each triangle is a face of its own.
     faces: Vec<u32>,
-    /// The diffuse colours of each triangle's corners; none if each is of one colour.
+    /// The diffuse colours of each triangle's corners; empty if each triangle has one colour.
     colours: Option<Arc<Vec<[[f64; 3]; 3]>>>,
-    /// None if each triangle is of the default material.
+    /// `None` if every triangle has the default material.
     materials: Option<Arc<Materials>>,
 }
 
@@ -59,7 +60,7 @@ pub struct BoundingBox {
 }
 
 impl Mesh {
-    /// A mesh from its parts; positions in any unit of length, normals of any length but finite.
+    /// A mesh from its parts; positions in any unit of length, normals of any finite length.
     ///
     /// # Errors
     /// [`SceneError::Invalid`] if there is no triangle, an index is out of range, or a number is not finite or a colour is
@@ -104,7 +105,7 @@ impl Mesh {
         Mesh::empty(positions).with_lines(lines)
     }
 
-    /// A mesh without a triangle or a line, for a scene of spheres alone.
+    /// A mesh without a triangle or a line, for a scene that has only spheres.
     ///
     /// ```
     /// assert!(tilewright_scenes::Mesh::none().positions().is_empty());
@@ -141,11 +142,11 @@ impl Mesh {
         Ok(Mesh { lines, ..self })
     }
 
-    /// The same mesh, of which so many triangles at a time are a face: a fan, whose triangles have their first corner in common, and
-    /// each its second with the third of the one before.
+    /// The same mesh with its triangles grouped into faces of these sizes. A face is a fan: its triangles share their
+    /// first corner, and each one's second corner is the previous one's third.
     ///
     /// # Errors
-    /// [`SceneError::Invalid`] if they are not as many as the triangles, or no fans.
+    /// [`SceneError::Invalid`] if the sizes do not add up to the number of triangles, or the groups are not fans.
     pub fn with_faces(self, faces: Vec<u32>) -> Result<Mesh, SceneError> {
         let mesh = Mesh { faces, ..self };
         let count = mesh.faces.iter().map(|&count| u64::from(count)).sum::<u64>();
@@ -180,16 +181,16 @@ impl Mesh {
         Mesh { positions, normals, triangles, lines, faces, colours: None, materials: None }
     }
 
-    /// The same mesh with these materials, which deferred shading alone looks at.
+    /// The same mesh with these materials, which only deferred shading uses.
     ///
     /// # Errors
-    /// [`SceneError::Invalid`] if they do not fit the triangles, or say what no material can be.
+    /// [`SceneError::Invalid`] if they do not fit the triangles, or a value is out of range.
     pub fn with_materials(self, materials: Materials) -> Result<Mesh, SceneError> {
         materials.check(self.triangles.len())?;
         Ok(Mesh { materials: Some(Arc::new(materials)), ..self })
     }
 
-    /// What its triangles are made of; `None` if all are of the default material.
+    /// The materials of its triangles; `None` if all have the default one.
     pub fn materials(&self) -> Option<&Materials> {
         self.materials.as_deref()
     }
@@ -204,17 +205,17 @@ impl Mesh {
         &self.normals
     }
 
-    /// Triangles in order of submission; at least one, unless there are lines, or this is [`Mesh::none`].
+    /// Triangles in the sequence of submission; at least one, unless there are lines, or this is [`Mesh::none`].
     pub fn triangles(&self) -> &[MeshTriangle] {
         &self.triangles
     }
 
-    /// Lines in order of submission, after the triangles.
+    /// Lines in the sequence of submission, after the triangles.
     pub fn lines(&self) -> &[MeshLine] {
         &self.lines
     }
 
-    /// The triangles of each face, in order of submission.
+    /// The triangles of each face, in the sequence of submission.
     pub fn faces(&self) -> impl Iterator<Item = &[MeshTriangle]> {
         let single = if self.faces.is_empty() { self.triangles.len() } else { 0 };
         let counts = self.faces.iter().copied().chain(std::iter::repeat_n(1, single));
@@ -236,7 +237,7 @@ impl Mesh {
         })
     }
 
-    /// A 64-bit checksum (FNV-1a) of every number but those of materials, to pin a mesh in a test.
+    /// A 64-bit checksum (FNV-1a) of every number except those of materials, to pin a mesh in a test.
     pub fn checksum(&self) -> u64 {
         let mut sum = Fnv::new();
         for list in [&self.positions, &self.normals] {
@@ -413,7 +414,7 @@ mod tests {
             assert!((normals[0] - dvec3(12.0, 5.0, 0.0) / 13.0).length() < 1e-15);
             assert_eq!([normals[1], normals[3]], [DVec3::X, DVec3::Y]);
         }
-        // Too small to be squared, and no area at all.
+        // Too small to be squared, and without area.
         let tiny = positions.map(|p| p * 1e-100);
         assert_eq!(smooth_normals(&tiny, &[[0, 1, 2]])[..4], [DVec3::X, DVec3::X, DVec3::X, DVec3::Z]);
     }

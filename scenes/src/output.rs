@@ -1,7 +1,8 @@
-//! Writing a file whole or not at all.
+//! Writes a file completely or not at all.
 //!
-//! The bytes go to a new file in the same folder and are flushed to the disk; only then it takes the name. A full disk or a killed
-//! run leaves the old file, or none, and nothing beside it: on Linux the new file has no name until then.
+//! The bytes go to a new file in the same folder and are flushed to the disk. Only then does it take the name. A full
+//! disk or a killed run leaves the old file, or none, and nothing beside it: on Linux the new file has no name until
+//! then.
 
 use crate::error::SceneError;
 use std::fs::{self, File, OpenOptions};
@@ -22,7 +23,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), SceneError> {
 /// A file that takes its name when all of it is on the disk.
 #[derive(Debug)]
 pub struct WholeFile {
-    /// As the user named it.
+    /// The path as the user gave it.
     path: PathBuf,
     sink: Sink,
 }
@@ -31,25 +32,26 @@ pub struct WholeFile {
 enum Sink {
     /// A device or a pipe.
     Stream(File),
-    /// What is to become that file.
+    /// The final path.
     Aside(PathBuf, Aside),
 }
 
-/// A new file in the folder of the one that it is to become.
+/// A new file in the same folder.
 #[derive(Debug)]
 enum Aside {
-    /// Goes away with the process, however that ends.
+    /// It vanishes with the process, however that ends.
     Nameless(File),
-    /// Goes away when dropped.
+    /// It is deleted when dropped.
     Named(NamedTempFile),
 }
 
 impl WholeFile {
-    /// Prepares to write that file, and finds out whether the system allows it. Nothing is there yet that a user could see; only a
+    /// Prepares to write that file, and checks that the system allows it. Nothing is visible to a user yet; only a
     /// device or a pipe is opened.
     ///
     /// # Errors
-    /// [`SceneError::Write`], naming the file: it is a folder, it or its folder may not be written, its folder is not there.
+    /// [`SceneError::Write`], naming the file: it is a folder, it or its folder is not writable, or its folder does not
+    /// exist.
     pub fn at(path: &Path) -> Result<WholeFile, SceneError> {
         let sink = match Place::of(path)? {
             Place::Stream => OpenOptions::new().write(true).open(path).map(Sink::Stream),
@@ -62,8 +64,8 @@ impl WholeFile {
         }
     }
 
-    /// Brings the bytes to the disk. They take the permissions of a file that they are to replace, and its owner if the system
-    /// allows it.
+    /// Writes the bytes to the disk. The new file takes the permissions of the file that it replaces, and its owner if
+    /// the system allows it.
     ///
     /// # Errors
     /// [`SceneError::Write`], naming the file: a full disk.
@@ -112,7 +114,7 @@ impl Aside {
     }
 }
 
-/// How a file aside is called: in few characters, as the name that it is to take may be the longest possible.
+/// The name of a temporary file: short, because the final name may have the greatest length allowed.
 fn named() -> Builder<'static, 'static> {
     let mut builder = Builder::new();
     builder.prefix(".tilewright-").suffix(".part");
@@ -130,7 +132,7 @@ fn fill(file: &mut File, bytes: &[u8], real: &Path) -> io::Result<()> {
     file.sync_all()
 }
 
-/// Gives a file the owner and the group of another one; only the superuser may do that to any.
+/// Gives a file the owner and the group of another one; only the superuser may do that for arbitrary owners.
 #[cfg(unix)]
 fn keep_owner(file: &File, old: &fs::Metadata) {
     use std::os::unix::fs::{MetadataExt, fchown};
@@ -181,21 +183,21 @@ mod nameless {
     }
 }
 
-/// What an output is, as the file system has it.
+/// The kind of an output in the file system.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Place {
-    /// A device or a pipe, which takes what it gets.
+    /// A device or a pipe, which is written directly.
     Stream,
-    /// A plain file, there or not yet, under the name behind all links: through a link that points nowhere, the file is made where
-    /// it points.
+    /// A plain file, which may not exist yet, with all links resolved. If a link's target is missing, the file is made
+    /// there.
     File(PathBuf),
 }
 
 impl Place {
-    /// What is there under that name.
+    /// The kind of the output with that name.
     ///
     /// # Errors
-    /// [`SceneError::Write`], naming the file: it is a folder, it may not be written, its folder is not there.
+    /// [`SceneError::Write`], naming the file: it is a folder, it is not writable, or its folder does not exist.
     pub fn of(path: &Path) -> Result<Place, SceneError> {
         Place::look(path).map_err(|error| SceneError::unwritable(path, &error))
     }
@@ -219,10 +221,10 @@ fn ends_in_a_name(path: &Path) -> bool {
     path.file_name().is_some_and(|name| end.ends_with(name.as_encoded_bytes()))
 }
 
-/// The file itself behind links and dots, also if it is not there yet.
+/// The file itself with links and dots resolved, even if it does not exist yet.
 ///
 /// # Errors
-/// Its folder is not there, or may not be entered.
+/// Its folder does not exist, or may not be entered.
 pub fn behind_links(path: &Path) -> io::Result<PathBuf> {
     match fs::canonicalize(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => match fs::read_link(path) {
@@ -239,13 +241,13 @@ fn folder(path: &Path) -> &Path {
 }
 
 impl SceneError {
-    /// The error of an output that the system does not let us write, with what to do.
+    /// The error for an output that the system does not let us write, with the remedy.
     pub fn unwritable(path: &Path, error: &io::Error) -> SceneError {
         SceneError::Write { path: path.to_owned(), reason: reason(error), remedy: remedy(path, error) }
     }
 }
 
-/// What the system said, in lower case and without its number.
+/// The system's message, in lower case and without its number.
 pub(crate) fn reason(error: &io::Error) -> String {
     let text = error.to_string();
     let text = text.split(" (os error").next().unwrap_or_default();

@@ -1,18 +1,18 @@
-//! The packet of a triangle, or of another convex polygon: what set-up hands to a rasterizer, golden or hardware, and the formats of
-//! its fields.
+//! The packet of a triangle, or of another convex polygon: the interface between set-up and a rasterizer, golden or
+//! hardware, and the formats of its fields.
 //!
-//! Source: facts E0 (the integer contract), DES-EDGE, DES-Z and DES-W. These are types and constants alone; the formulas that
-//! evaluate a packet at a pixel are in [`crate::golden`], and each machine writes its own.
+//! Source: facts E0 (the integer contract), DES-EDGE, DES-Z and DES-W. This module has only types and constants. The
+//! formulas that evaluate a packet at a pixel are in [`crate::golden`], and each machine has its own.
 
 /// Sub-pixel positions in a pixel, along each axis.
 pub const SUBPIXELS: i32 = 16;
 /// Bits of a depth value.
 pub const DEPTH_BITS: u32 = 24;
-/// Bits of a depth plane's numbers, which are added modulo 2^40; depth is their bits 39..16.
+/// The bits of a depth plane's numbers, which are added modulo 2^40; depth is bits 39..16.
 pub const DEPTH_PLANE_BITS: u32 = 40;
-/// Bits of a colour plane's numbers, which are added modulo 2^24; the channel is their bits 23..16.
+/// The bits of a colour plane's numbers, which are added modulo 2^24; the channel is bits 23..16.
 pub const COLOUR_PLANE_BITS: u32 = 24;
-/// Bits of the numbers of any other parameter's plane, which are added modulo 2^32; the parameter is their bits 31..16.
+/// The bits of any other parameter's plane, which is added modulo 2^32; the parameter is bits 31..16.
 pub const PARAMETER_PLANE_BITS: u32 = 32;
 /// Fraction bits of all kinds of plane.
 pub const FRACTION_BITS: u32 = 16;
@@ -20,14 +20,14 @@ pub const FRACTION_BITS: u32 = 16;
 pub const EMPTY_DEPTH: u32 = (1 << DEPTH_BITS) - 1;
 /// The least depth of a vertex.
 pub const NEAREST_VERTEX: u32 = 1;
-/// The greatest depth of a vertex: the plane's rounding then reaches neither 0 nor [`EMPTY_DEPTH`].
+/// The greatest depth of a vertex; with it, the plane's rounding reaches neither 0 nor [`EMPTY_DEPTH`].
 pub const FARTHEST_VERTEX: u32 = (1 << DEPTH_BITS) - 3;
 /// Bits of a visibility word, `z << 24 | r << 16 | g << 8 | b`.
 pub const WORD_BITS: u32 = 48;
 /// The word of an empty local buffer: the identity of the minimum (DES-MIN).
 pub const EMPTY: u64 = (1 << WORD_BITS) - 1;
 
-/// A vertex on the screen: what the front end hands to set-up.
+/// A vertex on the screen: the interface between front end and set-up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ScreenVertex {
     /// Rightward from the left edge of pixel 0, in 1/16 pixel; fits 16 bits signed.
@@ -67,8 +67,8 @@ pub struct Plane {
     pub origin: u64,
 }
 
-/// A rectangle of pixels; all four bounds belong to it. Of a polygon between the centres of two neighbouring columns it holds none:
-/// then `left` is `right + 1`; and so with rows.
+/// A rectangle of pixels; all four bounds belong to it. For a polygon between the centres of two neighbouring columns
+/// it is empty: then `left` is `right + 1`. The same is true of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PixelBox {
     /// Leftmost column.
@@ -96,10 +96,11 @@ impl PixelBox {
 /// The most edges that a packet has.
 pub const MOST_EDGES: usize = 8;
 
-/// The packet: one convex polygon, ready for a rasterizer. Its edges are three in a [`Triangle`], and 3 to 8 in a [`Polygon`].
+/// The packet: one convex polygon, ready for a rasterizer. It has three edges in a [`Triangle`], and 3 to 8 in a
+/// [`Polygon`].
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Packet<E> {
-    /// Edge i runs from vertex i to vertex i+1, in the order that makes the area positive (y points down).
+    /// Edge i runs from vertex i to vertex i+1, in the direction that makes the area positive (y points down).
     pub edges: E,
     /// Depth, 40 bits modular.
     pub z: Plane,
@@ -109,8 +110,8 @@ pub struct Packet<E> {
     pub bounds: PixelBox,
     /// Twice the area, in 1/256 square pixel; positive.
     pub area2: i64,
-    /// Which polygon of the scene this came from. Clipping can make several triangles of one polygon; set-up leaves 0 here and
-    /// [`crate::project`] fills it in.
+    /// The number of the polygon in the scene. Clipping can make several triangles of one polygon. Set-up leaves 0 here
+    /// and [`crate::project`] fills it in.
     pub polygon: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Frames as PNG files: colours alone, 8 bits a channel.
+//! Frames as PNG files: only colours, 8 bits a channel.
 
 use crate::error::SceneError;
 use crate::frame::{Frame, blank};
@@ -10,7 +10,7 @@ use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageEncoder};
 use std::io::Cursor;
 use std::path::Path;
 
-/// How every PNG file begins.
+/// The first bytes of every PNG file.
 const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 impl Frame {
@@ -31,7 +31,7 @@ impl Frame {
         write_whole(path.as_ref(), &self.to_png())
     }
 
-    /// Reads a PNG file. It holds no depths: every pixel gets the greatest one, so compare such a frame with
+    /// Reads a PNG file. It has no depths: every pixel gets the greatest one, so compare such a frame with
     /// [`crate::compare_colours`]. Transparency is dropped, 16-bit channels are rounded to 8.
     ///
     /// # Errors
@@ -69,18 +69,18 @@ impl Frame {
 pub(crate) enum Unreadable {
     /// It does not begin as PNG files do.
     NoPng,
-    /// It begins so, but does not go on so.
+    /// It begins like one, but the rest is malformed.
     Damaged,
-    /// It has a width and a height that were not wanted.
+    /// It has an unwanted width or height.
     Size(u32, u32),
 }
 
-/// The picture that a PNG file holds, if its width, its height and the bytes that it takes are `wanted`: only then it is decoded.
+/// The picture of a PNG file. It is decoded only if its width, its height and its size in bytes are `wanted`.
 pub(crate) fn decoded(bytes: &[u8], wanted: impl Fn(u32, u32, u64) -> bool) -> Result<DynamicImage, Unreadable> {
     if !bytes.starts_with(SIGNATURE) {
         return Err(Unreadable::NoPng);
     }
-    // What the library says of a damaged file is its own jargon.
+    // The library describes a damaged file in its own jargon.
     let damaged = |_| Unreadable::Damaged;
     let decoder = PngDecoder::new(Cursor::new(bytes)).map_err(damaged)?;
     let (width, height) = decoder.dimensions();

@@ -1,22 +1,22 @@
-//! Polygon set-up in integers: three or more screen vertices become packets of 3 to 8 edges.
+//! Polygon set-up in integers: converts three or more screen vertices to packets of 3 to 8 edges.
 //!
-//! Source: facts E0 and A3 (MPG-RP: convex polygons as edge equations, and linear functions for what varies over them). A polygon
-//! that is convex, and whose vertices lie in one plane, is one packet; any other is a fan of triangles.
+//! Source: facts E0 and A3 (MPG-RP: convex polygons as edge equations, and linear functions for their attributes). A
+//! convex polygon whose vertices lie in one plane is one packet; any other is a fan of triangles.
 
 use crate::packet::*;
 use crate::setup::{bounds_of_any_size, edge, pixel_bounds, planes, signed_area2, triangle};
 use crate::size::Size;
 
-/// Sets a polygon up for a screen of `size` pixels: in one packet if it can be, in none if there is nothing to draw.
+/// Sets up a polygon for a screen of `size` pixels: as one packet if possible, as none if there is nothing to draw.
 ///
-/// Vertices are as [`set_up`](crate::set_up) takes them, in either direction round the polygon; each may stand in a line with its
-/// neighbours, or repeat one. A polygon of three is what `set_up` makes of it. Of more:
+/// Vertices are as [`set_up`](crate::set_up) takes them, in either direction round the polygon. A vertex may be
+/// collinear with its neighbours, or repeat one. A polygon of three gives the same packet as `set_up`. With more:
 ///
-/// - The packet has the planes of depth and colour through the first proper triangle of its fan, that is, of the triangles
-///   (0, 1, 2), (0, 2, 3) and so on.
-/// - If another vertex leaves one of them by more than one unit, or its plane has no value that a vertex could have there, or if the
-///   polygon is not convex, it is cut into that fan.
-/// - If it has more than [`MOST_EDGES`] edges, it is cut into packets that have as many, all with vertex 0.
+/// - The packet has the planes of depth and colour through the first proper triangle of its fan (0, 1, 2), (0, 2, 3)
+///   and so on.
+/// - The polygon is cut into that fan in three cases: it is not convex; another vertex is more than one unit off one of
+///   these planes; or a plane has a value that no vertex could have.
+/// - If it has more than [`MOST_EDGES`] edges, it is cut into packets with that many, which share vertex 0.
 ///
 /// Packets of one polygon share no pixel, unless its fan folds over itself.
 ///
@@ -40,10 +40,10 @@ pub(crate) fn set_up_parts(vertices: &[ScreenVertex], size: Size) -> Vec<(Vec<Sc
     packets(vertices, |part| pixel_bounds(part, size))
 }
 
-/// As [`set_up_polygon`], but of a polygon that is too small or too thin to enclose a pixel centre, too: its bounds then are empty
-/// ([`PixelBox::is_empty`]). There is nothing of it to draw, but what looks for its pixels has its work with it.
+/// As [`set_up_polygon`], but includes a polygon that is too small or too thin to enclose a pixel centre: its bounds
+/// are then empty ([`PixelBox::is_empty`]). Nothing of it is drawn, but a machine spends time looking for its pixels.
 ///
-/// None are a polygon without area, and one before the screen's first centre along an axis, or behind its last.
+/// Excluded are a polygon without area, and one before the screen's first centre along an axis, or behind its last.
 ///
 /// ```
 /// use tilewright_scenes::{ScreenVertex, Size, set_up_polygon, set_up_polygon_of_any_size};
@@ -79,7 +79,7 @@ fn packets(
     }
 }
 
-/// The vertices from the same first one, in the order that makes the area positive.
+/// The vertices from the same first one, in the direction that makes the area positive.
 fn positive(vertices: &[ScreenVertex]) -> Vec<ScreenVertex> {
     let mut round = vertices.to_vec();
     if fan(vertices).map(|triangle| signed_area2(&triangle)).sum::<i64>() < 0 {
@@ -96,7 +96,7 @@ fn parts(round: &[ScreenVertex]) -> impl Iterator<Item = Vec<ScreenVertex>> {
     })
 }
 
-/// The packet of a convex polygon that runs as positive areas do; `None` if it has no area.
+/// The packet of a convex polygon in the direction of positive areas; `None` if it has no area.
 fn packet(round: &[ScreenVertex], (z, rgb): (Plane, [Plane; 3]), bounds: PixelBox) -> Option<Polygon> {
     let area2 = fan(round).map(|triangle| signed_area2(&triangle)).sum();
     let edges = sides(round).map(|(p, q)| edge(p, q)).collect();
@@ -108,7 +108,7 @@ fn fan(vertices: &[ScreenVertex]) -> impl Iterator<Item = [ScreenVertex; 3]> {
     vertices.windows(2).skip(1).map(|pair| [vertices[0], pair[0], pair[1]])
 }
 
-/// The sides that have a length.
+/// The sides of nonzero length.
 fn sides(round: &[ScreenVertex]) -> impl Iterator<Item = (ScreenVertex, ScreenVertex)> {
     let next = round.iter().cycle().skip(1);
     round.iter().zip(next).map(|(&p, &q)| (p, q)).filter(|(p, q)| (p.x, p.y) != (q.x, q.y))
@@ -119,8 +119,8 @@ fn is_convex(round: &[ScreenVertex]) -> bool {
     sides(round).all(|(p, q)| round.iter().all(|&v| signed_area2(&[p, q, v]) >= 0))
 }
 
-/// The first proper triangle and its doubled area, if the planes through it have, at each vertex, values that a vertex may have and
-/// that differ from its own by at most one unit.
+/// The first proper triangle and its doubled area. Its planes must have, at each vertex, values that a vertex may have
+/// and that differ from the vertex's own by at most one unit.
 fn flat(round: &[ScreenVertex]) -> Option<([ScreenVertex; 3], i64)> {
     let with_area = fan(round).map(|triangle| (triangle, signed_area2(&triangle)));
     let (corners, area2) = with_area.into_iter().find(|(_, area2)| *area2 > 0)?;
@@ -137,7 +137,7 @@ fn flat(round: &[ScreenVertex]) -> Option<([ScreenVertex; 3], i64)> {
     round.iter().all(is_near).then_some((corners, area2))
 }
 
-/// What part each corner has in a plane's value at a point, in parts of the doubled area.
+/// The weight of each corner in a plane's value at a point, in parts of the doubled area.
 fn weights([a, b, c]: &[ScreenVertex; 3], v: &ScreenVertex) -> [i64; 3] {
     [[v, b, c], [a, v, c], [a, b, v]].map(|triangle| signed_area2(&triangle.map(|corner| *corner)))
 }

@@ -1,9 +1,9 @@
-//! The front end: a scene becomes packets for a screen, of triangles alone or of polygons.
+//! The front end: converts a scene to packets for a screen, of triangles alone or of polygons.
 //!
-//! Transform, light, clip, project, snap to 1/16 pixel, set up (facts E0). A line is a polygon of four corners, or two triangles in the
-//! same planes, and no light falls on it. Depth is `(1 - near/w) * far/(far - near)` for a
-//! distance w along the line of sight: linear in 1/w, so that a plane in space is a plane on the screen. `near` and `far` are taken
-//! from the scene: they enclose what is in front of the eye, near being at least far/4096.
+//! The steps are transform, light, clip, project, snap to 1/16 pixel, set up (facts E0). A line is a polygon of four
+//! corners, or two triangles in the same planes, and is not lit. Depth is `(1 - near/w) * far/(far - near)` for a
+//! distance w along the line of sight. It is linear in 1/w, so that a plane in space is a plane on the screen. `near`
+//! and `far` come from the scene: they enclose everything in front of the eye, with near at least far/4096.
 //!
 //! Float results are bit-equal on every machine: only + - * / and square roots of f64 are used (see [`crate::angle`]).
 
@@ -23,10 +23,10 @@ use crate::size::Size;
 use crate::sphere::{self, Seen, Shade, SpherePacket, Unseen};
 use glam::{DVec2, DVec3};
 
-/// What becomes of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
+/// The counts of a scene's polygons; every polygon is counted once, in `drawn` or in one of the four fields after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Triangles of the mesh, or its faces; and its lines and the spheres, which are polygons, too.
+    /// Triangles of the mesh, or its faces; also its lines and the spheres.
     pub polygons: u32,
     /// Lines among the polygons.
     pub lines: u32,
@@ -42,7 +42,7 @@ pub struct Counts {
     pub degenerate: u32,
     /// Polygons on the screen that enclose no pixel centre along one of the axes.
     pub between_centres: u32,
-    /// Polygons but lines that clipping turned into two packets or more; they count as drawn too.
+    /// Polygons other than lines that clipping split into two packets or more; they also count as drawn.
     pub split: u32,
 }
 
@@ -51,20 +51,21 @@ pub struct Counts {
 pub struct Projection {
     /// The screen.
     pub size: Size,
-    /// Packets in order of submission, up to two of a line; [`Triangle::polygon`] tells which polygon of the mesh each is of, never
-    /// decreasing, the lines after the triangles.
+    /// Packets in the sequence of submission, up to two for a line. [`Triangle::polygon`] gives the packet's polygon in
+    /// the mesh. It never decreases, and lines come after triangles.
     pub triangles: Vec<Triangle>,
-    /// The three vertices that each packet was set up from, in the same order as `triangles`; of a line up to half a pixel outside of the
-    /// guard band.
+    /// The three vertices that each packet was set up from, in the same sequence as `triangles`. Those of a line may be
+    /// up to half a pixel outside the guard band.
     pub vertices: Vec<[ScreenVertex; 3]>,
-    /// The vertices of each polygon of the mesh, drawn or not, by its number ([`Mesh::vertices_of_polygons`](crate::Mesh::vertices_of_polygons)).
+    /// The vertices of each polygon of the mesh, drawn or not, by its number
+    /// ([`Mesh::vertices_of_polygons`](crate::Mesh::vertices_of_polygons)).
     pub corners: Vec<[MeshVertex; 3]>,
-    /// What became of the polygons.
+    /// The counts of polygons.
     pub counts: Counts,
 }
 
 impl Projection {
-    /// Triangles of no scene, each a polygon with corners of its own. Those without a pixel are counted as polygons alone.
+    /// Triangles without a scene, each a polygon with corners of its own. Those without a pixel only count as polygons.
     ///
     /// ```
     /// use tilewright_scenes::{Projection, ScreenVertex, Size};
@@ -96,14 +97,14 @@ impl Projection {
 pub struct Polygons {
     /// The screen.
     pub size: Size,
-    /// Packets in order of submission; [`Packet::polygon`] tells which face or line of the mesh each is of, never decreasing, the lines
-    /// after the faces.
+    /// Packets in the sequence of submission. [`Packet::polygon`] gives the packet's face or line of the mesh. It never
+    /// decreases, and lines come after faces.
     pub polygons: Vec<Polygon>,
-    /// The vertices that each packet was set up from, in the same order as `polygons`: of a line its two ends.
+    /// The vertices that each packet was set up from, in the same sequence as `polygons`: for a line its two ends.
     pub vertices: Vec<Vec<ScreenVertex>>,
-    /// The packets of spheres in order of submission, after the polygons.
+    /// The packets of spheres in the sequence of submission, after the polygons.
     pub spheres: Vec<SpherePacket>,
-    /// What became of the faces, lines and spheres.
+    /// The counts of faces, lines and spheres.
     pub counts: Counts,
 }
 
@@ -120,8 +121,8 @@ impl Scene {
 /// Projects a scene onto a screen.
 ///
 /// # Errors
-/// [`SceneError`] if the camera or the lights are no good, if nothing of the mesh is in front of the camera, or if there are spheres, which are not made of
-/// triangles.
+/// [`SceneError`] if the camera or the lights are invalid, if nothing of the mesh is in front of the camera, or if
+/// there are spheres, which have no triangles.
 pub fn project(scene: &Scene, size: Size) -> Result<Projection, SceneError> {
     project_sample(scene, size, [0, 0])
 }
@@ -161,11 +162,12 @@ pub fn project_samples(scene: &Scene, size: Size, samples: Samples) -> Result<Ve
     samples.passes(size)?.into_iter().map(|(size, shift)| project_sample(scene, size, shift)).collect()
 }
 
-/// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`](crate::set_up_polygon) makes one of it. Few tilted faces
-/// are: snapping their corners takes them out of their plane by more than a unit of depth.
+/// Projects a scene onto a screen, each face of its mesh as one polygon where [`set_up_polygon`](crate::set_up_polygon)
+/// allows it. It allows few tilted faces: snapping moves their corners out of the plane by more than a unit of depth.
 ///
 /// # Errors
-/// As [`project`], but for spheres; and if one is too near, too large or too slender, as [the page of spheres](crate::sphere) says.
+/// As [`project`], except for spheres. Also if a sphere is too near, too large or too slender, as [the page of
+/// spheres](crate::sphere) says.
 pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneError> {
     let front = Front::new(scene, size, [0, 0])?;
     let mut all =
@@ -197,7 +199,7 @@ pub fn project_polygons(scene: &Scene, size: Size) -> Result<Polygons, SceneErro
 }
 
 impl Polygons {
-    /// Sets up a face and counts what became of it.
+    /// Sets up a face and counts the result.
     fn submit(&mut self, number: u32, ring: &[ViewVertex], screen: &Screen) {
         let vertices: Vec<ScreenVertex> = ring.iter().map(|&v| screen.snap(v)).collect();
         let parts = set_up_parts(&vertices, self.size);
@@ -209,7 +211,7 @@ impl Polygons {
         }
     }
 
-    /// Takes a sphere that has been set up, and counts what became of it.
+    /// Adds a sphere that has been set up, and counts the result.
     fn submit_sphere(&mut self, seen: Seen) {
         let number = self.counts.polygons;
         self.counts.polygons += 1;
@@ -225,7 +227,7 @@ impl Polygons {
         }
     }
 
-    /// Sets up a line and counts what became of it.
+    /// Sets up a line and counts the result.
     fn submit_line(&mut self, number: u32, ends: [ViewVertex; 2], screen: &Screen) {
         let ends = ends.map(|v| screen.snap(v));
         let packet = set_up_line(ends, self.size);
@@ -238,7 +240,7 @@ impl Polygons {
 }
 
 impl Counts {
-    /// A polygon that has become so many packets.
+    /// Counts a polygon that has become this many packets.
     fn take(&mut self, packets: usize, is_proper: bool, on_screen: bool) {
         let fate = match packets {
             0 if !is_proper => &mut self.degenerate,
@@ -259,13 +261,13 @@ impl Counts {
         self.polygons - 1
     }
 
-    /// A line that has become a packet or more, or none.
+    /// Counts a line that has become a packet or more, or none.
     fn take_line(&mut self, is_drawn: bool, ends: [ScreenVertex; 2], screen: &Screen) {
         let has_length = (ends[0].x, ends[0].y) != (ends[1].x, ends[1].y);
         self.take(is_drawn.into(), has_length, screen.meets(&line_corners(ends)));
     }
 
-    /// A polygon that clipping left nothing of.
+    /// Counts a polygon of which clipping left nothing.
     fn leave_out(&mut self, outside: Clipped) {
         match outside {
             Clipped::Behind => self.behind += 1,
@@ -274,16 +276,16 @@ impl Counts {
     }
 }
 
-/// A triangle that is left of a polygon, on the screen.
+/// A triangle that remains of a polygon, on the screen.
 pub(crate) struct Part {
     /// The number of the polygon in the mesh: lines come after the triangles.
     pub(crate) polygon: u32,
     pub(crate) vertices: [ScreenVertex; 3],
-    /// Before they were snapped; `None` for half a line.
+    /// The vertices before snapping; `None` for half a line.
     pub(crate) seen: Option<[ViewVertex; 3]>,
 }
 
-/// What all polygons of a scene go through.
+/// The common part of projecting all polygons of a scene.
 pub(crate) struct Front<'a> {
     scene: &'a Scene,
     lighting: Lighting,
@@ -303,8 +305,8 @@ impl Front<'_> {
         Ok(Front { scene, lighting: scene.lighting.normalized(), view, seen, screen })
     }
 
-    /// Hands over what is left of every triangle and line, in triangles, and counts what became of them; `set_up` says whether there is
-    /// anything to draw of one.
+    /// Passes on the rest of every triangle and line, in triangles, and counts the results; `set_up` returns whether
+    /// there is anything to draw.
     pub(crate) fn parts(&self, mut set_up: impl FnMut(&Part) -> bool) -> Counts {
         let mut counts = Counts::default();
         for (polygon, triangle) in (0..).zip(self.scene.mesh.triangles()) {
@@ -324,7 +326,7 @@ impl Front<'_> {
         counts
     }
 
-    /// Hands over the pieces of a triangle and counts what became of it.
+    /// Passes on the pieces of a triangle and counts the result.
     fn pieces(&self, polygon: u32, ring: &[ViewVertex], set_up: &mut impl FnMut(&Part) -> bool, counts: &mut Counts) {
         let (mut packets, mut is_proper, mut on_screen) = (0, false, false);
         for i in 2..ring.len() {
@@ -337,7 +339,7 @@ impl Front<'_> {
         counts.take(packets, is_proper, on_screen);
     }
 
-    /// Hands over the halves of a line, whose planes are its own, and counts what became of it.
+    /// Passes on the halves of a line, which has its own planes, and counts the result.
     fn halves(&self, polygon: u32, ends: [ViewVertex; 2], set_up: &mut impl FnMut(&Part) -> bool, counts: &mut Counts) {
         let ends = ends.map(|v| self.screen.snap(v));
         let corners = line_corners(ends);
@@ -348,7 +350,7 @@ impl Front<'_> {
         counts.take_line(is_drawn, ends, &self.screen);
     }
 
-    /// The corners of a triangle of that number.
+    /// The corners of the triangle with that number.
     fn corners(&self, number: u32, triangle: &MeshTriangle) -> [ViewVertex; 3] {
         let mesh = &self.scene.mesh;
         let [p, q, r] = triangle.positions.map(|i| mesh.positions()[i as usize]);

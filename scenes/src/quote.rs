@@ -1,4 +1,4 @@
-//! Text and numbers of a user's file or command line in a message: short, and without anything that a terminal obeys.
+//! Text and numbers of a user's file or command line in a message: short, and without control sequences for a terminal.
 
 use std::path::Path;
 
@@ -7,21 +7,22 @@ const WORD: usize = 60;
 /// The most characters of a path in a message.
 const PATH: usize = 1000;
 
-/// The text in backticks, escaped as [`escape`] does, and its first 60 characters alone if it is longer.
+/// The text in backticks, escaped like [`escape`]; longer texts are cut to their first 60 characters.
 pub fn quote(text: &str) -> String {
     format!("`{}`", brief(text, WORD))
 }
 
-/// As [`quote`], of bytes that need not be UTF-8: others are written as in Rust, `\xe9`.
+/// Like [`quote`], for bytes that need not be UTF-8: others are written as in Rust, `\xe9`.
 pub(crate) fn quote_bytes(bytes: &[u8]) -> String {
-    // Enough of them for as many characters as are shown.
+    // Enough bytes for the characters that are shown.
     let chunks = bytes[..bytes.len().min(4 * WORD + 4)].utf8_chunks();
     let text: String =
         chunks.flat_map(|chunk| [chunk.valid().to_owned(), chunk.invalid().escape_ascii().to_string()]).collect();
     quote(&text)
 }
 
-/// The text with everything that changes how a terminal shows it written as in Rust: `\u{1b}` for the escape character.
+/// The text with everything that changes its display on a terminal written as in Rust: `\u{1b}` for the escape
+/// character.
 pub fn escape(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
@@ -33,7 +34,7 @@ pub fn escape(text: &str) -> String {
     shown
 }
 
-/// At most so many characters of the text, escaped.
+/// The first `most` characters of the text, escaped.
 pub(crate) fn brief(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
         Some((end, _)) => format!("{}…", escape(&text[..end])),
@@ -46,13 +47,13 @@ pub(crate) fn shown(path: &Path) -> String {
     brief(&path.to_string_lossy(), PATH)
 }
 
-/// A number for a message: one of hundreds of digits as a power of ten.
+/// A number for a message: one with hundreds of digits as a power of ten.
 pub(crate) fn number(number: f64) -> String {
     let plain = number == 0.0 || (1e-6..1e6).contains(&number.abs()) || !number.is_finite();
     if plain { number.to_string() } else { format!("{number:e}") }
 }
 
-/// Control characters, ends of lines, and what turns the direction of writing round.
+/// Control characters, line ends, and characters that reverse the direction of writing.
 fn is_obeyed(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')

@@ -14,7 +14,7 @@ pub struct Scene {
     pub name: String,
     /// The triangles and lines.
     pub mesh: Mesh,
-    /// The spheres, in order of submission, after all of the mesh.
+    /// The spheres, in the sequence of submission, after the whole mesh.
     pub spheres: Vec<Sphere>,
     /// Where they are seen from.
     pub camera: Camera,
@@ -24,8 +24,8 @@ pub struct Scene {
     pub background: [u8; 3],
     /// The screen that the scene asks for; [`crate::project`] takes any other.
     pub size: Size,
-    /// The files that it was read from, in order: none for a built-in one.
+    /// The files that it was read from, in sequence: none for a built-in one.
     pub files: Vec<PathBuf>,
-    /// What was odd about the files but did no harm, a sentence each.
+    /// Harmless problems in the files, a sentence each.
     pub warnings: Vec<String>,
 }

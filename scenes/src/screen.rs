@@ -1,4 +1,4 @@
-//! The screen as the front end sees it: depth and guard band, and what clipping and snapping make of view space.
+//! The screen as the front end sees it: depth and guard band, clipping and snapping of view space.
 
 use crate::camera::View;
 use crate::clip::{ClipPlane, ViewVertex};
@@ -8,8 +8,8 @@ use crate::scene::Scene;
 use crate::size::Size;
 use glam::{DVec2, DVec3};
 
-/// The error of a scene of which nothing is in front of the eye, or `None` if something is; what is wrong with the camera itself
-/// is an error of its own.
+/// The error for a scene with nothing in front of the eye, or `None`; a mistake in the camera itself is an error of its
+/// own.
 pub(crate) fn nothing_in_front(scene: &Scene) -> Result<Option<SceneError>, SceneError> {
     let view = scene.camera.view()?;
     let positions = scene.mesh.positions().iter();
@@ -29,11 +29,11 @@ fn behind(scene: &Scene) -> SceneError {
     )
 }
 
-/// The greatest ratio of far to near: 24 bits then still tell apart what is 1/4000 of the far distance deep.
+/// The greatest ratio of far to near: 24 bits then still resolve depths of 1/4000 of the far distance.
 const DEPTH_RATIO: f64 = 4096.0;
 
-/// The least and the greatest distance along the line of sight of what is in front of the eye; far is 0 if nothing is, and near is 0
-/// if anything passes the eye.
+/// The least and the greatest distance, along the line of sight, of everything in front of the eye. The far distance is
+/// 0 if there is nothing. The near distance is 0 if anything passes the eye.
 fn depth_range(scene: &Scene, seen: &[DVec3], view: View) -> (f64, f64) {
     let triangles = scene.mesh.triangles().iter().map(|triangle| &triangle.positions[..]);
     let lines = scene.mesh.lines().iter().map(|line| &line.positions[..]);
@@ -50,7 +50,7 @@ fn depth_range(scene: &Scene, seen: &[DVec3], view: View) -> (f64, f64) {
     })
 }
 
-/// What clipping left nothing of, and on which side it was.
+/// Clipping left nothing, and the side on which it was.
 #[derive(Clone, Copy)]
 pub(crate) enum Clipped {
     Behind,
@@ -85,11 +85,11 @@ impl Screen {
             return Err(behind(scene));
         }
         let near = nearest.max(far / DEPTH_RATIO);
-        // A mesh at one distance: any far plane behind it serves.
+        // A mesh at one distance: any far plane behind it works.
         let far = far.max(near * 1.001);
         let centre = [f64::from(size.width()) / 2.0, f64::from(size.height()) / 2.0];
         let scale = centre[1] / view.half_height;
-        // The guard band less the shift, so that a moved vertex is still 16 bits.
+        // The guard band less the shift, so that a moved vertex still has 16 bits.
         let limits = |axis: usize| {
             let sub = |position: i32| f64::from(position - shift[axis]) / f64::from(SUBPIXELS);
             (sub(i16::MIN.into()), sub(i16::MAX.into()))
@@ -138,8 +138,8 @@ impl Screen {
         self.depth_scale
     }
 
-    /// The part of a convex polygon that is beyond the near plane and, where it leaves the guard band, inside that: three vertices at
-    /// least.
+    /// The part of a convex polygon beyond the near plane and, where it leaves the guard band, inside that: at least
+    /// three vertices.
     pub(crate) fn clip(&self, corners: &[ViewVertex]) -> Result<Vec<ViewVertex>, Clipped> {
         let planes = [(&self.near_plane, Clipped::Behind)]
             .into_iter()
@@ -156,14 +156,14 @@ impl Screen {
         Ok(polygon)
     }
 
-    /// The part of a line that is beyond the near plane and inside the guard band.
+    /// The part of a line beyond the near plane and inside the guard band.
     pub(crate) fn clip_line(&self, ends: [ViewVertex; 2]) -> Result<[ViewVertex; 2], Clipped> {
         let line = self.near_plane.clip_line(ends).ok_or(Clipped::Behind)?;
         let guarded = self.guard.iter().try_fold(line, |line, plane| plane.clip_line(line));
         guarded.ok_or(Clipped::OffScreen)
     }
 
-    /// A vertex at its 1/16 pixel.
+    /// A vertex snapped to 1/16 pixel.
     pub(crate) fn snap(&self, v: ViewVertex) -> ScreenVertex {
         let w = v.at.z;
         let place = |axis: usize, offset: f64| {

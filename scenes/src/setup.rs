@@ -1,19 +1,19 @@
-//! Triangle set-up in integers: three screen vertices become a packet.
+//! Triangle set-up in integers: converts three screen vertices to a packet.
 //!
-//! Source: facts E0; DES-EDGE (reduced edge test), DES-Z (depth plane), DES-W (widths). This is the one set-up that the golden
-//! rasterizer and every machine share; a hardware set-up unit must match it bit for bit. Divisions round down (towards minus
+//! Source: facts E0; DES-EDGE (reduced edge test), DES-Z (depth plane), DES-W (widths). The golden rasterizer and every
+//! machine share this set-up; a hardware set-up unit must match it bit for bit. Divisions round down (towards minus
 //! infinity).
 
 use crate::packet::*;
 use crate::size::Size;
 
-/// Sets a triangle up for a screen of `size` pixels.
+/// Sets up a triangle for a screen of `size` pixels.
 ///
 /// `None` if there is nothing to draw: zero area, or no pixel centre of the screen between the vertices, either along x or
 /// along y. A packet may still cover no pixel (a sliver between centres).
 ///
-/// Vertices are in 1/16 pixel and must lie in the guard band (16 bits signed) with depths between [`NEAREST_VERTEX`] and
-/// [`FARTHEST_VERTEX`]; [`crate::project`] sees to both.
+/// Vertices are in 1/16 pixel and must lie in the guard band (16 bits signed) with depths between [`NEAREST_VERTEX`]
+/// and [`FARTHEST_VERTEX`]; [`crate::project`] ensures both.
 pub fn set_up(vertices: &[ScreenVertex; 3], size: Size) -> Option<Triangle> {
     triangle(vertices, pixel_bounds(vertices, size)?)
 }
@@ -52,8 +52,8 @@ pub(crate) fn bounds_of_any_size(v: &[ScreenVertex], size: Size) -> Option<Pixel
     Some(PixelBox { left, top, right, bottom })
 }
 
-/// First and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest position; the first
-/// is the last and 1 if both positions lie between two neighbours.
+/// The first and last pixel of a row of `side` pixels whose centres (16*i + 8) lie between the least and the greatest
+/// position. If there is none, the first is the last plus 1.
 fn centres_between(positions: impl Iterator<Item = i32> + Clone, side: u32) -> Option<(u32, u32)> {
     let (least, greatest) = (positions.clone().min()?, positions.max()?);
     let half = i64::from(SUBPIXELS / 2);
@@ -68,10 +68,10 @@ pub(crate) fn edge(p: ScreenVertex, q: ScreenVertex) -> Edge {
     let (dx, dy) = (i64::from(q.x) - i64::from(p.x), i64::from(q.y) - i64::from(p.y));
     let (a, b) = (-dy, dx);
     let c = -(a * i64::from(p.x) + b * i64::from(p.y));
-    // An edge that is neither a left nor a top one does not own the centres on it: one unit less keeps them out.
+    // An edge that is neither a left nor a top one excludes the centres on it: one unit less achieves that.
     let top_left = dy < 0 || (dy == 0 && dx > 0);
     let reduced = (8 * (a + b) + c - i64::from(!top_left)).div_euclid(i64::from(SUBPIXELS));
-    // Vertices in the guard band keep |value| < 2^30 (DES-W), so nothing is cut off here.
+    // Vertices in the guard band keep |value| < 2^30 (DES-W), so nothing is lost here.
     Edge { a: a as i32, b: b as i32, c: reduced as i32 }
 }
 
@@ -83,9 +83,9 @@ pub(crate) fn planes(corners: [ScreenVertex; 3], area2: i64) -> (Plane, [Plane; 
     (z, [channel(0), channel(1), channel(2)])
 }
 
-/// What all planes of one triangle share.
+/// The common values of one triangle's planes.
 pub(crate) struct Anchor {
-    /// In the order that makes the area positive.
+    /// In the sequence that makes the area positive.
     pub(crate) corners: [ScreenVertex; 3],
     /// Their doubled area.
     pub(crate) area2: i64,
@@ -102,7 +102,7 @@ impl Anchor {
         let ny = d2 * d(v1.x, v0.x) - d1 * d(v2.x, v0.x);
         let gradient = |n: i64| ((n * i64::from(SUBPIXELS)) << FRACTION_BITS).div_euclid(self.area2);
         let (x, y) = (gradient(nx), gradient(ny));
-        // The anchor is the centre of v0's pixel: near v0, so that the rounding of the gradients counts least.
+        // The anchor is the centre of v0's pixel: near v0, so that the rounding of the gradients has the least effect.
         let (px, py) = (i64::from(v0.x >> 4), i64::from(v0.y >> 4));
         let to_centre = nx * (16 * px + 8 - i64::from(v0.x)) + ny * (16 * py + 8 - i64::from(v0.y));
         let at_anchor = (value[0] << FRACTION_BITS)

@@ -1,6 +1,6 @@
-//! Two eyes: the cameras of a stereo picture, and the picture of both frames side by side.
+//! Two eyes: the cameras of a stereo picture, and both frames side by side.
 //!
-//! Their lines of sight are parallel, so both see the same directions, and a shader's lights are the same for both.
+//! Their lines of sight are parallel. So both see the same directions, and a shader's lights are the same for both.
 
 use crate::camera::Camera;
 use crate::error::SceneError;
@@ -9,18 +9,17 @@ use crate::quote::number;
 use crate::scene::Scene;
 use crate::size::{MAX_SIDE, Size};
 
-/// How many times farther than the distance between the eyes the target is, unless that distance is given: as for a human
-/// (6.5 cm) before something 2 m away.
+/// The default ratio of the target's distance to that between the eyes: as for a human (6.5 cm) and an object 2 m away.
 const TARGET_BY_EYES: f64 = 30.0;
 
 impl Camera {
-    /// A distance between the eyes that suits the camera: a thirtieth of that to the target, in the mesh's unit.
+    /// A suitable distance between the eyes: a thirtieth of that to the target, in the mesh's unit.
     pub fn eye_distance(&self) -> f64 {
         let sight = self.target - self.eye;
         sight.dot(sight).sqrt() / TARGET_BY_EYES
     }
 
-    /// The left and the right eye: the camera, moved by half of a distance, in the mesh's unit, to either side.
+    /// The left and the right eye: the camera, moved to either side by half of a distance in the mesh's unit.
     ///
     /// ```
     /// use glam::DVec3;
@@ -70,7 +69,7 @@ pub fn stereo_size(size: Size) -> Result<Size, SceneError> {
     })
 }
 
-/// The left eye's frame, and to the right of it the right eye's.
+/// The left eye's frame, with the right eye's to the right of it.
 ///
 /// ```
 /// use tilewright_scenes::{Frame, Size, side_by_side};
@@ -106,7 +105,7 @@ mod tests {
         let distance = scene.camera.eye_distance();
         let scenes = scene.eyes(distance).unwrap();
         let [left, right] = scenes.map(|scene| {
-            // Where the target was is beside the middle of what each eye sees, by half of the distance, and as far as before.
+            // The old target is off the middle of each eye's view by half of the distance, and as far away as before.
             scene.camera.view().unwrap().of_point(Scene::builtin("teapot").unwrap().camera.target)
         });
         assert!((left - right - DVec3::new(distance, 0.0, 0.0)).length() < 1e-9, "{left} {right}");

@@ -12,12 +12,13 @@ pub(crate) use window::Window;
 
 use crate::error::SceneError;
 
-/// The most that the side of a texture is halved: it has at most 1024 texels.
+/// The most levels below a texture's finest: a texture has at most 1024 texels a side.
 pub const MOST_LEVEL: u32 = 10;
 
-/// A texture on all of its levels: on level l it has 2^l x 2^l texels.
+/// A texture on all of its levels: level l has 2^l x 2^l texels.
 ///
-/// Texel (i, j) is the i-th from the left in the j-th row from below, as v points upward. A texture goes on repeating on all sides.
+/// Texel (i, j) is the i-th from the left in the j-th row from below, as v points upward. A texture repeats on all
+/// sides.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Texture {
     /// By level, the coarsest first: 1 texel, 4, 16 and so on.

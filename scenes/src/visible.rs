@@ -1,18 +1,20 @@
-//! Whether a picture shows anything, said before it is rendered.
+//! Reports before rendering whether a picture shows anything.
 
 use crate::golden::Primitive;
 use crate::packet::{Edge, Packet};
 use crate::project::{Counts, Polygons, Projection};
 
 impl Projection {
-    /// A sentence if no triangle and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no triangle and no line covers a pixel, so that the picture would show only the background; `None`
+    /// if one does.
     pub fn warning(&self) -> Option<String> {
         self.counts.warning(&self.triangles)
     }
 }
 
 impl Polygons {
-    /// A sentence if no polygon, line or sphere covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no polygon, line or sphere covers a pixel, so that the picture would show only the background;
+    /// `None` if one does.
     pub fn warning(&self) -> Option<String> {
         if self.spheres.iter().any(covers_a_pixel) { None } else { self.counts.warning(&self.polygons) }
     }
@@ -43,7 +45,7 @@ impl Counts {
         ))
     }
 
-    /// How many polygons, lines and spheres there are, such as `3 polygons and 1 line`.
+    /// The numbers of polygons, lines and spheres, such as `3 polygons and 1 line`.
     ///
     /// ```
     /// use tilewright_scenes::Counts;

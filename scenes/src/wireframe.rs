@@ -1,7 +1,8 @@
-//! Wireframes: the sides of a mesh' faces as lines, each once.
+//! Wireframes: the sides of a mesh's faces as lines, each once.
 //!
-//! Two faces share a side if its ends are at the same places, whatever their indices: parts of a mesh, such as the patches of the teapot,
-//! may have vertices of their own. Of two faces with different colours the first one gives the side its own.
+//! Two faces share a side if its ends are at the same positions. Their indices may differ: parts of a mesh, such as the
+//! patches of the teapot, may have vertices of their own. If two faces have different colours, the first one gives the
+//! side its colour.
 
 use crate::mesh::{Mesh, MeshLine};
 use glam::DVec3;
@@ -15,7 +16,7 @@ pub(crate) struct Sides {
 }
 
 impl Sides {
-    /// Takes the sides of the face with these corners, by index; one without a length is none.
+    /// Adds the sides of the face with these corners, by index; a side of length zero is none.
     pub(crate) fn take(&mut self, positions: &[DVec3], corners: &[u32], colour: [f64; 3]) {
         for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             let mut ends = [from, to].map(|index| place(positions[index as usize]));
@@ -33,7 +34,7 @@ pub(crate) fn place(position: DVec3) -> [u64; 3] {
 }
 
 impl Mesh {
-    /// The sides of the faces as lines, each once, and the lines that there are; the triangles themselves are gone.
+    /// The sides of the faces as lines, each once, and the existing lines; the triangles are removed.
     ///
     /// ```
     /// use tilewright_scenes::builtin::teapot;

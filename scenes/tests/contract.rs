@@ -62,7 +62,7 @@ proptest! {
         }
     }
 
-    /// The order of a triangle's vertices does not matter for coverage.
+    /// The sequence of a triangle's vertices does not affect coverage.
     #[test]
     fn orientation_does_not_matter(v in corners(), turn in 0..3usize) {
         let mirrored = [v[turn], v[(turn + 2) % 3], v[(turn + 1) % 3]];
@@ -76,8 +76,8 @@ proptest! {
         }
     }
 
-    /// DES-Z: at covered centres the depth is the exact plane's to half a unit and 0.13 (v0 may be in the far guard band), and never
-    /// a value that no vertex could have.
+    /// DES-Z: at covered centres the depth is within half a unit and 0.13 of the exact plane (v0 may be in the far
+    /// guard band), and always a value that a vertex could have.
     #[test]
     fn depth_is_exact_to_a_rounding(v in corners()) {
         let Some(t) = set_up(&v, screen()) else { return Ok(()) };
@@ -144,7 +144,8 @@ proptest! {
         }
     }
 
-    /// DES-MIN: neither the order of the triangles nor their distribution over buffers, merged in any order, changes a pixel.
+    /// DES-MIN: the sequence of the triangles, their distribution over buffers, and the sequence of merging never
+    /// change a pixel.
     #[test]
     fn order_and_partition_do_not_matter(
         all in proptest::collection::vec(corners(), 1..12),
@@ -166,7 +167,7 @@ proptest! {
         prop_assert_eq!(merged, whole);
     }
 
-    /// The frame is what the oracle sees: at each pixel the nearest of the covering triangles, to the rounding of depth.
+    /// The frame equals the oracle's: at each pixel the nearest of the covering triangles, up to the rounding of depth.
     #[test]
     fn a_frame_shows_the_nearest_triangle(all in proptest::collection::vec(corners(), 1..8)) {
         let frame = golden::render(screen(), &packets(&all), [9, 9, 9]);

@@ -30,7 +30,7 @@ fn end() -> impl Strategy<Value = ScreenVertex> {
     (position(), position(), depth, any::<[u8; 3]>()).prop_map(|(x, y, z, rgb)| ScreenVertex { x, y, z, rgb })
 }
 
-/// Two ends; often one beside the other, so that lines are short, flat, steep, or diagonal.
+/// Two ends, often close together, so that lines are short, flat, steep, or diagonal.
 fn ends() -> impl Strategy<Value = [ScreenVertex; 2]> {
     let step = || prop_oneof![Just(0), -40..40i32, (-6..6i32).prop_map(|i| 16 * i)];
     let near = (end(), end(), step(), step(), any::<bool>()).prop_map(|(p, q, dx, dy, diagonal)| {
@@ -41,7 +41,7 @@ fn ends() -> impl Strategy<Value = [ScreenVertex; 2]> {
     prop_oneof![2 => [end(), end()], 1 => near]
 }
 
-/// A line as a function: from which coordinate to which it runs, and what it is at each, in exact numbers.
+/// A line as a function: its range of coordinates, and its values at each, in exact numbers.
 struct Run {
     is_flat: bool,
     /// The end with the lesser coordinate along the major axis: that coordinate, and the other.
@@ -74,7 +74,8 @@ impl Run {
     fn covers(&self, x: u32, y: u32) -> bool {
         let (along, across) = self.axes(x, y);
         let (length, rise) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
-        // How far the centre is beside the line, times the length; and how the infinitesimals change that, the larger one first.
+        // The centre's distance from the line times the length, and its change by the infinitesimals, the larger one
+        // first.
         let beside = (across - self.from.1) * length - (along - self.from.0) * rise;
         let changes = if self.is_flat { [-rise, length] } else { [length, -rise] };
         let grows = changes.into_iter().find(|&change| change != 0).is_some_and(|change| change > 0);
@@ -83,7 +84,8 @@ impl Run {
         self.from.0 <= along && along < self.to.0 && is_beside
     }
 
-    /// Whether that is the exact value number `which` at pixel (x, y), to so many parts of 64: depth, red, green, blue.
+    /// Whether that is the exact value number `which` at pixel (x, y), within `parts` parts of 64: depth, red, green,
+    /// blue.
     fn is_near(&self, which: usize, (x, y): (u32, u32), value: u32, parts: i128) -> bool {
         let ((first, last), length) = (self.values[which], self.to.0 - self.from.0);
         let exact = first * length + (last - first) * (self.axes(x, y).0 - self.from.0);
@@ -107,7 +109,8 @@ proptest! {
         prop_assert!(packet.is_none_or(|packet| packet.edges.len() == 4));
     }
 
-    /// In each column whose centre is between the ends there is one pixel of the line, if it is on the screen; and so in rows.
+    /// Each column whose centre is between the ends has one pixel of the line, if it is on the screen; the same is true
+    /// of rows.
     #[test]
     fn a_column_has_one_pixel(ends in ends()) {
         let (packet, run) = (set_up_line(ends, screen()), Run::of(ends));
@@ -127,7 +130,8 @@ proptest! {
         }
     }
 
-    /// To half a unit, and the 1/16 that the gradient may lose over the guard band; and nowhere beyond what the ends have.
+    /// Within half a unit and the 1/16 that the gradient may lose over the guard band; and never beyond the values of
+    /// the ends.
     #[test]
     fn depth_and_colour_change_along_the_major_axis(ends in ends()) {
         let run = Run::of(ends);
@@ -150,7 +154,7 @@ proptest! {
         prop_assert_eq!(set_up_line([p, q], screen()), set_up_line([q, p], screen()));
     }
 
-    /// As two triangles, for machines that know no other polygons, a line is the same pixels, each of them once.
+    /// As two triangles, for machines that draw no other polygons, a line has the same pixels, each of them once.
     #[test]
     fn the_halves_are_the_line(ends in ends()) {
         let corners = line_corners(ends);
@@ -165,7 +169,7 @@ proptest! {
         }
     }
 
-    /// Lines one after another along an axis have one pixel in each column, also where one ends and the next begins.
+    /// Successive lines along an axis have one pixel in each column, even where one ends and the next begins.
     #[test]
     fn a_chain_has_no_gap_and_no_overlap(steps in proptest::collection::vec((1..90i32, -16..=16i32), 1..12), swapped in any::<bool>()) {
         let mut place = (3, 320);

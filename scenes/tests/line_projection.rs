@@ -1,4 +1,5 @@
-//! Lines through the front end: clipped at the near plane and in the guard band, snapped, counted, and drawn alike by every path.
+//! Lines in the front end: clipped at the near plane and in the guard band, snapped, counted, and drawn the same by
+//! every path.
 
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
@@ -189,8 +190,9 @@ fn point() -> impl Strategy<Value = DVec3> {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-    /// However far a line reaches beyond screen, guard band and eye, what is seen of it is where perspective puts it: to half a
-    /// pixel and what snapping adds, which is 1/32 at an end in front of the eye, and 1/16 where a diagonal is seen as steep or flat.
+    /// However far a line extends beyond screen, guard band and eye, its visible part is in the correct perspective.
+    /// The tolerance is half a pixel and the snapping error: 1/32 at an end in front of the eye, and 1/16 where a
+    /// diagonal becomes steep or flat.
     #[test]
     fn clipping_moves_no_pixel(p in point(), q in point(), stretch in prop_oneof![Just(1.0), Just(30.0), Just(3000.0)]) {
         // The middle stays, so that the line passes near the eye.
@@ -217,7 +219,7 @@ proptest! {
             let beside = (py * dx - px * dy).abs() / longest;
             prop_assert!(beside < 0.5 + 0.07, "({}, {}) is {} beside the line", x, y, beside);
         }
-        // A line that crosses a good part of the screen is seen.
+        // A line that crosses a large part of the screen is visible.
         let steps = (0..=1000).map(|i| (from.0 + dx * f64::from(i) / 1000.0, from.1 + dy * f64::from(i) / 1000.0));
         let on_screen = |(x, y): (f64, f64)| (1.0..63.0).contains(&x) && (1.0..47.0).contains(&y);
         let seen_steps = steps.filter(|&step| on_screen(step)).count();

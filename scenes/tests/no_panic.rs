@@ -1,4 +1,4 @@
-//! Whatever a file holds, loading it ends in a scene or in a sentence, never in a panic.
+//! Whatever a file contains, loading it gives a scene or an error message, never a panic.
 
 use proptest::prelude::*;
 use std::fs;
@@ -78,7 +78,7 @@ fn obj_line() -> impl Strategy<Value = String> {
     prop_oneof![1 => free, 30 => sound]
 }
 
-/// What a `map_Kd` may say: sound options and odd ones, before a name and behind it.
+/// Operands of `map_Kd`: valid options and odd ones, before a name and after it.
 fn map_line() -> impl Strategy<Value = String> {
     let number = prop_oneof![4 => (-9.0..9.0f64).prop_map(|x| x.to_string()), 1 => word()];
     let option = prop_oneof![
@@ -170,7 +170,7 @@ fn glb() -> Vec<u8> {
     [b"glTF\x02\0\0\0", &(12 + body.len() as u32).to_le_bytes()[..], &body].concat()
 }
 
-/// Some bytes of a sound file that are other than they were, a piece that is gone, or numbers in place of others.
+/// A valid file with some changed bytes, a missing piece, or replaced numbers.
 fn changed(sound: Vec<u8>) -> impl Strategy<Value = Vec<u8>> {
     let length = sound.len();
     let bytes = proptest::collection::vec((0..length, any::<u8>()), 0..6);
@@ -197,7 +197,7 @@ fn changed(sound: Vec<u8>) -> impl Strategy<Value = Vec<u8>> {
     )
 }
 
-/// Sound files of each kind, which have to be so for the tests below to try anything.
+/// Valid files of each kind; the tests below need them to be valid.
 #[test]
 fn the_files_that_are_changed_are_sound() {
     for (name, bytes) in sound() {
@@ -231,7 +231,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
 
-    /// Whatever becomes of a picture, it is a texture or a sentence.
+    /// Every changed picture gives a texture or an error message.
     #[test]
     fn a_picture_that_was_changed(kind in 0..4_usize, places in proptest::collection::vec((0..600_usize, any::<u8>()), 1..5)) {
         let name = ["baseline.jpg", "progressive.jpg", "cmyk.jpg", "turned.jpg"][kind];

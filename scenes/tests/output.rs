@@ -1,4 +1,4 @@
-//! Outputs: what a path is, and files that appear whole or not at all.
+//! Outputs: the kinds of paths, and files that appear completely or not at all.
 #![cfg(unix)]
 
 use std::fs::{self, Permissions};

@@ -1,5 +1,5 @@
-//! The built-in scenes to the last bit: meshes and 640x480 golden frames by checksum, so that a machine with another processor or
-//! another compiler that disagrees is noticed.
+//! The built-in scenes, exactly: meshes and 640x480 golden frames by checksum. So a disagreement between processors or
+//! compilers is noticed.
 //!
 //! New values are printed by `cargo run --release -p tilewright-scenes --example measure`, which also leaves the pictures in the
 //! folder for temporary files: look at them before you pin them.

@@ -109,7 +109,7 @@ fn a_file_that_is_no_sound_png_is_refused_in_plain_words() {
     for length in [8, 30, sound.len() / 2, sound.len() - 20] {
         assert_eq!(sentence(&sound[..length]), damaged, "cut to {length} bytes");
     }
-    // In turn the type of the first chunk, its checksum, and the compressed colours.
+    // The type of the first chunk, then its checksum, then the compressed colours.
     for place in [13, 30, 60] {
         let mut bytes = sound.clone();
         bytes[place] ^= 0x10;

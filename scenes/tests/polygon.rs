@@ -102,7 +102,7 @@ fn vertex() -> impl Strategy<Value = ScreenVertex> {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
 
-    /// Whatever a polygon is made of, it covers what the triangles of its fan do.
+    /// Every polygon covers the pixels of its fan's triangles.
     #[test]
     fn coverage_is_that_of_the_fan(vertices in proptest::collection::vec(vertex(), 3..12), flat in any::<bool>()) {
         let level = |v: ScreenVertex| if flat { ScreenVertex { z: 9, rgb: [9; 3], ..v } } else { v };
@@ -163,7 +163,7 @@ proptest! {
         }
     }
 
-    /// A triangle is what it is without the rules for polygons.
+    /// A triangle gives the same result with and without the rules for polygons.
     #[test]
     fn a_triangle_stays_as_it_is(vertices in [vertex(), vertex(), vertex()]) {
         let expected: Vec<Polygon> = set_up(&vertices, screen()).map(Polygon::from).into_iter().collect();

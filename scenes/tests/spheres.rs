@@ -1,4 +1,4 @@
-//! Spheres by their contract, beside an oracle that knows rays alone.
+//! Spheres by their contract, against an oracle that uses only rays.
 
 use glam::{DVec3, dvec3};
 use proptest::prelude::*;
@@ -48,7 +48,7 @@ fn meets(ray: DVec3, sphere: &Sphere) -> Option<[f64; 2]> {
     (half >= 0.0).then(|| [b - half.sqrt(), b + half.sqrt()])
 }
 
-/// Depth in units, not rounded, of what is at that distance, in a scene from `near` to `far`.
+/// The unrounded depth, in units, of a point at that distance, in a scene from `near` to `far`.
 fn depth(distance: f64, near: f64, far: f64) -> f64 {
     let range = f64::from(FARTHEST_VERTEX - NEAREST_VERTEX);
     f64::from(NEAREST_VERTEX) + range * (1.0 - near / distance) * far / (far - near)
@@ -59,14 +59,15 @@ fn covered(packet: &SpherePacket) -> impl Iterator<Item = (u32, u32)> {
     (b.top..=b.bottom).flat_map(move |y| (b.left..=b.right).map(move |x| (x, y))).filter(|&(x, y)| packet.covers(x, y))
 }
 
-/// Up to how many units a number with 16 fraction bits may be beside the exact one, by coefficients that are each rounded.
+/// The largest error, in units, of a number with 16 fraction bits whose coefficients are each rounded.
 fn rounding(packet: &SpherePacket) -> f64 {
     let b = packet.bounds;
     let reach = f64::from((b.right - b.left).max(b.bottom - b.top)) + 4.0;
     1.0 + 1.5 * reach * reach / 65536.0
 }
 
-/// A sphere in front of the eye: its middle at up to 50 degrees beside the line of sight, and up to a third as large as far away.
+/// A sphere in front of the eye: its middle up to 50 degrees off the line of sight, and its radius up to a third of its
+/// distance.
 fn spheres() -> impl Strategy<Value = Sphere> {
     let radius = prop_oneof![3 => 0.01..0.35f64, 1 => 0.0005..0.01f64];
     (1.0..60.0f64, -0.9..0.9f64, -0.7..0.7f64, radius, any::<[u8; 3]>()).prop_map(|(w, y, z, radius, colour)| Sphere {
@@ -99,7 +100,7 @@ proptest! {
                 let around = hits(1.0 / 16.0);
                 let inside = made.spheres.first().is_some_and(|packet| packet.covers(x, y));
                 if around.iter().all(|hit| *hit == around[0]) {
-                    // What is not drawn is less than an eighth of a pixel wide, and has no pixel all around.
+                    // A sphere that is not drawn is less than an eighth of a pixel wide, and has no pixel all around.
                     prop_assert_eq!(inside, around[0], "pixel ({}, {}) of {:?}", x, y, sphere);
                 }
                 if inside {
@@ -109,10 +110,11 @@ proptest! {
         }
     }
 
-    /// Depth is that of the paraboloid through the silhouette and the nearest place: behind the sphere, by no more than a quarter of its half.
+    /// Depth is that of the paraboloid through the silhouette and the nearest point: behind the sphere, by at most a
+    /// quarter of its half.
     #[test]
     fn depth_is_that_of_a_paraboloid(subject in spheres(), fov in 30.0..100.0f64) {
-        // What is nearer and what is farther, so that the subject needs no margin.
+        // A nearer and a farther primitive, so that the sphere needs no margin.
         let others = [sphere(dvec3(0.4, 2.0, 0.0), 0.1), sphere(dvec3(200.0, 900.0, 0.0), 1.0)];
         let scene = scene(vec![subject, others[0], others[1]], fov, [96, 72]);
         let Ok(made) = project_polygons(&scene, scene.size) else { return Ok(()) };
@@ -134,7 +136,7 @@ proptest! {
         }
     }
 
-    /// Of whatever sphere, no depth and no channel leaves its range, and no value of the silhouette its bits.
+    /// For every sphere, depth and channels stay in their ranges, and the silhouette's values in their bits.
     #[test]
     fn all_numbers_stay_in_range(
         all in proptest::collection::vec(spheres(), 1..4),
@@ -167,7 +169,7 @@ proptest! {
         }
     }
 
-    /// In the middle of the screen the normal of the rule is that of the place in the circle.
+    /// In the middle of the screen the rule's normal is that of the position in the circle.
     #[test]
     fn light_falls_by_the_rule(lighting in lights(), w in 3.0..20.0f64, part in 0.05..0.3f64) {
         let ball = Sphere { centre: DVec3::X * w, radius: part * w, colour: [255, 100, 1] };
@@ -191,7 +193,8 @@ proptest! {
         }
     }
 
-    /// The frame is that of all fragments, whatever their order: the least word; or strictly the first of the nearest.
+    /// The frame is that of all fragments, in any sequence: the least word or, in strict mode, the first of the
+    /// nearest.
     #[test]
     fn a_frame_keeps_what_its_rule_says(mut all in proptest::collection::vec(spheres(), 1..5), turned in 0..4usize) {
         all.push(Sphere { colour: [1, 2, 3], ..all[0] });
@@ -215,7 +218,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(24) })]
 
-    /// Where rounding is worst, at the border of a large sphere, a light from the side has its most and its least: there is a margin for it.
+    /// Rounding is worst at the border of a large sphere, where a light from the side has its maximum and minimum:
+    /// there is a margin for it.
     #[test]
     fn the_border_of_a_large_sphere_does_not_wrap(
         radius in 0.8..0.894f64,
@@ -309,7 +313,7 @@ fn what_cannot_be_drawn_is_said() {
     assert_eq!(error(&wrong), "the centre of sphere 1 is [NaN, 0, 0]: give three finite numbers below 1e100");
 }
 
-/// A triangle through the middle of a sphere: of each, what is nearer is seen.
+/// A triangle through the middle of a sphere: the nearer part of each is visible.
 #[test]
 fn spheres_and_triangles_cut_each_other() {
     let corners = vec![dvec3(4.0, 3.0, -2.0), dvec3(4.0, -3.0, -2.0), dvec3(4.0, 0.0, 4.0)];

@@ -1,4 +1,4 @@
-//! The molecule: caffeine, C8H10N4O2, in balls and sticks, for machines that draw spheres.
+//! The molecule: caffeine, C8H10N4O2, as balls and sticks, for machines that draw spheres.
 //!
 //! ```text
 //!            O6     C7
@@ -12,8 +12,8 @@
 //!             C3
 //! ```
 //!
-//! Lengths of bonds are rounded means of their kind; the real rings are irregular by up to 0.07 Angstrom. Balls have 0.3 of the
-//! van der Waals radii of Bondi, 1964, and coloured as Corey, Pauling and Koltun did.
+//! Bond lengths are rounded means of their kind; the real rings are irregular by up to 0.07 Angstrom. Balls have 0.3 of
+//! Bondi's van der Waals radii (1964), and the colours of Corey, Pauling and Koltun.
 
 use crate::angle::sin_cos;
 use crate::light::{Light, Lighting};
@@ -23,15 +23,15 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// The sides of both rings.
 const RING: f64 = 1.38;
-/// From nitrogen to the carbon of a methyl group.
+/// The bond from nitrogen to the carbon of a methyl group.
 const METHYL: f64 = 1.46;
-/// A double bond of carbon and oxygen.
+/// The double bond of carbon and oxygen.
 const CARBONYL: f64 = 1.22;
-/// A bond of carbon and hydrogen.
+/// The bond of carbon and hydrogen.
 const HYDROGEN: f64 = 1.09;
-/// Parts of a van der Waals radius that a ball has.
+/// A ball's radius as a part of the van der Waals radius.
 const BALL: f64 = 0.3;
-/// The radius of a stick, and the faces round it.
+/// The radius of a stick, and the number of faces round it.
 const STICK: f64 = 0.13;
 const FACES: u32 = 12;
 
@@ -72,13 +72,13 @@ struct Molecule {
 }
 
 impl Molecule {
-    /// Adds an atom; its number.
+    /// Adds an atom; returns its number.
     fn atom(&mut self, element: Element, at: DVec3) -> usize {
         self.atoms.push((element, at));
         self.atoms.len() - 1
     }
 
-    /// Adds an atom at so far from another in a direction of length 1; its number.
+    /// Adds an atom at a distance from another, in a direction of length 1; returns its number.
     fn bound(&mut self, to: usize, element: Element, direction: DVec3, length: f64) -> usize {
         let atom = self.atom(element, self.atoms[to].1 + direction * length);
         self.bonds.push([to, atom]);
@@ -187,5 +187,5 @@ pub(super) fn lighting() -> Lighting {
     Lighting { ambient: 0.13, lights: vec![light(dvec3(-1.2, 0.1, 1.3), 0.86), light(dvec3(0.9, -0.7, 0.5), 0.08)] }
 }
 
-/// Where its middle is.
+/// The position of its middle.
 pub(super) const MIDDLE: DVec3 = dvec3(0.7, -0.25, 0.0);

@@ -1,4 +1,4 @@
-//! Simple bodies, which built-in scenes are put together from.
+//! Simple bodies, from which built-in scenes are assembled.
 
 use crate::angle::sin_cos;
 use crate::mesh::{Mesh, MeshTriangle, smooth_normals, unit_or_z};
@@ -39,8 +39,9 @@ impl Shape {
         cuboid
     }
 
-    /// The body that a line of (radius, height) encloses as it turns round the z axis, cut into so many steps. The line begins and ends on the
-    /// axis and runs upward on the outside; of k points it makes `2 * steps * (k - 2)` triangles, none without area.
+    /// The solid of revolution of a line of (radius, height) round the z axis, cut into `steps` steps. The line begins
+    /// and ends on the axis and runs upward on the outside. A line of k points makes `2 * steps * (k - 2)` triangles,
+    /// none without area.
     pub fn revolved(profile: &[[f64; 2]], steps: u32) -> Shape {
         let [[_, bottom], rings @ .., [_, top]] = profile else { unreachable!("a profile has two ends") };
         let ring = |&[radius, height]: &[f64; 2]| {
@@ -61,7 +62,8 @@ impl Shape {
         Shape { normals: smooth_normals(&positions, &triangles), positions, triangles }
     }
 
-    /// A tube of that radius with open ends, round a line in the plane y = 0, given by points and directions there; so many steps round it.
+    /// A tube with open ends and that radius, round a line in the plane y = 0. The line is given by points and
+    /// directions there; the tube has `steps` steps round it.
     pub fn tube(line: &[(DVec3, DVec3)], radius: f64, steps: u32) -> Shape {
         let mut tube = Shape::default();
         for &(middle, direction) in line {
@@ -86,7 +88,7 @@ impl Shape {
         }
     }
 
-    /// Turned round the z axis, counter-clockwise seen from above, in degrees.
+    /// The shape rotated round the z axis, counter-clockwise seen from above, in degrees.
     pub fn turned(mut self, degrees: f64) -> Shape {
         let (s, c) = sin_cos(degrees);
         let turn = |v: &mut DVec3| *v = dvec3(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
@@ -94,7 +96,7 @@ impl Shape {
         self
     }
 
-    /// Moved by so much.
+    /// The shape moved by `by`.
     pub fn moved(mut self, by: DVec3) -> Shape {
         self.positions.iter_mut().for_each(|position| *position += by);
         self
@@ -114,7 +116,7 @@ impl Shape {
     }
 }
 
-/// So many bands of two triangles a step, between rings of `steps` positions each.
+/// Bands of two triangles a step, between rings of `steps` positions each.
 fn bands(count: u32, steps: u32) -> Vec<[u32; 3]> {
     let squares = (0..count).flat_map(|band| (0..steps).map(move |step| (band * steps, step, (step + 1) % steps)));
     let halves = |(ring, step, next)| {
@@ -124,7 +126,7 @@ fn bands(count: u32, steps: u32) -> Vec<[u32; 3]> {
     squares.flat_map(halves).collect()
 }
 
-/// Shapes with their colours, in order of submission.
+/// Shapes with their colours, in the sequence of submission.
 #[derive(Default)]
 pub(super) struct Parts {
     shape: Shape,
@@ -132,7 +134,7 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    /// Takes a shape in one colour: red, green and blue, 0 to 1.
+    /// Adds a shape in one colour: red, green and blue, 0 to 1.
     pub fn add(&mut self, shape: &Shape, colour: [f64; 3]) {
         self.shape.join(shape);
         self.colours.resize(self.shape.triangles.len(), colour);

@@ -4,9 +4,9 @@ use crate::angle::sin_cos;
 use crate::mesh::{Mesh, MeshLine};
 use glam::{DVec3, dvec3};
 
-/// Degrees between neighbours.
+/// Degrees between neighbouring vectors.
 const STEP: u32 = 15;
-/// Where a vector begins and ends, from the middle.
+/// The distances from the middle at which a vector begins and ends.
 const REACH: [f64; 2] = [0.25, 1.0];
 
 /// A vector for each 15 degrees of longitude and latitude, and one at each pole: 266 lines, coloured by their direction.
@@ -51,7 +51,7 @@ mod tests {
             assert!((from.length() - 0.25).abs() < 1e-12 && (to.length() - 1.0).abs() < 1e-12);
             assert!((from.normalize() - to.normalize()).length() < 1e-12);
         }
-        // As many to each side: they cancel each other.
+        // Opposite directions cancel each other.
         let sum: DVec3 = mesh.lines().iter().map(|line| mesh.positions()[line.positions[1] as usize]).sum();
         assert!(sum.length() < 1e-10, "{sum}");
     }

@@ -1,20 +1,22 @@
-//! The table of the VC-1 paper: a teapot and four cups on a slab, which is as large on the screen as all else together (VC1-SCENE).
+//! The table of the VC-1 paper: a teapot and four cups on a slab, which covers as much of the screen as everything else
+//! together (VC1-SCENE).
 //!
-//! The paper gives the count of polygons and a small picture. What they are is ours (facts D). A slab has 12, its legs 48, two mats 4,
-//! and the teapot 4096. A cup with its saucer and its handle has 1516, and there are four of them.
+//! The paper gives the count of polygons and a small picture. Our choice of bodies matches the count (facts D). A slab
+//! has 12 triangles, its legs 48, two mats 4, and the teapot 4096. Four cups, each with saucer and handle, have 1516
+//! each.
 
 use super::shape::{Parts, Shape};
 use super::teapot;
 use crate::mesh::Mesh;
 use glam::{DVec3, dvec3};
 
-/// Half the slab, in the unit of the teapot, whose body has a diameter of 4. Its upper side is the plane z = 0.
+/// Half the slab, in the unit of the teapot, whose body has a diameter of 4. The slab's upper side is the plane z = 0.
 const SLAB: DVec3 = dvec3(9.0, 6.0, 0.4);
-/// Half a leg's width, and from the slab's middle to a leg's.
+/// Half a leg's width, and the distance from the slab's middle to a leg's.
 const LEG: f64 = 0.45;
 const LEGS: [f64; 2] = [8.2, 5.2];
 const FLOOR: f64 = -6.2;
-/// From the middle to a mat's, and half a mat. It lies so far above the slab.
+/// The distance from the middle to a mat's, half a mat, and its height above the slab.
 const MAT: f64 = 6.1;
 const MAT_HALF: [f64; 2] = [2.1, 4.4];
 const MAT_LIES: f64 = 0.02;
@@ -34,7 +36,7 @@ const SAUCER: [[f64; 2]; 10] = [
     [0.62, 0.09],
     [0.0, 0.09],
 ];
-/// Where the cup stands on it.
+/// The height at which the cup stands on it.
 const CUP_STANDS: f64 = 0.09;
 /// A cup from below, up its outside and down its inside: 2 x 24 x 19 triangles.
 const CUP: [[f64; 2]; 21] = [
@@ -91,14 +93,14 @@ pub fn mesh() -> Mesh {
         parts.add(&Shape::rectangle(mat), CLOTH);
     }
     parts.add(&Shape::of(&teapot::mesh(8)).turned(-20.0).moved(dvec3(-0.1, 1.2, 0.0)), CLAY);
-    // Each handle is turned to whoever sits there, and a little towards the eye.
+    // Each handle points to its guest, and a little towards the eye.
     for (x, y, turn) in [(-1.0, -2.2, -150.0), (1.0, -2.2, -40.0), (-1.0, 2.2, -155.0), (1.0, 2.2, -30.0)] {
         cup_set(&mut parts, dvec3(x * MAT, y, MAT_LIES), turn);
     }
     parts.mesh()
 }
 
-/// A saucer that stands there, and a cup on it, whose handle points along the x axis turned by so many degrees.
+/// A saucer at this place, and a cup on it. The cup's handle points along the x axis rotated by the angle in degrees.
 fn cup_set(parts: &mut Parts, place: DVec3, turn: f64) {
     let stands = place + dvec3(0.0, 0.0, CUP_STANDS);
     parts.add(&Shape::revolved(&CUP, STEPS).moved(stands), PORCELAIN);
@@ -124,7 +126,8 @@ mod tests {
     use super::*;
     use crate::mesh::MeshTriangle;
 
-    /// Triangles and the kinds of bodies in order of submission: slab, legs, mats, teapot, and of each set cup, saucer and handle.
+    /// Triangles and the kinds of bodies in the sequence of submission: slab, legs, mats, teapot, and for each set cup,
+    /// saucer and handle.
     const COUNTS: [(usize, usize); 5] = [(1, 12), (4, 12), (2, 2), (1, 4096), (4, 1516)];
     const SET: [usize; 3] = [912, 384, 220];
 
@@ -211,7 +214,7 @@ mod tests {
         let (mut inside, mut outside) = (0, 0);
         for p in ends.flat_map(|triangle| triangle.positions).map(|i| mesh.positions()[i as usize] - set) {
             let radius = p.x.hypot(p.y);
-            // The wall has 24 level sides, so that it is a little nearer than its corners.
+            // The wall has 24 flat sides, so it is a little nearer than its corners.
             let flat = (std::f64::consts::PI / f64::from(STEPS)).cos();
             match in_the_wall(radius, p.z) && in_the_wall(radius / flat, p.z) {
                 true => inside += 1,

@@ -1,7 +1,7 @@
 //! The teapot: 32 bicubic Bezier patches (Newell, 1975), tessellated in exact integers.
 //!
-//! Facts D: 8 x 8 x 2 triangles per patch make the VC-1 paper's 4096 polygons (VC1-SCENE); the 64 of them that have no area, round the
-//! poles of lid and bottom, are kept because they count. With n = 32 the same code gives 65536.
+//! Facts D: 8 x 8 x 2 triangles per patch make the VC-1 paper's 4096 polygons (VC1-SCENE). 64 of them, round the poles
+//! of lid and bottom, have no area; they are kept because they count. With n = 32 the same code gives 65536.
 //!
 //! A point at (i/n, j/n) is a whole number of 1 / (10^5 n^6): control points have five decimals, and a cubic's weights at i/n are
 //! whole numbers of 1/n^3. Normals are cross products of the exact derivatives. Only the last division to f64 rounds, and IEEE 754
@@ -11,10 +11,10 @@ use crate::material::{Mapping, Material, Materials};
 use crate::mesh::{Mesh, MeshTriangle, unit_or_z};
 use glam::{DVec3, dvec2, dvec3};
 
-/// An exact point or vector; the unit is the caller's.
+/// An exact point or vector, in the caller's unit.
 type Exact = [i64; 3];
 
-/// What one position of a patch needs: the point and its normal.
+/// A position of a patch: the point and its normal.
 struct Corner {
     position: DVec3,
     normal: DVec3,
@@ -55,7 +55,7 @@ pub fn mesh(n: u32) -> Mesh {
     mesh.expect("the built-in data is sound")
 }
 
-/// The teapot as [`mesh`] has it, with n x n faces of two triangles in each patch.
+/// The teapot of [`mesh`], with n x n faces of two triangles in each patch.
 ///
 /// ```
 /// assert_eq!(tilewright_scenes::builtin::teapot::faces(4).faces().count(), 32 * 16);
@@ -88,7 +88,7 @@ fn patches() -> Vec<[[Exact; 4]; 4]> {
     patches
 }
 
-/// A decimal number of at most five places, in units of 10^-5.
+/// A decimal number with at most five places, in units of 10^-5.
 fn decimal(text: &str) -> i64 {
     let (sign, digits) = text.strip_prefix('-').map_or((1, text), |rest| (-1, rest));
     let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
@@ -101,8 +101,8 @@ fn corner(patch: &[[Exact; 4]; 4], i: u32, j: u32, n: u32) -> Corner {
     let (u, v) = (weights(i, n), weights(j, n));
     let (du, dv) = (slopes(i, n), slopes(j, n));
     let point = blend(patch, &u, &v);
-    // At a pole a whole row of control points coincides and one derivative vanishes. Next to it that derivative grows along the
-    // mixed one, whose direction is therefore the limit (l'Hopital); the sign depends on the side that the pole lies on.
+    // At a pole a whole row of control points coincides and one derivative vanishes. Next to it that derivative grows
+    // along the mixed one, so this direction is the limit (l'Hopital). The sign depends on the side of the pole.
     let mixed = |side: u32| blend(patch, &du, &dv).map(|c| if side == 0 { c } else { -c });
     let nonzero = |derivative: Exact, side: u32| match derivative {
         [0, 0, 0] => mixed(side),
@@ -138,7 +138,7 @@ fn blend(patch: &[[Exact; 4]; 4], row: &[i64; 4], column: &[i64; 4]) -> Exact {
 /// The unit normal along the exact cross product of v and u, which points out of the pot.
 fn normal(u: Exact, v: Exact) -> DVec3 {
     let product = |p: usize, q: usize| i128::from(v[p]) * i128::from(u[q]) - i128::from(v[q]) * i128::from(u[p]);
-    // The conversion from i128 rounds to nearest, everywhere alike.
+    // The conversion from i128 rounds to nearest on every machine.
     unit_or_z(dvec3(product(1, 2) as f64, product(2, 0) as f64, product(0, 1) as f64))
 }
 

@@ -1,4 +1,4 @@
-//! Sixteen teapots in a square, each as the scene `teapot` has it: 16 times 4096 triangles (VC1-SCENE).
+//! Sixteen teapots in a square, each the same as in the scene `teapot`: 16 times 4096 triangles (VC1-SCENE).
 
 use super::shape::{Parts, Shape};
 use super::teapot;
@@ -6,9 +6,9 @@ use crate::material::Materials;
 use crate::mesh::Mesh;
 use glam::dvec3;
 
-/// From one teapot to the next, along x and y; one is 6.4 long and 4 wide.
+/// The distance from one teapot to the next, along x and y; a teapot is 6.4 long and 4 wide.
 const SPACING: [f64; 2] = [7.4, 6.0];
-/// From the middle of a teapot's length to its own origin, which is the middle of its body.
+/// The distance from the middle of a teapot's length to its own origin, the middle of its body.
 const OFFSET: f64 = -0.2;
 /// Red, green and blue of each row's teapots, from the front.
 const COLOURS: [[f64; 3]; 4] = [[0.82, 0.64, 0.42], [0.72, 0.4, 0.3], [0.45, 0.6, 0.5], [0.45, 0.52, 0.68]];

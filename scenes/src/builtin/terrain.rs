@@ -1,23 +1,23 @@
 //! The terrains: ter1k and ter250, one landscape of 80 km x 80 km sampled every 1000 m and every 250 m (facts D).
 //!
 //! Grids of 80 x 80 and 320 x 320 heights make 2*79^2 = 12482 and 2*319^2 = 203522 triangles, the VC-1 paper's counts
-//! (VC1-SCENE); every fourth height of the fine grid is a height of the coarse one. No real data: five octaves of hashed value noise,
-//! all in integers, clamped at sea level.
+//! (VC1-SCENE). Every fourth height of the fine grid is a height of the coarse one. The data is generated: five octaves
+//! of hashed value noise, all in integers, clamped at sea level.
 
 use crate::mesh::{Mesh, MeshTriangle};
 use glam::{DVec3, dvec3};
 
 /// Heights along a side of the fine grid.
 const SIDE: u32 = 320;
-/// Distance of the fine grid's heights, in km.
+/// The spacing of the fine grid's heights, in km.
 const SPACING: f64 = 0.25;
 /// The middle of the map along x and along y, in km.
 pub const MIDDLE: f64 = (SIDE - 1) as f64 * SPACING / 2.0;
-/// Heights are drawn three times too large (facts D).
+/// The vertical exaggeration (facts D).
 const EXAGGERATION: f64 = 3.0;
 /// Edge of a noise cell, in fine samples, and the noise's amplitude in decimetres.
 const OCTAVES: [(i128, i128); 5] = [(80, 14000), (40, 7000), (20, 3500), (10, 1750), (5, 875)];
-/// Taken off the noise, in decimetres: what is below is sea.
+/// Subtracted from the noise, in decimetres: everything below is sea.
 const SEA: i128 = 9000;
 
 /// The terrain at every `step`-th height of the fine grid: 1 for ter250, 4 for ter1k. Kilometres, z up, from (0, 0).
@@ -78,7 +78,7 @@ fn noise(x: i128, y: i128, octave: u32, cell: i128, amplitude: i128) -> i128 {
     (upper * (one - v) + lower * v) * amplitude / (one * one * 65536)
 }
 
-/// 32 mixed bits of a lattice point: multiply and fold, so that neighbours have nothing in common.
+/// 32 mixed bits of a lattice point: multiply and fold, so that neighbours are uncorrelated.
 fn hash(octave: u32, column: i128, row: i128) -> u32 {
     let mut h = octave.wrapping_mul(0x9e37_79b1)
         ^ (column as u32).wrapping_mul(0x85eb_ca6b)

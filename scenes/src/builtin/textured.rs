@@ -1,4 +1,4 @@
-//! The textured scene: a teapot of marble and two balls on planks, under three lights. It shows what deferred shading is for.
+//! The textured scene: a marble teapot and two balls on planks, under three lights. It demonstrates deferred shading.
 
 use super::teapot;
 use crate::angle::sin_cos;
@@ -18,7 +18,7 @@ const FLOOR: f64 = 40.0;
 /// How often the planks repeat from the middle of the floor to its edge.
 const FLOOR_REPEATS: f64 = 16.0;
 
-/// The materials, in order.
+/// The indices of the materials.
 const CHECKER: u32 = 0;
 const PLANKS: u32 = 1;
 const MARBLE: u32 = 2;
@@ -95,7 +95,7 @@ impl Parts {
         }
     }
 
-    /// A ball, round which its texture goes so many times along u and v.
+    /// A ball, round which its texture repeats this many times along u and v.
     fn ball(&mut self, centre: DVec3, radius: f64, material: u32, colour: [f64; 3], repeats: DVec2) {
         let first = self.positions.len() as u32;
         let row = 2 * RINGS + 1;

@@ -1,4 +1,4 @@
-//! The appearance word: what deferred shading keeps of the nearest surface in a pixel, in 21 bytes.
+//! The appearance word: the attributes of a pixel's nearest surface for deferred shading, in 21 bytes.
 //!
 //! Source: PFL-BYTES (4 z, 6 normal, 3 colour, 4 u and v, 2 texture, 2 scale), DES-MIN.
 
@@ -7,12 +7,12 @@ use crate::packet::{DEPTH_BITS, EMPTY_DEPTH};
 /// Bytes of an appearance word.
 pub const APPEARANCE_BYTES: usize = 21;
 
-/// An appearance word, in the order in which its bytes are sent and compared:
+/// An appearance word, in the sequence in which its bytes are sent and compared:
 ///
-/// | bytes | what | format |
+/// | bytes | contents | format |
 /// |---|---|---|
 /// | 0 to 2 | depth | 24 bits |
-/// | 3 | 0 | 255 in the empty word alone |
+/// | 3 | 0 | 255 only in the empty word |
 /// | 4 to 9 | normal: right, down, forward | 16 bits each, two's complement; any length |
 /// | 10 to 12 | diffuse red, green, blue | 8 bits each |
 /// | 13 to 16 | u/w and v/w | 16 bits each |
@@ -20,9 +20,9 @@ pub const APPEARANCE_BYTES: usize = 21;
 /// | 18 | level at the greatest scale | 3 of its 8 bits are fraction |
 /// | 19 to 20 | scale: 1/w | 16 bits |
 ///
-/// The more significant byte of a number is sent first. Comparison is that of the whole word as one number: depth decides, and
-/// where depths are equal all the rest. So the minimum is commutative, associative and idempotent (DES-MIN), and the distribution of
-/// triangles over machines cannot change a pixel.
+/// The more significant byte of a number is sent first. The whole word is compared as one number: depth decides, and if
+/// depths are equal the rest does. So the minimum is commutative, associative and idempotent (DES-MIN), and the
+/// distribution of triangles over machines cannot change a pixel.
 ///
 /// ```
 /// use tilewright_scenes::deferred::{Appearance, Parameters};
@@ -41,11 +41,11 @@ pub struct Appearance([u8; APPEARANCE_BYTES]);
 pub struct Parameters {
     /// Depth, 24 bits.
     pub z: u32,
-    /// The normal: right, down, forward of the eye. Its length does not matter.
+    /// The normal: right, down, forward of the eye. Its length is arbitrary.
     pub normal: [i16; 3],
     /// Diffuse red, green and blue.
     pub rgb: [u8; 3],
-    /// u/w and v/w, in the unit that [`Parameters::scale`] is 1/w in.
+    /// u/w and v/w, in the same unit as the 1/w in [`Parameters::scale`].
     pub uv: [u16; 2],
     /// Index into [`Shader::materials`](super::Shader::materials).
     pub material: u8,
@@ -59,17 +59,17 @@ impl Appearance {
     /// The word of a pixel that nothing covers: the identity of the minimum.
     pub const EMPTY: Appearance = Appearance([0xff; APPEARANCE_BYTES]);
 
-    /// The word of these bytes.
+    /// The word with these bytes.
     pub fn from_bytes(bytes: [u8; APPEARANCE_BYTES]) -> Appearance {
         Appearance(bytes)
     }
 
-    /// Its bytes, in the order of sending.
+    /// Its bytes, in the sequence of sending.
     pub fn bytes(&self) -> [u8; APPEARANCE_BYTES] {
         self.0
     }
 
-    /// Whether nothing covers the pixel: byte 3 alone tells.
+    /// Whether nothing covers the pixel: byte 3 alone decides.
     pub fn is_empty(&self) -> bool {
         self.0[3] != 0
     }
@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(word.bytes(), bytes);
         assert_eq!(Appearance::from_bytes(bytes).parameters(), parameters);
         assert!(!word.is_empty() && Appearance::EMPTY.is_empty());
-        // As deep as a pixel can be that something covers.
+        // The greatest depth of a pixel that something covers.
         let deep = Appearance::from(Parameters { z: 0xff_fffd, ..parameters });
         assert!(!deep.is_empty() && deep < Appearance::EMPTY);
     }
@@ -138,7 +138,7 @@ mod tests {
             Appearance::from_bytes(bytes)
         };
         for place in 0..APPEARANCE_BYTES {
-            // As unsigned bytes, the sign of a normal, too; and an earlier byte counts before all later ones.
+            // As unsigned bytes, even for the sign of a normal; earlier bytes are more significant than later ones.
             assert!(word(place, 6) < word(place, 7) && word(place, 7) < word(place, 0x80), "byte {place}");
             assert!((place + 1..APPEARANCE_BYTES).all(|later| word(place, 6) < word(later, 0)));
         }

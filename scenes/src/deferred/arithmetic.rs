@@ -1,19 +1,23 @@
-//! The integer rule of shading, one function a step: exact floors, so that any way of computing them gives the same bits.
+//! The integer rules of shading, one function a step: exact floors, so that every way of computing them gives the same
+//! bits.
 //!
-//! Widths are chosen for processors of 8 bits without a multiplier, which square, divide and take roots digit by digit (facts E4).
-//! Cosines and components of unit normals have 12 fraction bits: with 8, a highlight of power 32 shows its steps.
+//! Widths suit processors of 8 bits without a multiplier, which square, divide and take roots digit by digit (facts
+//! E4). Cosines and components of unit normals have 12 fraction bits. With 8 bits, a highlight of power 32 would show
+//! its steps.
 
 /// Fraction bits of unit normals and of cosines.
 pub const UNIT_BITS: u32 = 12;
-/// The greatest cosine, 1 less a unit.
+/// The greatest cosine: 1 minus one unit.
 pub const MOST_COSINE: u16 = (1 << UNIT_BITS) - 1;
 /// The most squarings of a cosine: highlights have powers up to 2^7.
 pub const MOST_SQUARINGS: u8 = 7;
 
-/// A normal at length 1: for each component n, `sign(n) floor(|n| 2^12 / (s + 1))` with `s = floor(sqrt(x^2 + y^2 + z^2))`.
+/// A normal scaled to length 1: each component n becomes `sign(n) floor(|n| 2^12 / (s + 1))` with
+/// `s = floor(sqrt(x^2 + y^2 + z^2))`.
 ///
-/// The sum has 32 bits, s 16, and a component is between -4095 and 4095, since |n| <= s. Of the normal 0, all are 0. A component's
-/// magnitude is at most `1 + 2^12 / s` units of 2^-12 less than the exact one, and never more.
+/// The sum has 32 bits, s has 16, and a component is between -4095 and 4095, since |n| <= s. The normal 0 gives 0
+/// everywhere. A component's magnitude is at most `1 + 2^12 / s` units of 2^-12 below the exact one, and never above
+/// it.
 ///
 /// ```
 /// use tilewright_scenes::deferred::unit_normal;
@@ -31,10 +35,10 @@ pub fn unit_normal(normal: [i16; 3]) -> [i16; 3] {
     })
 }
 
-/// The cosine between a unit normal and a direction of 8 fraction bits and a sign: `floor(n . d / 2^8)`, not below 0 and not above
-/// [`MOST_COSINE`]; 12 fraction bits.
+/// The cosine between a unit normal and a direction of 8 fraction bits and a sign: `floor(n . d / 2^8)`, clamped to 0
+/// and [`MOST_COSINE`]; 12 fraction bits.
 ///
-/// The sum is below 2^22 in magnitude. A light behind the surface has 0.
+/// The sum is below 2^22 in magnitude. A light behind the surface gives 0.
 ///
 /// ```
 /// use tilewright_scenes::deferred::cosine;
@@ -47,7 +51,7 @@ pub fn cosine(unit: [i16; 3], direction: [i16; 3]) -> u16 {
     (sum >> 8).clamp(0, MOST_COSINE.into()) as u16
 }
 
-/// A cosine to the power 2^squarings: as many times, `c` becomes `floor(c^2 / 2^12)`.
+/// A cosine to the power 2^squarings: `c` becomes `floor(c^2 / 2^12)` that many times.
 ///
 /// At most `2^squarings - 1` units below the exact power, and never above it.
 ///
@@ -60,7 +64,7 @@ pub fn power(cosine: u16, squarings: u8) -> u16 {
     (0..squarings).fold(cosine, |c, _| (u32::from(c).pow(2) >> UNIT_BITS) as u16)
 }
 
-/// What a light of this brightness, 255 for 1, gives at this cosine: `floor(brightness (cosine + 1) / 2^12)`.
+/// The contribution of a light of this brightness, 255 for 1, at this cosine: `floor(brightness (cosine + 1) / 2^12)`.
 ///
 /// ```
 /// use tilewright_scenes::deferred::{MOST_COSINE, brightness_at};
@@ -71,7 +75,8 @@ pub fn brightness_at(brightness: u8, cosine: u16) -> u8 {
     ((u32::from(brightness) * (u32::from(cosine) + 1)) >> UNIT_BITS) as u8
 }
 
-/// The product of two numbers of which 255 is 1: `floor(a (b + 1) / 2^8)`. Exactly a where b is 255, and b where a is.
+/// The product of two numbers in which 255 stands for 1: `floor(a (b + 1) / 2^8)`. It is exactly a if b is 255, and b
+/// if a is.
 ///
 /// ```
 /// use tilewright_scenes::deferred::product;
@@ -82,15 +87,15 @@ pub fn product(a: u8, b: u8) -> u8 {
     ((u16::from(a) * (u16::from(b) + 1)) >> 8) as u8
 }
 
-/// The sum, but at most 255.
+/// The sum, saturated at 255.
 pub fn saturated(sum: u16) -> u8 {
     sum.min(255) as u8
 }
 
-/// A texture coordinate: `floor(part 2^16 / scale)`, of which the 16 bits of fraction stay, as a texture goes on repeating.
+/// A texture coordinate: `floor(part 2^16 / scale)`, of which the 16 bits of fraction are kept, as a texture repeats.
 ///
-/// `part` is u/w and `scale` 1/w in one unit. The front end sees to `part < 256 scale`, so a restoring division of 24 steps does
-/// it, whose first remainder is `floor(part / 2^8)`. By zero it gives ones.
+/// `part` is u/w and `scale` is 1/w, in the same unit. The front end ensures `part < 256 scale`. So a restoring
+/// division of 24 steps suffices, whose first remainder is `floor(part / 2^8)`. Division by zero gives ones.
 ///
 /// ```
 /// use tilewright_scenes::deferred::coordinate;
@@ -101,8 +106,8 @@ pub fn coordinate(part: u16, scale: u16) -> u16 {
     (u32::from(part) << 16).checked_div(scale.into()).unwrap_or(u32::MAX) as u16
 }
 
-/// The binary logarithm of 1 to 65535 in straight pieces, 5 fraction bits: `32 p + floor(2^5 (n / 2^p - 1))`, where p is the place of
-/// the leading one. At most 0.118 below the exact one, and never above it.
+/// The binary logarithm of 1 to 65535, piecewise linear, with 5 fraction bits: `32 p + floor(2^5 (n / 2^p - 1))`, where
+/// p is the place of the leading one. It is at most 0.118 below the exact one, and never above it.
 ///
 /// ```
 /// use tilewright_scenes::deferred::logarithm;
@@ -118,8 +123,9 @@ pub fn logarithm(number: u16) -> u16 {
 
 /// The level of detail in 1/16, at a pixel where 1/w is `scale`: `2 level - (511 - logarithm(scale))`, not below 0.
 ///
-/// `level`, in 1/8, is the one at the greatest scale. A surface seen from d times as far has pixels that are d^2 as large on it
-/// along the line of sight, so twice the logarithm of 1/w is taken off; a logarithm in 1/32 is twice itself in 1/16.
+/// `level`, in 1/8, is the level at the greatest scale. From d times the distance, a pixel covers d^2 times as much of
+/// the surface along the line of sight, so twice the logarithm of 1/w is subtracted. A logarithm in 1/32 equals twice
+/// itself in 1/16.
 ///
 /// ```
 /// use tilewright_scenes::deferred::level_at;
@@ -132,7 +138,8 @@ pub fn level_at(level: u8, scale: u16) -> u16 {
     (2 * u16::from(level)).saturating_sub(511 - logarithm(scale))
 }
 
-/// Between a and b, at b for the weight 256: `floor((a (256 - weight) + b weight) / 2^8)`. Exactly a where both are equal.
+/// Interpolates between a and b, with b at weight 256: `floor((a (256 - weight) + b weight) / 2^8)`. It is exactly a if
+/// both are equal.
 ///
 /// ```
 /// use tilewright_scenes::deferred::between;
@@ -189,7 +196,7 @@ mod tests {
         fn a_coordinate_is_the_fraction_of_the_quotient(scale in 1..=u16::MAX, part in any::<u16>()) {
             let exact = (u64::from(part) * 65536) / u64::from(scale);
             prop_assert_eq!(u64::from(coordinate(part, scale)), exact % 65536);
-            // As the machine does it: 24 steps of a restoring division.
+            // As the machine computes it: 24 steps of a restoring division.
             if u32::from(part) < 256 * u32::from(scale) {
                 let (mut remainder, mut quotient) = (u32::from(part >> 8), 0_u32);
                 for step in (0..24).rev() {

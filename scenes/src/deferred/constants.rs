@@ -10,7 +10,7 @@ use crate::mesh::unit_or_z;
 use crate::scene::Scene;
 use glam::DVec3;
 
-/// Towards the eye: the line of sight counts as one for all pixels.
+/// Towards the eye: the line of sight is taken to be the same for all pixels.
 const TO_EYE: DVec3 = DVec3::NEG_Z;
 
 /// The shader of a scene. Its last material is that of lines.
@@ -51,12 +51,12 @@ fn material(material: &Material) -> ShaderMaterial {
     }
 }
 
-/// 255 for 1, and for what is above it.
+/// 255 for 1, and for anything above it.
 fn eight_bits(part: f64) -> u8 {
     (part.min(1.0) * 255.0 + 0.5).floor() as u8
 }
 
-/// 2^8 times a unit vector, each number at most 255.
+/// 2^8 times a unit vector, each number limited to 255.
 fn nine_bits(unit: DVec3) -> [i16; 3] {
     unit.to_array().map(|part| (part * 256.0 + 0.5).floor().clamp(-255.0, 255.0) as i16)
 }

@@ -1,28 +1,30 @@
 //! Texture coordinates of a triangle as planes: u/w, v/w and 1/w, each linear on the screen, and the level of detail.
 //!
-//! A common factor of the three falls out where u/w is divided by 1/w, so each triangle has a unit of its own that makes the most of 16
-//! bits. Source: Heckbert and Moreton, 1991 (rational linear interpolation); PFL-BYTES.
+//! A common factor of the three cancels when u/w is divided by 1/w. So each triangle has a unit of its own that makes
+//! best use of 16 bits. Source: Heckbert and Moreton, 1991 (rational linear interpolation); PFL-BYTES.
 
 use super::packet::AppearanceVertex;
 use crate::packet::SUBPIXELS;
 use crate::setup::signed_area2;
 use glam::DVec2;
 
-/// How often a texture repeats over a triangle, at most, counted from the whole number below its least coordinate: so the quotient
-/// has 7 bits before the point. A texture that were to repeat more often is stretched.
+/// The most repeats of a texture over a triangle, counted from the whole number below its least coordinate. So the
+/// quotient has 7 bits before the point. A texture with more repeats is stretched.
 pub const MOST_REPEATS: f64 = 128.0;
 
-/// The least scale of a vertex: u/w is then at most 128 times it, and at every pixel, rounding and all, below 256 times.
+/// The least scale of a vertex. At a vertex, u/w is then at most 128 times the scale. At every pixel it is below 256
+/// times the scale, including rounding.
 const LEAST_SCALE: f64 = 8.0;
 
 /// The greatest scale, u/w and v/w of a vertex.
 const MOST: f64 = 65535.0;
 
-/// u/w, v/w and 1/w at three corners, which have these texture coordinates and these distances w along the line of sight, all positive.
+/// u/w, v/w and 1/w at three corners with these texture coordinates and these distances w along the line of sight, all
+/// positive.
 ///
-/// Coordinates are first moved by whole repeats, so that the least of each is from 0 to 1; say r is then the greatest, or 1. The nearest
-/// corner has the scale `floor(65535 / r)`, the others less in proportion to 1/w, also floors and at least 8. And u/w is u times the
-/// scale, to the nearest whole number.
+/// Coordinates are first moved by whole repeats, so that the least of each is from 0 to 1; r is then the greatest, or
+/// 1. The nearest corner has the scale `floor(65535 / r)`. The others have less in proportion to 1/w, also rounded down
+/// and at least 8. u/w is u times the scale, rounded to the nearest whole number.
 pub(crate) fn mapped(coordinates: [DVec2; 3], distances: [f64; 3]) -> ([[u16; 2]; 3], [u16; 3]) {
     let [a, b, c] = coordinates;
     let least = a.min(b).min(c).floor();
@@ -38,10 +40,10 @@ pub(crate) fn mapped(coordinates: [DVec2; 3], distances: [f64; 3]) -> ([[u16; 2]
 
 /// The level of detail at scale 2^16, in 1/8, of a triangle with an area.
 ///
-/// Where the scale is q and u/w is U, moving a pixel to the right changes u by `(U_x q - U q_x) / q^2`; the numerator is the same along
-/// a row, so its greatest value is at a vertex. With N as the greatest length of those of (u, v), along x or y, at a vertex, a pixel is
-/// `N / q^2` textures long at most: level `2 log2(q) - log2(N)` has a texel a pixel. At q = 2^16 that is `32 - log2(N)`; of it the
-/// ceiling in 1/8 counts, at least 0 and at most 255/8.
+/// Where the scale is q and u/w is U, moving a pixel to the right changes u by `(U_x q - U q_x) / q^2`. The numerator
+/// is constant along a row, so its greatest value is at a vertex. N is the greatest length of these numerators for (u,
+/// v), along x or y, at a vertex. A pixel is at most `N / q^2` textures long, so the level `2 log2(q) - log2(N)` has
+/// one texel a pixel. At q = 2^16 that is `32 - log2(N)`. The result is its ceiling in 1/8, clamped to 0 and 255/8.
 pub(crate) fn level(vertices: &[AppearanceVertex; 3]) -> u8 {
     let [v0, v1, v2] = vertices;
     let to = |v: &AppearanceVertex| [f64::from(v.at.x - v0.at.x), f64::from(v.at.y - v0.at.y)];
@@ -69,7 +71,7 @@ pub(crate) fn level(vertices: &[AppearanceVertex; 3]) -> u8 {
     (256 - eighths(greatest) / 2).clamp(0, 255) as u8
 }
 
-/// `floor(8 log2(n))` of a number from 1 on, by products alone, which IEEE 754 fixes to the last bit.
+/// `floor(8 log2(n))` of a number from 1 on, by multiplication alone, which IEEE 754 fixes to the last bit.
 fn eighths(number: f64) -> i32 {
     let exponent = |n: f64| (n.to_bits() >> 52) as i32 - 1023;
     let whole = exponent(number);
@@ -93,8 +95,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
 
-        /// At the vertices the quotient is the coordinate, but for whole repeats and rounding; and it is in the range of the division,
-        /// with room for the rounding of planes.
+        /// At the vertices the quotient equals the coordinate, apart from whole repeats and rounding. It is in the
+        /// range of the division, with a margin for the rounding of planes.
         #[test]
         fn the_quotient_is_the_coordinate(
             corners in [(place(), place()), (place(), place()), (place(), place())],
@@ -119,7 +121,8 @@ mod tests {
             }
         }
 
-        /// Where 1/w is linear, the level is that of the pixel's length in textures, found by looking a little further on the screen.
+        /// Where 1/w is linear, the level is that of the pixel's length in textures, found from a small step on the
+        /// screen.
         #[test]
         fn a_level_is_the_logarithm_of_a_pixels_length(
             (x1, y1, x2, y2) in (200..2000_i32, -300..300_i32, -300..300_i32, 200..2000_i32),
@@ -132,7 +135,7 @@ mod tests {
                 let at = ScreenVertex { x, y, z: 1, rgb: [0; 3] };
                 AppearanceVertex { at, normal: [0; 3], uv: uv[i], scale: scale[i] }
             });
-            // u and v at a place on the screen, in pixels, from the exact planes.
+            // u and v at a position on the screen, in pixels, from the exact planes.
             let area = f64::from(x1 * y2 - x2 * y1);
             let at = |x: f64, y: f64| {
                 let (x, y) = (16.0 * x, 16.0 * y);

@@ -1,16 +1,16 @@
-//! The packet of a triangle for deferred shading: every parameter is a plane, as depth and colour are.
+//! The packet of a triangle for deferred shading: every parameter is a plane, like depth and colour.
 
 use super::appearance::Appearance;
 use crate::packet::{PARAMETER_PLANE_BITS, Plane, ScreenVertex, Triangle};
 use crate::setup::{Anchor, set_up, signed_area2};
 use crate::size::Size;
 
-/// A vertex on the screen, with all that varies over a triangle.
+/// A vertex on the screen, with all attributes of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct AppearanceVertex {
-    /// Place, depth and diffuse colour.
+    /// Position, depth and diffuse colour.
     pub at: ScreenVertex,
-    /// The normal: right, down, forward of the eye, turned to the eye; -32767 to 32767 each.
+    /// The normal: right, down, forward of the eye, on the eye's side; -32767 to 32767 each.
     pub normal: [i16; 3],
     /// u/w and v/w, in the unit of `scale`.
     pub uv: [u16; 2],
@@ -21,24 +21,24 @@ pub struct AppearanceVertex {
 /// A triangle, ready for a rasterizer that writes appearance words.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct AppearancePacket {
-    /// Edges, depth, and the diffuse colour in place of a lit one.
+    /// Edges, depth, and the diffuse colour instead of a lit one.
     pub triangle: Triangle,
-    /// The normal, [`PARAMETER_PLANE_BITS`] bits modular each, of which bits 31..16 are the number: two's complement.
+    /// The normal: planes modulo 2^[`PARAMETER_PLANE_BITS`] each; bits 31..16 are the number in two's complement.
     pub normal: [Plane; 3],
-    /// u/w and v/w, likewise.
+    /// u/w and v/w: planes modulo 2^[`PARAMETER_PLANE_BITS`] each.
     pub uv: [Plane; 2],
-    /// 1/w, likewise.
+    /// 1/w: a plane modulo 2^[`PARAMETER_PLANE_BITS`].
     pub scale: Plane,
-    /// The same at all pixels: index of the material.
+    /// The index of the material, the same at all pixels.
     pub material: u8,
-    /// The same at all pixels: level of detail at scale 2^16, in 1/8.
+    /// The level of detail at scale 2^16, in 1/8, the same at all pixels.
     pub level: u8,
 }
 
 /// Sets a triangle up for a screen of `size` pixels; `None` if there is nothing to draw, as with [`set_up`].
 ///
-/// Planes are anchored and rounded as that of depth is (DES-Z), so a parameter at a covered centre is the exact plane's to half a unit
-/// and 0.13, and never beyond the vertices' own values.
+/// Planes are anchored and rounded like that of depth (DES-Z). So a parameter at a covered centre is within half a unit
+/// and 0.13 of the exact plane, and never beyond the vertices' own values.
 ///
 /// ```
 /// use tilewright_scenes::deferred::{AppearanceVertex, set_up_appearance};
@@ -64,7 +64,7 @@ pub fn set_up_appearance(
 ) -> Option<AppearancePacket> {
     let screen = vertices.map(|v| v.at);
     let triangle = set_up(&screen, size)?;
-    // In the order that makes the area positive, as set-up has them.
+    // In the sequence that makes the area positive, as in set-up.
     let [v0, v1, v2] = *vertices;
     let round = if signed_area2(&screen) < 0 { [v0, v2, v1] } else { [v0, v1, v2] };
     let anchor = Anchor { corners: round.map(|v| v.at), area2: triangle.area2 };

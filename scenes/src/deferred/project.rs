@@ -1,7 +1,7 @@
-//! The front end of deferred shading: a scene becomes packets of appearance and the constants of a shader.
+//! The front end of deferred shading: converts a scene to packets of appearance and the constants of a shader.
 //!
-//! Clipping, projection, snapping and set-up are those of [`crate::project`], so coverage and depth are the same to the bit. Normals go
-//! to view space, turned to the eye triangle by triangle, at 32767 times their length.
+//! Clipping, projection, snapping and set-up are those of [`crate::project`], so coverage and depth are identical.
+//! Normals are transformed to view space, put on the eye's side triangle by triangle, and scaled to length 32767.
 
 use super::constants::shader;
 use super::mapping::{level, mapped};
@@ -29,24 +29,24 @@ const LEVEL: u8 = 8;
 pub struct Deferred {
     /// Pixels of the frame.
     pub size: Size,
-    /// How many samples each has.
+    /// The samples of each pixel.
     pub samples: Samples,
-    /// What is to be drawn: one pass, or two at twice the width and height.
+    /// The passes: one, or two at twice the width and height.
     pub passes: Vec<Pass>,
-    /// What makes colours of it.
+    /// The shader, which computes colours from it.
     pub shader: Shader,
-    /// What became of the polygons, in the first pass.
+    /// The counts of polygons in the first pass.
     pub counts: Counts,
 }
 
-/// What is drawn of a scene at once.
+/// A pass: everything of a scene that is drawn at once.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pass {
     /// The screen.
     pub size: Size,
-    /// Packets in order of submission, as [`Projection::triangles`](crate::Projection::triangles) has them.
+    /// Packets in the sequence of submission, as in [`Projection::triangles`](crate::Projection::triangles).
     pub packets: Vec<AppearancePacket>,
-    /// The vertices that each was set up from, in the same order.
+    /// The vertices that each packet was set up from, in the same sequence.
     pub vertices: Vec<[AppearanceVertex; 3]>,
 }
 
@@ -64,14 +64,14 @@ pub struct Pass {
 /// ```
 ///
 /// # Errors
-/// As [`crate::project`]; and if a texture could not be read, there are more than 256 lights, or the screen is too large for eight
-/// samples.
+/// As [`crate::project`]. Also if a texture could not be read, there are more than 256 lights, or the screen is too
+/// large for eight samples.
 pub fn project_deferred(scene: &Scene, size: Size, samples: Samples) -> Result<Deferred, SceneError> {
     scene.without_spheres()?;
     let default = || Cow::Owned(Materials::plain(Material::default(), scene.mesh.triangles().len()));
     let materials = scene.mesh.materials().map_or_else(default, Cow::Borrowed);
     let shader = shader(scene, &materials, scene.camera.view()?)?;
-    // A texel is to be as large as what is shaded.
+    // A texel should be as large as a shaded sample.
     let coarser = if samples == Samples::Eight(Shading::OncePerPixel) { LEVEL } else { 0 };
     let passes = samples.passes(size)?;
     let passes: Vec<(Pass, Counts)> = passes
@@ -86,17 +86,18 @@ pub fn project_deferred(scene: &Scene, size: Size, samples: Samples) -> Result<D
 }
 
 impl Deferred {
-    /// A sentence if no triangle and no line covers a pixel, so that the picture would hold the background alone; `None` if one does.
+    /// A sentence if no triangle and no line covers a pixel, so that the picture would show only the background; `None`
+    /// if one does.
     pub fn warning(&self) -> Option<String> {
         self.counts.warning(self.passes.iter().flat_map(|pass| &pass.packets).map(|packet| &packet.triangle))
     }
 }
 
-/// What is the same for all triangles of a pass.
+/// Values that are the same for all triangles of a pass.
 struct Drawing<'a> {
     materials: &'a Materials,
     size: Size,
-    /// What is taken off each level of detail, in 1/8.
+    /// The amount subtracted from each level of detail, in 1/8.
     coarser: u8,
 }
 
@@ -128,7 +129,7 @@ impl Drawing<'_> {
         Some((vertices, AppearancePacket { triangle, ..packet }))
     }
 
-    /// A triangle's vertices with all that varies, its material and its level of detail.
+    /// A triangle's vertices with all attributes, its material and its level of detail.
     fn surface(
         &self,
         triangle: usize,
@@ -147,7 +148,7 @@ impl Drawing<'_> {
         for (i, vertex) in vertices.iter_mut().enumerate() {
             (vertex.uv, vertex.scale) = (uv[i], scale[i]);
         }
-        // One without an area is not drawn.
+        // A triangle without an area is not drawn.
         let level = if signed_area2(&vertices.map(|v| v.at)) == 0 { 0 } else { level(&vertices) };
         (vertices, material, level.saturating_sub(self.coarser))
     }

@@ -1,34 +1,36 @@
-//! How many samples a pixel has, and where they are.
+//! The number and the positions of a pixel's samples.
 
 use crate::error::SceneError;
 use crate::size::{MAX_SIDE, Size};
 
-/// Where the second of two passes has its samples: it moves all vertices by so many 1/16 of its pixels, half of one, along both axes.
+/// The position of the second pass's samples: it moves all vertices along both axes by half of one of its pixels, in
+/// 1/16 pixel.
 pub const SECOND_SHIFT: [i32; 2] = [8, 8];
 
 /// The samples of a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Samples {
-    /// One, in its middle.
+    /// One, in the pixel's middle.
     #[default]
     One,
-    /// Eight: two passes at twice the width and height, the second one moved by [`SECOND_SHIFT`], of each of which a pixel has
-    /// 2 x 2 (facts E4). So the samples are those of ordinary frames, to the bit.
+    /// Eight: two passes at twice the width and height, the second one moved by [`SECOND_SHIFT`]. A pixel has 2 x 2
+    /// samples of each (facts E4). So the samples are exactly those of ordinary frames.
     Eight(Shading),
 }
 
-/// What of eight samples is shaded.
+/// What is shaded of eight samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shading {
-    /// Each by itself: a colour is `floor((sum + 4) / 8)` of theirs.
+    /// Each sample by itself: the colour is `floor((sum + 4) / 8)` of theirs.
     #[default]
     EachSample,
-    /// What they have in common: [`Shader::shade_once`](super::Shader::shade_once).
+    /// Their common surface: [`Shader::shade_once`](super::Shader::shade_once).
     OncePerPixel,
 }
 
 impl Samples {
-    /// The passes of a frame of `size` pixels: the size of each, and by how many 1/16 of its pixels it moves all vertices.
+    /// The passes of a frame of `size` pixels: each pass's size, and the distance in 1/16 of its pixels by which it
+    /// moves all vertices.
     ///
     /// ```
     /// use tilewright_scenes::Size;

@@ -1,39 +1,40 @@
-//! The shader: what makes a colour of an appearance word, by the steps of [`super::arithmetic`].
+//! The shader: computes a colour from an appearance word, by the steps of [`super::arithmetic`].
 //!
-//! Its constants are broadcast to all pixels alike, as instructions are; only what stands in the word differs from pixel to pixel. What a
-//! material has is loaded into the pixels that name it, one material after another.
+//! Its constants are broadcast to all pixels, as part of the instructions; pixels differ only in their words. A
+//! material's values are loaded into the pixels that name it, one material after another.
 
 use super::appearance::{Appearance, Parameters};
 use super::arithmetic::*;
 use crate::texture::Texture;
 use std::sync::Arc;
 
-/// A light from far away, as the shader has it. Directions are 2^8 times a unit vector (right, down, forward of the eye), to the
-/// nearest whole numbers: a sign and 8 bits each.
+/// A light far away, in the shader's form. Directions are 2^8 times a unit vector (right, down, forward of the eye),
+/// rounded to whole numbers: a sign and 8 bits each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShaderLight {
-    /// Towards the light; -255 to 255 each.
+    /// The direction towards the light; -255 to 255 each.
     pub direction: [i16; 3],
-    /// Between the light and the eye, whose line of sight counts as one for all pixels; zero if they are opposite.
+    /// The direction half-way between the light and the eye; the line of sight is the same for all pixels. It is zero
+    /// if they are opposite.
     pub half: [i16; 3],
     /// 255 for the brightness 1.
     pub brightness: u8,
 }
 
-/// A material, as the shader has it.
+/// A material, in the shader's form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShaderMaterial {
-    /// Whether light falls on it; lines have their colour as it is.
+    /// Whether light falls on it; lines show their own colour.
     pub is_lit: bool,
     /// Index into [`Shader::textures`].
     pub texture: Option<u32>,
     /// The brightness of highlights, 255 for 1.
     pub specular: u8,
-    /// How often the cosine is squared that makes a highlight, at most [`MOST_SQUARINGS`].
+    /// How often the cosine of a highlight is squared, at most [`MOST_SQUARINGS`].
     pub squarings: u8,
 }
 
-/// All that shading takes besides appearance words.
+/// Everything that shading needs besides appearance words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shader {
     /// Red, green and blue of a pixel that nothing covers.
@@ -42,9 +43,9 @@ pub struct Shader {
     pub ambient: u8,
     /// At most [`MOST_LIGHTS`], so that their sum has 16 bits.
     pub lights: Vec<ShaderLight>,
-    /// What [`Parameters::material`] is an index of.
+    /// The materials; [`Parameters::material`] is an index into them.
     pub materials: Vec<ShaderMaterial>,
-    /// What materials name.
+    /// The textures; materials refer to them.
     pub textures: Vec<Arc<Texture>>,
 }
 
@@ -53,17 +54,17 @@ pub const MOST_LIGHTS: usize = 256;
 
 /// How much light a surface sends to the eye.
 struct Reflected {
-    /// Multiplies the surface's own colour; 255 for 1.
+    /// The factor of the surface's own colour; 255 for 1.
     diffuse: u8,
-    /// Added to it.
+    /// The summand.
     specular: u8,
 }
 
 impl Shader {
     /// The colour of a pixel.
     ///
-    /// With `n` as [`unit_normal`] of the word's, `c` as [`cosine`] of n and a light's direction, and `h` as that of n and its half
-    /// vector:
+    /// `n` is [`unit_normal`] of the word's normal, `c` is [`cosine`] of n and a light's direction, and `h` is that of
+    /// n and its half vector:
     ///
     /// ```text
     /// diffuse  = saturated(ambient + sum of brightness_at(brightness, c))
@@ -88,12 +89,13 @@ impl Shader {
         base.map(|channel| saturated(u16::from(product(channel, diffuse)) + u16::from(specular)))
     }
 
-    /// The colour of a pixel of eight samples, shaded once, as a surface of the least word's material.
+    /// The colour of a pixel of eight samples, shaded once, with the least word's material.
     ///
-    /// A sample of another material counts as the least word. With m as the number of samples that something covers, and sums over these:
-    /// the normal is `floor(sum / 8)` and the colour `floor((sum + 4) / 8)`, so it is darker by what is not covered, and so are
-    /// highlights, `floor(specular m / 8)`. All else is the least word's. What is not covered adds
-    /// `floor((background (8 - m) + 4) / 8)`. So edges against the background are smooth, but not those between materials.
+    /// A sample with another material counts as the least word. m is the number of covered samples, and sums are over
+    /// these. The normal is `floor(sum / 8)` and the colour `floor((sum + 4) / 8)`, so the colour is darkened by the
+    /// uncovered share. So are highlights: `floor(specular m / 8)`. Everything else is the least word's. The uncovered
+    /// samples add `floor((background (8 - m) + 4) / 8)`. So edges against the background are smooth, but those between
+    /// materials are not.
     ///
     /// # Panics
     /// As [`Shader::shade`].
@@ -133,7 +135,7 @@ impl Shader {
         [0, 1, 2].map(|i| product(texel[i], parameters.rgb[i]))
     }
 
-    /// What the lights do to a surface that is turned this way.
+    /// The effect of the lights on a surface with this normal.
     fn reflected(&self, normal: [i16; 3], material: ShaderMaterial) -> Reflected {
         let unit = unit_normal(normal);
         let (mut diffuse, mut specular) = (u16::from(self.ambient), 0);

@@ -1,4 +1,5 @@
-//! Golden frames of deferred shading: the least appearance word of each pixel in the plainest double loop, and then its colour.
+//! Golden frames of deferred shading: the least appearance word of each pixel in a plain double loop, and then its
+//! colour.
 
 use super::plane_at;
 use super::samples::{of_passes, samples_of};
@@ -24,21 +25,21 @@ impl AppearancePacket {
     }
 }
 
-/// What is seen in each pixel, row by row from the upper left: the least word of all packets that cover it (DES-MIN), or
-/// [`Appearance::EMPTY`].
+/// The visible surface in each pixel, row by row from the upper left: the least word of all packets that cover it
+/// (DES-MIN), or [`Appearance::EMPTY`].
 pub fn visible(size: Size, packets: &[AppearancePacket]) -> Vec<Appearance> {
     let mut words = vec![Appearance::EMPTY; size.pixels()];
     packets.iter().for_each(|packet| draw(&mut words, size, packet));
     words
 }
 
-/// Renders a scene with deferred shading. The frame has colours alone: every depth is the greatest.
+/// Renders a scene with deferred shading. The frame has only colours: every depth is the greatest.
 pub fn render_deferred(deferred: &Deferred) -> Frame {
     render_deferred_watched(deferred, |_| ControlFlow::Continue(())).expect("nothing breaks it off")
 }
 
-/// As [`render_deferred`], with a call of `watch` before every packet and every row that is shaded; it gets how much of them is done,
-/// from 0 to 1, and may break it off: then there is no frame.
+/// As [`render_deferred`], but calls `watch` before every packet and every shaded row with the fraction done, from 0 to
+/// 1. `watch` may stop the rendering; then there is no frame.
 pub fn render_deferred_watched(deferred: &Deferred, watch: impl FnMut(f64) -> ControlFlow<()>) -> Option<Frame> {
     let mut steps = Steps::of(deferred, watch);
     let seen: Vec<_> = deferred.passes.iter().map(|pass| watched(pass, &mut steps)).collect::<Option<_>>()?;
@@ -50,7 +51,7 @@ pub fn render_deferred_watched(deferred: &Deferred, watch: impl FnMut(f64) -> Co
     of_passes(shaded.collect::<Option<_>>()?)
 }
 
-/// The steps of a frame: half of its time goes by packets, and half by rows of samples to shade.
+/// The steps of a frame: packets take half of the progress, and rows of samples to shade the other half.
 struct Steps<W> {
     watch: W,
     done: f64,
@@ -65,7 +66,7 @@ impl<W: FnMut(f64) -> ControlFlow<()>> Steps<W> {
         Steps { watch, done: 0.0, packet: 0.5 / packets.max(1) as f64, row: 0.5 / f64::from(rows) }
     }
 
-    /// Before a step that is this part of all; `None` breaks off.
+    /// Before a step that is this fraction of the whole; `None` stops.
     fn step(&mut self, part: f64) -> Option<()> {
         let goes_on = (self.watch)(self.done).is_continue();
         self.done = f64::min(self.done + part, 1.0);
@@ -101,7 +102,7 @@ fn shaded<W: FnMut(f64) -> ControlFlow<()>>(
     Some(frame)
 }
 
-/// The colour of each pixel of eight samples, which the passes have seen.
+/// The colour of each pixel of eight samples, from what the passes show.
 fn shaded_once<W: FnMut(f64) -> ControlFlow<()>>(
     deferred: &Deferred,
     seen: &[Vec<Appearance>],

@@ -2,9 +2,10 @@
 
 use crate::frame::{Frame, depth_of, rgb_of, word};
 
-/// By how much the vertices move in each pass of a picture, in 1/16 pixel, for pictures of 2, 4, 8 and 16 passes.
+/// The distance by which the vertices move in each pass of a picture, in 1/16 pixel, for pictures of 2, 4, 8 and 16
+/// passes.
 ///
-/// They are Direct3D's standard patterns of as many samples; the paper of the VC-1 has none (VC1-ACB).
+/// They are Direct3D's standard patterns with as many samples; the VC-1 paper gives none (VC1-ACB).
 const SHIFTS: [&[[i32; 2]]; 4] = [
     &[[4, 4], [-4, -4]],
     &[[-2, -6], [6, -2], [-6, 2], [2, 6]],
@@ -29,8 +30,8 @@ const SHIFTS: [&[[i32; 2]]; 4] = [
     ],
 ];
 
-/// By how much [`project_sample`](crate::project_sample) moves the vertices in each of so many passes, in 1/16 pixel; `None` unless
-/// there are 2, 4, 8 or 16.
+/// The distance by which [`project_sample`](crate::project_sample) moves the vertices in each pass, in 1/16 pixel;
+/// `None` unless there are 2, 4, 8 or 16 passes.
 ///
 /// ```
 /// use tilewright_scenes::golden::pass_shifts;
@@ -42,8 +43,8 @@ pub fn pass_shifts(passes: u32) -> Option<&'static [[i32; 2]]> {
     SHIFTS.into_iter().find(|shifts| shifts.len() == passes as usize)
 }
 
-/// The picture of several passes (VC1-ACB): each channel is `floor((sum + n / 2) / n)` of the `n` passes, and the depths are those of
-/// the last one.
+/// The picture of several passes (VC1-ACB): each channel is `floor((sum + n / 2) / n)` of the `n` passes. The depths
+/// are those of the last pass.
 ///
 /// ```
 /// use tilewright_scenes::{Frame, Size, golden};
@@ -85,7 +86,7 @@ mod tests {
             sorted.dedup();
             assert_eq!(sorted.len(), 1 << exponent);
             assert!(shifts.iter().flatten().all(|shift| (-8..=7).contains(shift)));
-            // A row and a column of sixteenths each have one sample at most, but of two.
+            // A row or column of sixteenths has at most one sample, except with two passes.
             let rows: std::collections::BTreeSet<i32> = shifts.iter().map(|[_, y]| *y).collect();
             assert_eq!(rows.len(), shifts.len());
         }

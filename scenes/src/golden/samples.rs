@@ -6,8 +6,8 @@ use crate::project::Projection;
 use crate::size::Size;
 use std::ops::ControlFlow;
 
-/// Renders what [`project_samples`](crate::project_samples) makes. Of one pass it is the frame of [`render`](super::render), and of two
-/// [`average_eight`] of theirs.
+/// Renders the result of [`project_samples`](crate::project_samples). With one pass it is the frame of
+/// [`render`](super::render); with two it is [`average_eight`] of theirs.
 ///
 /// ```
 /// use tilewright_scenes::deferred::{Samples, Shading};
@@ -20,7 +20,7 @@ use std::ops::ControlFlow;
 /// ```
 ///
 /// # Panics
-/// If there are neither one nor two passes.
+/// If there is not one pass, or two.
 pub fn render_samples(passes: &[Projection], background: [u8; 3]) -> Frame {
     render_samples_watched(passes, background, |_| ControlFlow::Continue(())).expect("one or two passes")
 }
@@ -46,8 +46,8 @@ pub(super) fn of_passes(frames: Vec<Frame>) -> Option<Frame> {
     }
 }
 
-/// The frame of eight samples a pixel, from two at twice its width and height: each channel is `floor((sum + 4) / 8)` of theirs (facts
-/// E0). Depths are the greatest.
+/// The frame of eight samples a pixel, from two at twice its width and height: each channel is `floor((sum + 4) / 8)`
+/// of theirs (facts E0). All depths are the greatest.
 ///
 /// ```
 /// use tilewright_scenes::{Frame, Size, frame, golden};
@@ -77,7 +77,7 @@ pub fn average_eight(passes: &[Frame; 2]) -> Frame {
     frame
 }
 
-/// The eight samples of pixel (x, y) of a frame of `size`: the pass that each is of, and its pixel there.
+/// The eight samples of pixel (x, y) of a frame of `size`: the pass of each, and its pixel there.
 pub(super) fn samples_of(size: Size, x: u32, y: u32) -> [(usize, usize); 8] {
     let pixel = |dx: u32, dy: u32| (2 * y + dy) as usize * 2 * size.width() as usize + (2 * x + dx) as usize;
     let four = [pixel(0, 0), pixel(1, 0), pixel(0, 1), pixel(1, 1)];

@@ -1,4 +1,5 @@
-//! Golden frames of polygons and spheres: of a sphere, too, each pixel of its box is looked at, with all products formed directly.
+//! Golden frames of polygons and spheres: for a sphere, too, each pixel of its box is tested, with all products
+//! computed directly.
 
 use super::{Primitive, draw_watched, each_fragment, fragments, least, nearest};
 use crate::frame::{Frame, word};
@@ -7,12 +8,12 @@ use crate::project::Polygons;
 use crate::sphere::{Quadratic, SpherePacket};
 use std::ops::ControlFlow;
 
-/// Which of a pixel's fragments is seen.
+/// Which of a pixel's fragments is visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rule {
-    /// That with the least word (DES-MIN), as in [`render`](super::render).
+    /// The one with the least word (DES-MIN), as in [`render`](super::render).
     Least,
-    /// That with the least depth, of equal ones the first, as in [`render_strict`](super::render_strict).
+    /// The one with the least depth, of equal ones the first, as in [`render_strict`](super::render_strict).
     Strict,
 }
 
@@ -80,7 +81,7 @@ pub fn render_polygons_watched(
     draw_watched(frame, spheres, [polygons.len(), count], keep, watch)
 }
 
-/// The pixels that polygons and spheres cover, each as often as it is covered, as [`fragments`] counts them.
+/// The pixels that polygons and spheres cover, counted once for each, as [`fragments`] counts them.
 pub fn fragments_of(polygons: &Polygons) -> u64 {
     let Polygons { size, polygons, spheres, .. } = polygons;
     let mut count = fragments(*size, polygons);

@@ -1,4 +1,4 @@
-//! Corners of faces and polylines: indices of what is defined above them.
+//! Corners of faces and polylines: indices of elements defined above them.
 
 use super::lines::At;
 use super::notes::{self, Notes};
@@ -8,7 +8,8 @@ use crate::error::SceneError;
 use crate::quote::quote_bytes;
 use glam::DVec3;
 
-/// The most corners of a face: cutting a face takes up to their square in time. And of a line, for simplicity.
+/// The most corners of a face, because cutting a face may take time quadratic in them. The same limit applies to a
+/// line, for simplicity.
 pub(super) const MOST_CORNERS: usize = 16_384;
 
 /// What a corner belongs to, for errors.
@@ -34,7 +35,7 @@ pub(super) fn face(
     words.iter().map(|word| corner(at, word, seen, notes)).collect::<Result<_, _>>().map(Some)
 }
 
-/// The vertices of a polyline, whose corners are `v` or `v/vt` each; `None` if there are less than two.
+/// The vertices of a polyline, whose corners are `v` or `v/vt` each; `None` if there are fewer than two.
 pub(super) fn polyline(
     at: At,
     words: &[&[u8]],
@@ -56,7 +57,7 @@ pub(super) fn polyline(
     words.iter().map(vertex).collect::<Result<_, _>>().map(Some)
 }
 
-/// Whether there are as many corners as it takes; if not, a note.
+/// Whether there are enough corners; if not, a note.
 fn are_enough(at: At, what: &'static str, corners: usize, least: usize, notes: &mut Notes) -> Result<bool, SceneError> {
     if corners > MOST_CORNERS {
         return Err(at.error(format!("{what} with more than {MOST_CORNERS} corners"), "cut it"));
@@ -97,7 +98,7 @@ fn corner(at: At, word: &[u8], seen: &Geometry, notes: &mut Notes) -> Result<Cor
     Ok(Corner { vertex, texture, normal, colour: None })
 }
 
-/// What reads a corner, and says what is wrong with it.
+/// Reads a corner, and reports what is wrong with it.
 struct Reader<'a> {
     at: At<'a>,
     word: &'a [u8],
@@ -109,7 +110,8 @@ impl Reader<'_> {
         self.index(parts.next().unwrap_or_default(), "vertex", seen.positions.len())
     }
 
-    /// The index of a texture coordinate or a normal, which may lack. Some programs write 0 for none, and some numbers where none are defined.
+    /// The index of a texture coordinate or a normal, which may be missing. Some programs write 0 for none, and some
+    /// write numbers where none are defined.
     fn other(
         &self,
         part: Option<&[u8]>,
@@ -154,12 +156,12 @@ impl Reader<'_> {
 
     fn number(&self, part: &[u8]) -> Result<i64, SceneError> {
         let whole = std::str::from_utf8(part).ok().and_then(|part| part.parse().ok());
-        // Some programs write all numbers alike.
+        // Some programs write all numbers as floats.
         let round = || parsed(part).filter(|x| x.fract() == 0.0 && x.abs() < 1e15).map(|x| x as i64);
         whole.or_else(round).ok_or_else(|| self.malformed())
     }
 
-    /// That nothing follows but an empty part.
+    /// Checks that only an empty part follows.
     fn end<'w>(&self, mut parts: impl Iterator<Item = &'w [u8]>) -> Result<(), SceneError> {
         parts.find(|part| !part.is_empty()).map_or(Ok(()), |_| Err(self.malformed()))
     }

@@ -1,22 +1,22 @@
-//! A face with any number of corners becomes triangles.
+//! Cuts a face with any number of corners into triangles.
 //!
-//! A fan from the first corner serves wherever it covers the face once: for every convex face, and for some others. Else `earcut` cuts
-//! the face, which leaves out corners that stand in a line or repeat one another.
+//! A fan from the first corner serves if it covers the face once: for every convex face, and for some others. Otherwise
+//! `earcut` cuts the face; it leaves out corners that are collinear or repeated.
 
 use earcut::Earcut;
 use glam::DVec3;
 
 /// A face in triangles.
 pub(super) struct Cut {
-    /// Corners of the face, by index; the triangles run round as the face does.
+    /// Corners of the face, by index; the triangles run in the face's direction.
     pub(super) triangles: Vec<[usize; 3]>,
     /// Whether they are a fan from its first corner.
     pub(super) is_fan: bool,
-    /// Whether the outline crosses itself, so that the triangles cover it roughly.
+    /// Whether the outline crosses itself, so that the triangles cover it only roughly.
     pub(super) crosses: bool,
 }
 
-/// Doubled areas below this part of the squared width of a face are rounding noise.
+/// Doubled areas below this fraction of a face's squared width are rounding noise.
 const NOISE: f64 = 1e-12;
 
 /// Cuts a face of at least three corners.
@@ -33,7 +33,7 @@ pub(super) fn cut(corners: &[DVec3]) -> Cut {
         return Cut { triangles: fan.collect(), is_fan: true, crosses: false };
     }
     if is_flat {
-        // All corners stand in a line, or the halves of a bow tie cancel each other.
+        // All corners are collinear, or the halves of a bow tie cancel each other.
         return Cut { triangles: fan.collect(), is_fan: true, crosses: areas.iter().any(|area| area.length() > noise) };
     }
     let mut indices: Vec<usize> = Vec::new();
@@ -48,7 +48,8 @@ fn doubled_area([p, q, r]: [DVec3; 3]) -> DVec3 {
     (q - p).cross(r - p)
 }
 
-/// A point without the coordinate that the direction runs along most; what turns left round the direction turns left here.
+/// A point without its dominant coordinate along the direction; counter-clockwise round the direction stays
+/// counter-clockwise here.
 fn seen_along(direction: DVec3, p: DVec3) -> [f64; 2] {
     let size = direction.abs();
     let (axis, [x, y]) = if size.z >= size.x && size.z >= size.y {

@@ -1,7 +1,7 @@
-//! Files that a mesh names: matched by what exists.
+//! Files that a mesh names, matched against existing files.
 //!
-//! A name is bytes. It may be quoted, and have the slashes of another system; where no file has it, it may have lost its folder, or the case of
-//! its letters, on the way from one machine to another. Who takes such a file for it says so.
+//! A name is bytes. It may be quoted, or have another system's slashes. If no file matches, the name may have lost its
+//! folder, or its case, on the way between machines. A file taken for it then is reported.
 
 use super::lines::{is_blank, trimmed};
 use std::collections::BTreeMap;
@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 /// The most words of a name with blanks: each run of words may be one.
 const MOST_WORDS: usize = 32;
 
-/// What looks for files, and remembers what folders hold.
+/// Looks up files, and caches the contents of folders.
 #[derive(Default)]
 pub(super) struct Finder {
     listings: BTreeMap<PathBuf, Vec<OsString>>,
 }
 
-/// A file of that name as it stands: with either slash between folders, and without quotes around it.
+/// A file with exactly that name: with either slash between folders, and without quotes around it.
 pub(super) fn find(folder: &Path, name: &[u8]) -> Option<PathBuf> {
     let plain = unquoted(name);
     let slashed = with_slashes(plain);
@@ -25,12 +25,12 @@ pub(super) fn find(folder: &Path, name: &[u8]) -> Option<PathBuf> {
     names.find_map(|name| file(folder.join(os(name))))
 }
 
-/// Where a file of that name would be.
+/// The path that a file with that name would have.
 pub(super) fn expected(folder: &Path, name: &[u8]) -> PathBuf {
     folder.join(os(&with_slashes(unquoted(name))))
 }
 
-/// The files of a list, from each word on the longest name that is a file's; in place of what is none, its name.
+/// The files of a list: at each word, the longest name that is a file's; if there is none, the name itself.
 pub(super) fn listed(folder: &Path, list: &[u8]) -> Vec<Result<PathBuf, Vec<u8>>> {
     let words: Vec<(usize, usize)> = words(list).collect();
     let mut files = Vec::new();
@@ -68,8 +68,8 @@ pub(super) fn words(text: &[u8]) -> impl Iterator<Item = (usize, usize)> {
 }
 
 impl Finder {
-    /// A file that may be meant by a name that none has in the first of these folders: one of the same name in another; of the same name but for the
-    /// case of letters; or without its folders.
+    /// A substitute for a name without a file. It has the same name in another of these folders, or differs only in
+    /// case, or lacks the name's folders.
     pub(super) fn find_loosely(&mut self, folders: &[&Path], name: &[u8]) -> Option<PathBuf> {
         let name = with_slashes(unquoted(name));
         let is_absolute = name.starts_with(b"/") || name.get(1) == Some(&b':');
@@ -86,7 +86,7 @@ impl Finder {
         None
     }
 
-    /// The one file that has this name, in whatever case.
+    /// The one file with this name, in any case.
     fn find_in_any_case(&mut self, folder: &Path, name: &[u8]) -> Option<PathBuf> {
         let mut at = folder.to_owned();
         for part in name.split(|&byte| byte == b'/').filter(|part| !part.is_empty() && *part != b".") {
@@ -96,7 +96,7 @@ impl Finder {
         file(at)
     }
 
-    /// The one entry of a folder that has this name, in whatever case.
+    /// The one entry of a folder with this name, in any case.
     fn entry(&mut self, folder: &Path, name: &OsStr) -> Option<OsString> {
         let listing = self.listings.entry(folder.to_owned()).or_insert_with(|| {
             let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
@@ -110,7 +110,7 @@ impl Finder {
     }
 }
 
-/// A path, if there is anything but a folder.
+/// A path, unless it is only a folder.
 fn file(path: PathBuf) -> Option<PathBuf> {
     (path.exists() && !path.is_dir()).then_some(path)
 }
@@ -126,13 +126,13 @@ fn with_slashes(name: &[u8]) -> Vec<u8> {
     name.iter().map(|&byte| if byte == b'\\' { b'/' } else { byte }).collect()
 }
 
-/// A name of a file: bytes where they are, and otherwise UTF-8.
+/// A file name: raw bytes where the system has them, otherwise UTF-8.
 #[cfg(unix)]
 fn os(name: &[u8]) -> OsString {
     std::os::unix::ffi::OsStringExt::from_vec(name.to_vec())
 }
 
-/// A name of a file: bytes where they are, and otherwise UTF-8.
+/// A file name: raw bytes where the system has them, otherwise UTF-8.
 #[cfg(not(unix))]
 fn os(name: &[u8]) -> OsString {
     String::from_utf8_lossy(name).into_owned().into()

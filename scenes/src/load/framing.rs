@@ -1,4 +1,4 @@
-//! The camera that frames a mesh by itself.
+//! The automatic camera, which frames a mesh.
 
 use crate::camera::Camera;
 use crate::mesh::{BoundingBox, Mesh};
@@ -6,10 +6,10 @@ use crate::size::Size;
 use crate::sphere::Sphere;
 use glam::{DVec3, dvec3};
 
-/// Field of view of the camera that frames a mesh by itself, in degrees.
+/// The automatic camera's field of view, in degrees.
 pub(super) const FRAMING_FOV: f64 = 35.0;
 
-/// From where a mesh is seen whose y axis is up: a little from the right and from above.
+/// The viewing direction for a mesh whose y axis is up: a little from the right and from above.
 const DIRECTION: DVec3 = dvec3(0.45, 0.35, 1.0);
 
 /// The box round a mesh and spheres.
@@ -20,9 +20,9 @@ pub(super) fn bounding_box(mesh: &Mesh, spheres: &[Sphere]) -> BoundingBox {
     })
 }
 
-/// A camera that shows the whole of what such a box is round.
+/// A camera that shows everything in such a box.
 pub(super) fn framing_camera(bounds: BoundingBox, up: DVec3, fov: f64, size: Size) -> Camera {
-    // If up is turned, the direction turns with it: over the same shoulder, wherever the shoulder is.
+    // If up changes, the direction is rotated with it: over the same shoulder, wherever the shoulder is.
     let direction = if up.z.abs() > up.y.abs() { dvec3(DIRECTION.x, -DIRECTION.z, DIRECTION.y) } else { DIRECTION };
     Camera::framing(bounds, direction, up, fov, size)
 }

@@ -1,11 +1,12 @@
-//! glTF 2.0 files, as text (`.gltf`) and in one binary file (`.glb`): the meshes of a scene's nodes, with base colours, textures and
-//! vertex colours. The format is the Khronos Group's (ISO/IEC 12113).
+//! glTF 2.0 files, as text (`.gltf`) and in one binary file (`.glb`): the meshes of a scene's nodes, with base colours,
+//! textures and vertex colours. The format is the Khronos Group's (ISO/IEC 12113).
 //!
-//! `gltf-json` reads and checks the JSON. Buffers, accessors, nodes and pictures are read here: `gltf`, which is built on that crate, panics on
-//! some malformed files, and takes no quantised meshes that say so.
+//! `gltf-json` reads and checks the JSON. Buffers, accessors, nodes and pictures are read here. The crate `gltf`, built
+//! on `gltf-json`, panics on some malformed files. It also refuses quantised meshes that declare it.
 //!
-//! Factors and vertex colours of glTF are linear, and a mesh has colours as screens show them, as OBJ files have. So factors and vertex
-//! colours are encoded ([`colour::encoded`]), and products are of encoded colours. Both sides of a face are drawn.
+//! Factors and vertex colours of glTF are linear, but a mesh has colours as screens show them, like OBJ files. So
+//! factors and vertex colours are encoded ([`colour::encoded`]), and products are of encoded colours. Both sides of a
+//! face are drawn.
 
 mod buffers;
 mod colour;
@@ -52,7 +53,7 @@ pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     Ok(Loaded { mesh, up: DVec3::Y, files, warnings: oddities.sentences })
 }
 
-/// Sentences for what is drawn in another way than the file says, each once.
+/// Sentences for features that are drawn differently from what the file says, each once.
 struct Oddities<'a> {
     path: &'a Path,
     sentences: Vec<String>,

@@ -26,17 +26,17 @@ impl At<'_> {
     }
 }
 
-/// A statement of one line, or of several where they are continued.
+/// A statement of one line, or of several continued lines.
 pub(super) struct Statement<'a> {
     /// The number of its first line, counted from 1.
     pub(super) line: usize,
     /// Without blanks before it.
     text: Cow<'a, [u8]>,
-    /// How many bytes of the text the keyword has.
+    /// The length of the keyword in bytes.
     keyword: usize,
 }
 
-/// Statements that give a name, beside the many that begin with `map_`.
+/// Statements that give a name, besides the many that begin with `map_`.
 const NAMING: [&str; 16] = [
     "newmtl",
     "usemtl",
@@ -72,7 +72,7 @@ impl Statement<'_> {
         String::from_utf8_lossy(&self.text[..self.keyword])
     }
 
-    /// The rest as a name: all of it but blanks around it.
+    /// The rest as a name, trimmed.
     pub(super) fn name(&self) -> &[u8] {
         trimmed(&self.text[self.keyword..])
     }
@@ -97,13 +97,13 @@ impl Statement<'_> {
     }
 }
 
-/// The statements of a text; lines that are empty or hold a comment alone are none.
+/// The statements of a text, without empty lines and lines with only a comment.
 pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = Statement<'_>> {
     let ends_in_cr = ends_in_cr(text);
     let mut lines = (1..).zip(text.split(move |&byte| byte == b'\n' || ends_in_cr && byte == b'\r'));
     let statements = std::iter::from_fn(move || {
         let (line, text) = lines.next()?;
-        // Files that were put together from several have a mark in the middle.
+        // Files that were joined from several have a byte order mark in the middle.
         let text = trimmed(text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text));
         let keyword = text.iter().position(|&byte| is_blank(byte)).unwrap_or(text.len());
         let mut statement = Statement { line, text: text.into(), keyword };
@@ -125,26 +125,26 @@ pub(super) fn statements(text: &[u8]) -> impl Iterator<Item = Statement<'_>> {
     statements.filter(|statement| statement.keyword > 0 && statement.text[0] != b'#')
 }
 
-/// Whether CR alone ends lines, as it did on old Macs. A stray one in a file of other lines does not.
+/// Whether CR alone ends lines, as on old Macs. A stray CR in a file with other line endings does not.
 fn ends_in_cr(text: &[u8]) -> bool {
     let ends = text.iter().filter(|&&byte| byte == b'\n').count();
     let alone = |pair: &[u8]| pair[0] == b'\r' && !matches!(pair[1], b'\n' | b'\r');
     text.windows(2).filter(|pair| alone(pair)).count() > ends
 }
 
-/// Blanks between words; 1A ends files of DOS.
+/// Blanks between words; 1A ends DOS files.
 pub(super) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c | 0x1a)
 }
 
-/// Without blanks at both ends.
+/// Trims blanks at both ends.
 pub(super) fn trimmed(text: &[u8]) -> &[u8] {
     let begin = text.iter().position(|&byte| !is_blank(byte)).unwrap_or(text.len());
     let end = text.iter().rposition(|&byte| !is_blank(byte)).map_or(begin, |last| last + 1);
     &text[begin..end]
 }
 
-/// Whether a program wrote this in place of a number that it had not: `nan`, `-nan(ind)`, `1.#QNAN`.
+/// Whether a program wrote this for a number that it did not have: `nan`, `-nan(ind)`, `1.#QNAN`.
 pub(super) fn is_no_number(word: &[u8]) -> bool {
     let word = word.to_ascii_lowercase();
     let word = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(&word);

@@ -1,6 +1,6 @@
-//! What a `map_Kd` says: options, and the name of a file, which may have blanks and dashes itself.
+//! The operand of `map_Kd`: options, and a file name, which may itself have blanks and dashes.
 //!
-//! Source: the MTL format, Wavefront's Advanced Visualizer; some programs write options behind the name.
+//! Source: the MTL format, Wavefront's Advanced Visualizer; some programs write options after the name.
 
 use super::files::words;
 use super::lines::trimmed;
@@ -8,14 +8,14 @@ use super::numbers::parsed;
 use crate::quote::quote_bytes;
 use glam::{DVec2, dvec2};
 
-/// How a texture lies on a surface.
+/// The placement of a texture on a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Placement {
-    /// Multiplies texture coordinates.
+    /// The factor of texture coordinates.
     pub(super) scale: DVec2,
-    /// Is added then.
+    /// The offset that is then added.
     pub(super) offset: DVec2,
-    /// Whether the texture stands there once, and what is beyond its edges has their colours.
+    /// Whether the texture appears only once, with its edge colours continued beyond its edges.
     pub(super) is_clamped: bool,
 }
 
@@ -28,17 +28,17 @@ impl Default for Placement {
 /// The operand of `map_Kd`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Map {
-    /// The name of a file, or of none if there is none.
+    /// The name of the file; if no file matches, the name as written.
     pub(super) name: Vec<u8>,
     pub(super) placement: Placement,
-    /// Options that would change the picture, and do not.
+    /// Options that would change the picture, but are not supported.
     pub(super) undrawn: Vec<&'static str>,
 }
 
 /// What is wrong with an option, and what to do.
 pub(super) type Wrong = (String, &'static str);
 
-/// How many words behind a name are looked through for options.
+/// How many words behind a name are searched for options.
 const MOST_WORDS: usize = 32;
 
 /// Reads the operand of `map_Kd`; `exists` tells whether there is a file of a name.
@@ -75,7 +75,7 @@ pub(super) fn read(operand: &[u8], exists: impl Fn(&[u8]) -> bool) -> Result<Map
 }
 
 impl Map {
-    /// Takes options alone, if these are.
+    /// Parses options only, if this is what they are.
     fn with_options(mut self, mut text: &[u8]) -> Option<Map> {
         while !text.is_empty() {
             text = trimmed(self.option(text, false).ok()??);
@@ -83,9 +83,9 @@ impl Map {
         Some(self)
     }
 
-    /// Takes the option that the text begins with, if it does; what is behind it. A name is to follow, or not.
+    /// Parses the option that the text begins with, if any; returns the rest. `has_name` says whether a name must follow.
     fn option<'t>(&mut self, text: &'t [u8], has_name: bool) -> Result<Option<&'t [u8]>, Wrong> {
-        // As many as an option has, and one behind it.
+        // As many words as an option has, and one behind it.
         let words: Vec<(usize, usize)> = words(text).take(5).collect();
         let word = |i: usize| words.get(i).map_or(&b""[..], |&(begin, end)| &text[begin..end]);
         let behind = |i: usize| Ok(Some(words.get(i).map_or(&b""[..], |&(begin, _)| &text[begin..])));
@@ -136,7 +136,7 @@ impl Map {
                 self.undrawn.push(if option[1] == b'b' { "map_Kd -boost" } else { "map_Kd -texres" });
                 behind(2)
             }
-            // What belongs to maps of other kinds, or is as it is drawn.
+            // Options for other kinds of maps, and options that ask for what is drawn anyway.
             b"-blendu" | b"-blendv" | b"-cc" | b"-bm" | b"-imfchan" | b"-type" | b"-colorspace" => behind(2),
             _ => Ok(None),
         }

@@ -1,8 +1,8 @@
-//! Materials of an OBJ file: the diffuse colours (Kd) of its MTL files; and for deferred shading their textures (map_Kd) and highlights
-//! (Ks, Ns, illum).
+//! Materials of an OBJ file: the diffuse colours (Kd) of its MTL files. For deferred shading also their textures
+//! (map_Kd) and highlights (Ks, Ns, illum).
 //!
-//! A missing MTL file is a warning, not an error: such files often get lost when a mesh travels, and every triangle is still there,
-//! in grey. One that is there but malformed is an error, like any malformed file.
+//! A missing MTL file is a warning, not an error. Such files often get lost when a mesh is copied, and every triangle
+//! can still be drawn, in grey. A malformed one is an error, like any malformed file.
 
 use super::files::{Finder, expected, find, listed, words};
 use super::lines::trimmed;
@@ -15,7 +15,7 @@ use crate::quote::{quote, quote_bytes, shown};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// What a material looks like.
+/// The look of a material.
 #[derive(Clone)]
 pub(super) struct Look {
     /// The diffuse colour.
@@ -27,7 +27,7 @@ pub(super) struct Look {
     pub(super) shininess: Option<f64>,
 }
 
-/// The file of a texture, how it lies, and where that is said.
+/// The file of a texture, its placement, and where the material says so.
 #[derive(Clone)]
 pub(super) struct Picture {
     /// The MTL file.
@@ -45,8 +45,8 @@ impl Default for Look {
     }
 }
 
-/// What a mesh's materials look like, in the order of [`Scan::materials`]. The paths of their files go to
-/// `files`, what is odd to `warnings`.
+/// The looks of a mesh's materials, in the sequence of [`Scan::materials`]. Adds the paths of their files to `files`,
+/// and problems to `warnings`.
 pub(super) fn looks(
     obj: &Path,
     scan: &mut Scan,
@@ -66,7 +66,7 @@ pub(super) fn looks(
     Ok(looks)
 }
 
-/// The materials of a mesh under way.
+/// The materials of a mesh under construction.
 struct Reading<'a> {
     obj: &'a Path,
     libraries: Libraries,
@@ -75,7 +75,7 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
-    /// Reads the files that the mesh names; whether none is missing.
+    /// Reads the files that the mesh names; returns whether none is missing.
     fn read_libraries(&mut self, scan: &mut Scan) -> Result<bool, SceneError> {
         let folder = self.obj.parent().unwrap_or(Path::new(""));
         let Scan { libraries, materials, notes, .. } = scan;
@@ -112,8 +112,8 @@ impl Reading<'_> {
         Ok(in_place.is_some())
     }
 
-    /// Reads the MTL file that is called as the mesh is, where the one that the mesh names is missing, or where it names none: a mesh may have been renamed.
-    /// As nothing names it, it is let be if it is malformed.
+    /// Reads the MTL file with the mesh's own name if the mesh names none or the named one is missing: the mesh may
+    /// have been renamed. As nothing names this file, it is ignored if it is malformed.
     fn read_by_own_name(&mut self, used: &BTreeSet<&[u8]>) -> Option<PathBuf> {
         let mut longer = self.obj.as_os_str().to_owned();
         longer.push(".mtl");
@@ -123,7 +123,7 @@ impl Reading<'_> {
         Some(path)
     }
 
-    /// Gives a mesh that uses no material the only one that there is.
+    /// Gives a mesh without `usemtl` the only material that there is.
     fn assume_the_only_one(&mut self, scan: &mut Scan) {
         let Some(&(line, _)) = scan.libraries.first().filter(|_| scan.materials.is_empty()) else { return };
         let mut names = self.libraries.found.keys();
@@ -143,13 +143,13 @@ impl Reading<'_> {
         }
     }
 
-    /// What the files say of each material of the mesh.
+    /// The files' entries for each material of the mesh.
     fn definitions(&self, scan: &mut Scan, complete: bool) -> Vec<Option<Definition>> {
         let Scan { materials, notes, .. } = scan;
         let mut nearly: Option<BTreeMap<Vec<u8>, Option<&[u8]>>> = None;
         let found = &self.libraries.found;
         let definition = |(line, name): &(usize, Vec<u8>)| {
-            // With all that stands behind `usemtl`, or without what may be a comment there.
+            // With everything after `usemtl`, or without a possible comment there.
             if let Some(definition) = found.get(name).or_else(|| found.get(without_comment(name))) {
                 return Some(definition.clone());
             }
@@ -167,7 +167,7 @@ impl Reading<'_> {
                 }
                 return found.get(similar).cloned();
             }
-            // So some programs write that there is none; and after a missing file, that warning says it all.
+            // Some programs write this for no material; and after a missing file, that file's warning is enough.
             let is_none = matches!(&name[..], b"(null)" | b"None" | b"none");
             if complete && !is_none {
                 let problem = || format!("no MTL file defines the material {}, so it is grey", quote_bytes(name));
@@ -200,7 +200,8 @@ impl Reading<'_> {
         looks
     }
 
-    /// The colour of a surface, which multiplies its texture: white where only that is given. Some programs write black there.
+    /// The colour of a surface, which multiplies its texture: white if only a texture is given. Some programs write
+    /// black there.
     fn colour(&mut self, definition: &Definition, picture: Option<&Picture>) -> [f64; 3] {
         let Some(picture) = picture else { return definition.colour.unwrap_or(GREY) };
         if definition.colour == Some([0.0; 3]) {
@@ -233,7 +234,7 @@ impl Reading<'_> {
     }
 }
 
-/// That files are missing: the line of the first, where it would be, and how many more there are; and what is read in their place.
+/// Warns about missing files: the line of the first, its expected path, how many more there are, and the substitutes.
 fn missing_files((line, path, more): (usize, PathBuf, usize), in_place: Option<&Path>) -> String {
     let path = shown(&path);
     let (files, whose, them) = match more {
@@ -247,7 +248,7 @@ fn missing_files((line, path, more): (usize, PathBuf, usize), in_place: Option<&
     format!("{line}: {files}, {result}: put {them} beside the mesh")
 }
 
-/// That a name which is no file's begins as an option does.
+/// Warns that a name without a file begins like an option.
 fn unknown_option(name: &[u8]) -> Option<Wrong> {
     if name.is_empty() {
         return Some(("`map_Kd` without a file".to_owned(), "give its name after the options"));
@@ -256,7 +257,7 @@ fn unknown_option(name: &[u8]) -> Option<Wrong> {
     Some((format!("`map_Kd` with the option {}", quote_bytes(first)), "remove it, or correct the name of the file"))
 }
 
-/// What materials of one file say that is not drawn.
+/// Statements about one file's materials that are not drawn.
 #[derive(Default)]
 struct Undrawn {
     lines: BTreeMap<String, usize>,
@@ -293,7 +294,7 @@ impl Undrawn {
     }
 }
 
-/// Names by their likeness; none where several are alike.
+/// Names by likeness; none if several are alike.
 fn by_likeness(found: &BTreeMap<Vec<u8>, Definition>) -> BTreeMap<Vec<u8>, Option<&[u8]>> {
     let mut all: BTreeMap<Vec<u8>, Option<&[u8]>> = BTreeMap::new();
     for name in found.keys() {
@@ -302,7 +303,7 @@ fn by_likeness(found: &BTreeMap<Vec<u8>, Definition>) -> BTreeMap<Vec<u8>, Optio
     all
 }
 
-/// What names have in common that differ in a comment behind them, in quotes, in blanks or in the case of letters.
+/// The common form of names that differ only in a comment behind them, in quotes, in blanks or in case.
 fn likeness(name: &[u8]) -> Vec<u8> {
     let name = without_comment(name);
     let words: Vec<&[u8]> = words(name).map(|(begin, end)| &name[begin..end]).collect();
@@ -313,7 +314,7 @@ fn likeness(name: &[u8]) -> Vec<u8> {
     }
 }
 
-/// A name up to a number sign where a word begins; all of it if it begins so.
+/// A name up to a number sign where a word begins; the whole name if it begins with one.
 fn without_comment(name: &[u8]) -> &[u8] {
     let sign = words(name).skip(1).find(|&(begin, _)| name[begin] == b'#');
     sign.map_or(name, |(begin, _)| trimmed(&name[..begin]))

@@ -1,4 +1,4 @@
-//! Mesh files: what they are goes by the ending of their name.
+//! Mesh files: their format is chosen by the file name's extension.
 
 use super::{gltf, obj, ply, stl};
 use crate::error::SceneError;
@@ -6,13 +6,13 @@ use crate::mesh::Mesh;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
 
-/// The endings, for messages.
+/// The extensions, for messages.
 pub(super) const ENDINGS: &str = ".obj, .gltf, .glb, .ply or .stl";
 
-/// A mesh, the files that it is in, and what was odd about them.
+/// A mesh, its files, and the problems found.
 pub(super) struct Loaded {
     pub(super) mesh: Mesh,
-    /// Which way is up, by the custom of such files.
+    /// The up axis, by the format's convention.
     pub(super) up: DVec3,
     pub(super) files: Vec<PathBuf>,
     pub(super) warnings: Vec<String>,
@@ -24,10 +24,10 @@ impl Loaded {
     }
 }
 
-/// What a file of that name is read with; as a wireframe, its mesh has the outlines of faces for lines.
+/// The reader for a file with that name; as a wireframe, its mesh has the outlines of faces as lines.
 type Load = fn(&Path, bool) -> Result<Loaded, SceneError>;
 
-/// What reads such a file, if its name is one of a mesh.
+/// The reader for such a file, if its name is a mesh's.
 pub(super) fn loader(path: &Path) -> Option<Load> {
     match path.extension()?.to_string_lossy().to_lowercase().as_str() {
         "obj" => Some(obj::load),
@@ -38,7 +38,7 @@ pub(super) fn loader(path: &Path) -> Option<Load> {
     }
 }
 
-/// What reads it for a texture that takes the place of its own, and lies as its coordinates say.
+/// The reader for a texture that replaces the mesh's own, and is placed by its coordinates.
 pub(super) fn loader_for_texture(path: &Path) -> Option<Load> {
     match path.extension()?.eq_ignore_ascii_case("obj") {
         true => Some(obj::load_for_texture),

@@ -1,6 +1,7 @@
-//! MTL files: what their materials look like, as far as it is drawn.
+//! MTL files: the looks of their materials, as far as they are drawn.
 //!
-//! What would change the picture and is not drawn is kept with its line, to be said of materials that a mesh uses.
+//! Statements that would change the picture but are not drawn are kept with their lines, and reported for materials
+//! that a mesh uses.
 
 use super::lines::{At, Statement, statements};
 use super::notes::Notes;
@@ -11,7 +12,7 @@ use crate::quote::{quote, quote_bytes, shown};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// What an MTL file says of a material.
+/// The content of an MTL file for a material.
 #[derive(Clone, Default)]
 pub(super) struct Definition {
     /// Its file, by index in [`Libraries::paths`], and its line there.
@@ -25,23 +26,23 @@ pub(super) struct Definition {
     pub(super) specular: Option<f64>,
     /// The power of the cosine that makes them, as the file has it.
     pub(super) shininess: Option<f64>,
-    /// What it says that is not drawn, with the line of each.
+    /// Its statements that are not drawn, with the line of each.
     pub(super) undrawn: BTreeMap<String, usize>,
     /// The line and the colour of `Ka`, and the line and the operand of `map_Ka`.
     ambient: Option<(usize, [f64; 3])>,
     ambient_texture: Option<(usize, Vec<u8>)>,
-    /// The line of a `Tr` that is neither 0 nor 1; and whether a `d` says it better.
+    /// The line of a `Tr` that is neither 0 nor 1; and whether a `d` overrides it.
     transparency: Option<usize>,
     has_density: bool,
     /// Whether its lighting model is one without highlights.
     is_dull: bool,
 }
 
-/// The MTL files of a mesh, in the order in which they are searched.
+/// The MTL files of a mesh, in the sequence in which they are searched.
 #[derive(Default)]
 pub(super) struct Libraries {
     pub(super) paths: Vec<PathBuf>,
-    /// What was odd in each of them.
+    /// The problems in each of them.
     pub(super) notes: Vec<Notes>,
     pub(super) found: BTreeMap<Vec<u8>, Definition>,
 }
@@ -70,16 +71,16 @@ const MAPS: [&str; 17] = [
 /// Numbers that are not drawn, unless they are zero.
 const AMOUNTS: [&str; 7] = ["ke", "pm", "ps", "pc", "pcr", "aniso", "anisor"];
 
-/// What changes no picture of surfaces that let no light through: how it is bent and filtered there, how sharp reflections are, and how rough a
-/// surface is whose highlights `Ns` describes.
+/// Statements that change no picture of opaque surfaces: refraction and filtering, sharpness of reflections, and
+/// roughness of surfaces whose highlights `Ns` describes.
 const IGNORED: [&str; 5] = ["ni", "tf", "sharpness", "pr", "map_aat"];
 
-/// Channels that differ by less are alike.
+/// Channels that differ by less are considered equal.
 const ALIKE: f64 = 1.0 / 255.0;
 
 impl Libraries {
-    /// Reads an MTL file. Of two materials with one name the first file's holds, and in one file the later one; of those that are used, and differ,
-    /// there is a note.
+    /// Reads an MTL file. If two materials have the same name, the first file's is used, and within one file the later
+    /// one. For those that are used and differ, there is a note.
     pub(super) fn read(&mut self, path: PathBuf, used: &BTreeSet<&[u8]>) -> Result<(), SceneError> {
         if self.paths.contains(&path) {
             return Ok(());
@@ -128,7 +129,7 @@ impl Libraries {
     }
 }
 
-/// The materials of a file, in order.
+/// The materials of a file, in sequence.
 fn definitions(path: &Path, file: usize, notes: &mut Notes) -> Result<Vec<(Vec<u8>, Definition)>, SceneError> {
     let bytes = read_text(path, &input::MATERIALS)?;
     let mut all: Vec<(Vec<u8>, Definition)> = Vec::new();
@@ -159,7 +160,7 @@ fn definitions(path: &Path, file: usize, notes: &mut Notes) -> Result<Vec<(Vec<u
 }
 
 impl Definition {
-    /// Takes what a statement says.
+    /// Processes a statement.
     fn take(&mut self, at: At, statement: &Statement, notes: &mut Notes) -> Result<(), SceneError> {
         let keyword = statement.keyword();
         let words: Vec<&[u8]> = statement.words().take(9).collect();
@@ -194,7 +195,8 @@ impl Definition {
                     self.leave_out(&quote(&spelled), at.line);
                 }
             }
-            // Some programs mean the density by it; neither 0 nor 1 says that a surface is partly transparent.
+            // Some programs mean the density by it; a value other than 0 and 1 says that a surface is partly
+            // transparent.
             "tr" => self.transparency = number().is_none_or(|part| part > 0.0 && part < 1.0).then_some(at.line),
             "illum" => {
                 let model = number();
@@ -212,7 +214,7 @@ impl Definition {
         Ok(())
     }
 
-    /// That something is not drawn.
+    /// Notes that something is not drawn.
     pub(super) fn leave_out(&mut self, what: &str, line: usize) {
         self.undrawn.entry(what.to_owned()).or_insert(line);
     }
@@ -231,10 +233,10 @@ impl Definition {
         Ok(Some(rgb.map(|channel| channel.clamp(0.0, 1.0))))
     }
 
-    /// Decides what hangs on several statements.
+    /// Decides what depends on several statements.
     fn finish(&mut self) {
         let undrawn = [
-            // How bright ambient light is, is the scene's own business.
+            // The scene decides how bright ambient light is.
             self.ambient
                 .filter(|&(_, ambient)| !alike_in_hue(ambient, self.colour.unwrap_or([1.0; 3])))
                 .map(|(line, _)| ("the hue of `Ka`", line)),
@@ -250,7 +252,7 @@ impl Definition {
         }
     }
 
-    /// Whether it makes another picture than the other one.
+    /// Whether it gives a different picture from the other one.
     fn differs(&self, other: &Definition) -> bool {
         let looks = |this: &Definition| {
             let texture = this.texture.as_ref().map(|(_, name)| name.clone());
@@ -260,7 +262,7 @@ impl Definition {
     }
 }
 
-/// Whether a colour has no hue, or that of the other one.
+/// Whether a colour has no hue, or the same hue as the other one.
 fn alike_in_hue(colour: [f64; 3], other: [f64; 3]) -> bool {
     let [least, greatest] = extremes(colour);
     let [_, most] = extremes(other);

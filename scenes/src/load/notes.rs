@@ -1,4 +1,4 @@
-//! Warnings about lines of a file: each kind once, with its first line and how many more there are.
+//! Warnings about lines of a file: each kind once, with its first line and the number of further ones.
 
 use super::lines::At;
 use crate::error::SceneError;
@@ -10,15 +10,15 @@ use std::path::Path;
 pub(super) const FACE: &str = "a face";
 pub(super) const POLYLINE: &str = "a polyline";
 
-/// What was odd but harmless in the lines of a file.
+/// Harmless problems in the lines of a file.
 #[derive(Debug, Default)]
 pub(super) struct Notes {
-    /// By what all of a kind have in common: first line, problem, remedy, and number of lines.
+    /// The common data of a kind: first line, problem, remedy, and number of lines.
     kinds: BTreeMap<&'static str, (usize, String, &'static str, usize)>,
 }
 
 impl Notes {
-    /// Takes one; what is said of the first of its kind is said of all.
+    /// Adds a note; the text of the first of its kind stands for all.
     pub(super) fn add(
         &mut self,
         kind: &'static str,
@@ -29,13 +29,13 @@ impl Notes {
         self.kinds.entry(kind).or_insert_with(|| (line, problem(), remedy, 0)).3 += 1;
     }
 
-    /// The error of a file in which nothing has corners enough.
+    /// The error for a file in which nothing has enough corners.
     pub(super) fn too_few(&self, path: &Path) -> Option<SceneError> {
         let (line, problem, remedy, _) = [FACE, POLYLINE].iter().find_map(|kind| self.kinds.get(kind))?;
         Some(At { path, line: *line }.error(problem.clone(), *remedy))
     }
 
-    /// Sentences in the order of lines.
+    /// The sentences, sorted by line.
     pub(super) fn warnings(self, path: &Path) -> impl Iterator<Item = String> {
         let mut all: Vec<_> = self.kinds.into_values().collect();
         all.sort_by_key(|&(line, ..)| line);

@@ -1,10 +1,10 @@
-//! Numbers of files of lines.
+//! Numbers in text files.
 
 use super::lines::At;
 use crate::error::SceneError;
 use crate::quote::{number as shown_number, quote_bytes};
 
-/// Finite numbers, as many as one of `counts` says.
+/// Finite numbers; their count must be one of `counts`.
 pub(super) fn numbers<const N: usize>(
     at: At,
     keyword: &str,
@@ -32,7 +32,7 @@ pub(super) fn parsed(word: &[u8]) -> Option<f64> {
     std::str::from_utf8(word).ok()?.parse().ok()
 }
 
-/// Below 1e30, so that a camera can frame whatever is made of such numbers.
+/// Below 1e30, so that a camera can frame anything made of such numbers.
 fn number(at: At, keyword: &str, word: &[u8]) -> Result<f64, SceneError> {
     match parsed(word) {
         Some(value) if value.abs() < 1e30 => Ok(value),
@@ -47,7 +47,7 @@ fn number(at: At, keyword: &str, word: &[u8]) -> Result<f64, SceneError> {
     }
 }
 
-/// That a vertex has no weight but 1.
+/// Checks that a vertex has no weight but 1.
 pub(super) fn check_weight(at: At, weight: f64) -> Result<(), SceneError> {
     match weight == 1.0 {
         true => Ok(()),

@@ -16,12 +16,12 @@ use crate::quote::shown;
 use glam::DVec3;
 use std::path::Path;
 
-/// Reads a mesh; as a wireframe, it has the outlines of faces for lines.
+/// Reads a mesh; as a wireframe, it has the outlines of faces as lines.
 pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     load_with(path, wireframe, |_| {})
 }
 
-/// As [`load`], for a texture that is to take the place of the mesh's own, and lies as the coordinates in the file say.
+/// As [`load`], for a texture that replaces the mesh's own, and is placed by the file's coordinates.
 pub(super) fn load_for_texture(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     load_with(path, wireframe, |picture| picture.placement = Placement::default())
 }
@@ -50,7 +50,8 @@ fn load_with(path: &Path, wireframe: bool, change: impl FnMut(&mut Picture)) -> 
     Ok(Loaded { mesh, up: DVec3::Y, files, warnings })
 }
 
-/// Gives corners and lines the colours of their vertices, which multiply those of materials; what has such colours and no material gets a white one.
+/// Gives corners and lines the colours of their vertices, which multiply those of materials. Anything with such colours
+/// and no material gets a white one.
 fn take_colours(geometry: &mut Geometry, colours: &[Option<DVec3>], looks: &mut Vec<Look>) {
     let tint = |vertex: u32| colours.get(vertex as usize).copied().flatten().map(|colour| colour.to_array());
     let white = looks.len();
@@ -80,7 +81,7 @@ fn take_colours(geometry: &mut Geometry, colours: &[Option<DVec3>], looks: &mut 
         .collect();
 }
 
-/// A note of faces that have a texture, and no coordinates for it.
+/// A note about faces that have a texture, but no coordinates for it.
 fn note_unmapped(geometry: &Geometry, looks: &[Look], notes: &mut Notes) {
     for face in &geometry.faces {
         let has_texture = face.material.is_some_and(|material| looks[material].picture.is_some());

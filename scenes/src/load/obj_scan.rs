@@ -1,7 +1,8 @@
 //! OBJ files, statement by statement, so that every mistake is reported with its line.
 //!
-//! The format is Wavefront's (Advanced Visualizer manual, appendix B1); free-form curves and surfaces are refused. No crate is used:
-//! `tobj`, the best kept one, names no lines, ignores statements that it does not know and takes a line element for a face.
+//! The format is Wavefront's (Advanced Visualizer manual, appendix B1); free-form curves and surfaces are refused. This
+//! is our own reader. The best maintained crate, `tobj`, names no lines, ignores statements that it does not know and
+//! takes a line element for a face.
 
 use super::corner::{MOST_CORNERS, face, polyline};
 use super::lines::{At, Statement, is_no_number, statements};
@@ -14,40 +15,40 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What an OBJ file says.
+/// The content of an OBJ file.
 #[derive(Debug, Default)]
 pub(super) struct Scan {
-    /// Faces with their lines and their materials by index in [`Scan::materials`]; and polylines. A normal without a direction is zero, and no corner
-    /// names it.
+    /// Faces with their lines and their materials by index in [`Scan::materials`]; and polylines. A normal without a
+    /// direction is zero, and no corner refers to it.
     pub(super) geometry: Geometry,
     /// Colours of positions, as far as the file has any; red, green and blue.
     pub(super) colours: Vec<Option<DVec3>>,
     /// The smoothing group of each face, 0 for none.
     pub(super) groups: Vec<u32>,
-    /// Different `mtllib` operands with the lines of their first use, in order.
+    /// Different `mtllib` operands with the lines of their first use, in sequence.
     pub(super) libraries: Vec<(usize, Vec<u8>)>,
-    /// Different `usemtl` names with the lines of their first use, in order.
+    /// Different `usemtl` names with the lines of their first use, in sequence.
     pub(super) materials: Vec<(usize, Vec<u8>)>,
-    /// What was odd but harmless.
+    /// Harmless problems.
     pub(super) notes: Notes,
 }
 
-/// Statements that change no picture: names, levels of detail, and what free-form surfaces are made of.
+/// Statements that change no picture: names, levels of detail, and parts of free-form surfaces.
 const IGNORED: [&str; 5] = ["o", "g", "mg", "vp", "lod"];
 
-/// Statements that are understood and not drawn.
+/// Statements that are understood but not drawn.
 const UNDRAWN: [&str; 10] =
     ["p", "bevel", "c_interp", "d_interp", "usemap", "maplib", "shadow_obj", "trace_obj", "call", "csh"];
 
-/// The smoothing group of faces in a file that has none: one for all.
+/// The smoothing group of faces in a file without groups: one for all.
 const ALL: u32 = 1;
 
-/// A scan under way.
+/// A scan in progress.
 #[derive(Default)]
 struct Scanner {
     scan: Scan,
     notes: Notes,
-    /// The material and the smoothing group that hold, if any have been named.
+    /// The current material and smoothing group, if any have been named.
     material: Option<usize>,
     group: Option<u32>,
     material_of: BTreeMap<Vec<u8>, usize>,
@@ -55,7 +56,7 @@ struct Scanner {
     libraries: BTreeSet<Vec<u8>>,
     /// The line of the first colour outside 0 to 1.
     bright: Option<usize>,
-    /// Whether a colour is not of whole numbers from 0 to 255.
+    /// Whether a colour has a number that is not a whole number from 0 to 255.
     has_fractions: bool,
 }
 
@@ -93,7 +94,7 @@ impl Scanner {
                 let [u, v, _] = if is_one { numbers::<3>(at, "vt", &words, &[1, 2, 3])? } else { [f64::NAN; 3] };
                 scan.geometry.coordinates.push(dvec2(u, v));
             }
-            // `fo` is what older versions of the format call it.
+            // Older versions of the format have `fo`.
             "f" | "fo" => {
                 if let Some(corners) = face(at, &words(), &scan.geometry, notes)? {
                     scan.geometry.faces.push(Face { place: at.line, material: self.material, corners });
@@ -125,7 +126,7 @@ impl Scanner {
         Ok(())
     }
 
-    /// A position; a weight of 1, or a colour without or with alpha, may follow it.
+    /// A position; a weight of 1, or a colour with or without alpha, may follow it.
     fn vertex(&mut self, at: At, words: &[&[u8]]) -> Result<(), SceneError> {
         let [x, y, z, r, g, b, alpha] = numbers::<7>(at, "v", words, &[3, 4, 6, 7])?;
         let Scanner { scan, notes, .. } = self;
@@ -148,7 +149,7 @@ impl Scanner {
         Ok(())
     }
 
-    /// The number of a smoothing group. One without a name is on, as some programs write it.
+    /// The number of a smoothing group. A statement without a number turns smoothing on, as some programs write it.
     fn smoothing(&mut self, name: &[u8]) -> u32 {
         let name = name.to_ascii_lowercase();
         match &name[..] {
@@ -197,12 +198,12 @@ impl Scanner {
         if group.is_none() {
             scan.groups.fill(ALL);
         }
-        // No corner names them.
+        // No corner refers to them.
         scan.geometry.coordinates.iter_mut().filter(|uv| !uv.is_finite()).for_each(|uv| *uv = DVec2::ZERO);
         Scan { notes, ..scan }
     }
 
-    /// Brings all colours into 0 to 1.
+    /// Scales or clamps all colours to 0 to 1.
     fn scale_colours(&mut self, line: usize) {
         let (problem, unit) = match self.has_fractions {
             true => ("this vertex has a colour outside 0 to 1, and the nearest inside is drawn", 1.0),

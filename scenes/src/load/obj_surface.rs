@@ -1,6 +1,7 @@
 //! The materials of an OBJ mesh for deferred shading: highlights, and textures, each read once.
 //!
-//! A texture that cannot be read is no error here, since only deferred shading looks at it: the error waits in its place.
+//! A texture that cannot be read is no error here, since only deferred shading looks at it: the error is stored in its
+//! place.
 
 use super::lines::At;
 use super::material::{Look, Picture};
@@ -13,8 +14,8 @@ use crate::texture::file::{self, Found};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// The materials of a mesh whose materials look so; `None` if none says anything that deferred shading alone would show. The paths of
-/// textures go to `files`, what is odd to `warnings`; coordinates are moved to where textures lie.
+/// The materials of a mesh with these looks; `None` if none has anything that only deferred shading would show. Adds
+/// the paths of textures to `files`, and problems to `warnings`; moves coordinates to fit the textures' placement.
 pub(super) fn surfaces(
     path: &Path,
     looks: &[Look],
@@ -30,7 +31,7 @@ pub(super) fn surfaces(
     let mut index_of = BTreeMap::new();
     let mut texture = |picture: &Picture| {
         let path = &picture.path;
-        // One that stands once may become another.
+        // One that appears only once may become another.
         let key = |is_clamped| (path.clone(), picture.wrong.clone(), is_clamped);
         let is_clamped = picture.placement.is_clamped;
         let same = index_of.get(&key(!is_clamped)).copied();
@@ -60,7 +61,7 @@ fn material(look: &Look) -> Material {
 }
 
 impl Picture {
-    /// Reads it; its path and its oddities go where they are said.
+    /// Reads it; adds its path and its problems to the caller's lists.
     fn read_with(&self, files: &mut Vec<PathBuf>, warnings: &mut Vec<String>) -> Read {
         if self.path.is_file() && !files.contains(&self.path) {
             files.push(self.path.clone());

@@ -1,7 +1,7 @@
-//! What a mesh file holds, whatever its format, and how it becomes a mesh.
+//! The content of a mesh file of any format, and its conversion to a mesh.
 //!
-//! [`super::faces`] cuts polygons. Each triangle of a face counts as a polygon, and each segment of a polyline, in the file's order.
-//! In a wireframe the outlines of faces become lines, not the cuts.
+//! [`super::faces`] cuts polygons. Each triangle of a face counts as a polygon, and so does each segment of a polyline,
+//! in the file's sequence. In a wireframe the outlines of faces become lines; the cuts do not.
 
 use super::faces::cut;
 use super::surfaces::Surfaces;
@@ -12,12 +12,12 @@ use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The colour of what has no material.
+/// The colour of anything without a material.
 pub(super) const GREY: [f64; 3] = [0.8; 3];
-/// What multiplies a colour and leaves it as it is.
+/// The factor that leaves a colour unchanged.
 pub(super) const WHITE: [f64; 3] = [1.0; 3];
 
-/// Vertices and what is made of them, by index. Whoever reads a file checks the indices.
+/// Vertices, and the faces and lines that refer to them by index. The reader of a file checks the indices.
 #[derive(Debug, Default)]
 pub(super) struct Geometry {
     pub(super) positions: Vec<DVec3>,
@@ -33,14 +33,14 @@ pub(super) struct Geometry {
 /// A face with at least three corners.
 #[derive(Debug)]
 pub(super) struct Face {
-    /// The line of the file that it begins at, or its number in a file without lines.
+    /// The line of the file where it begins, or its number in a file without lines.
     pub(super) place: usize,
     /// By index in the file's list of materials.
     pub(super) material: Option<usize>,
     pub(super) corners: Vec<Corner>,
 }
 
-/// A polyline: its material by index, what multiplies its colour, and at least two vertices, counted from 0.
+/// A polyline: its material by index, its colour factor, and at least two vertices, counted from 0.
 #[derive(Debug)]
 pub(super) struct Polyline {
     pub(super) material: Option<usize>,
@@ -69,7 +69,7 @@ impl Geometry {
         self.faces.iter().all(|face| face.corners.iter().all(|corner| corner.normal.is_some()))
     }
 
-    /// The outlines of faces and the polylines as lines; materials by index have these colours.
+    /// The outlines of faces and the polylines as lines; `colours` has the colour of each material.
     pub(super) fn wireframe(&self, path: &Path, colours: &[[f64; 3]]) -> Result<Mesh, SceneError> {
         let mut parts = Parts::default();
         let mut sides = Sides::default();
@@ -103,7 +103,7 @@ impl Geometry {
 }
 
 impl Geometry {
-    /// What multiplies the material's colour at that corner.
+    /// The factor of the material's colour at that corner.
     fn tint(&self, corner: &Corner) -> [f64; 3] {
         corner.colour.map_or(WHITE, |i| self.colours[i as usize])
     }
@@ -117,7 +117,7 @@ fn tinted(colour: [f64; 3], tint: [f64; 3]) -> [f64; 3] {
 pub(super) fn mean(colours: impl ExactSizeIterator<Item = [f64; 3]>) -> [f64; 3] {
     let count = colours.len() as f64;
     let sum = colours.fold([0.0; 3], |sum, colour| [0, 1, 2].map(|channel| sum[channel] + colour[channel]));
-    // The sum is rounded, and the mean of ones is one all the same.
+    // The sum is rounded, but the mean of ones is still one.
     sum.map(|channel| (channel / count).min(1.0))
 }
 
@@ -131,7 +131,7 @@ struct Parts {
     positions: Vec<DVec3>,
     index_of: BTreeMap<[u64; 3], u32>,
     triangles: Vec<MeshTriangle>,
-    /// Of the corners of each triangle, where the file has some.
+    /// The texture coordinates of each triangle's corners, where the file has some.
     colours: Vec<[[f64; 3]; 3]>,
     lines: Vec<MeshLine>,
     faces: Vec<u32>,

@@ -1,4 +1,5 @@
-//! Where the textures of an OBJ mesh lie, as the options of `map_Kd` say: their coordinates are moved before the mesh is made.
+//! The placement of an OBJ mesh's textures by the options of `map_Kd`: their coordinates are moved before the mesh is
+//! made.
 
 use super::map::Placement;
 use super::material::Look;
@@ -12,21 +13,22 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A texture of each material, by index; and which of them stand once.
+/// A texture of each material, by index; and which of them appear only once.
 pub(super) struct Textures<'a> {
     pub(super) looks: &'a [Look],
     pub(super) of_look: &'a [Option<u32>],
     pub(super) textures: &'a mut [Read],
 }
 
-/// A coordinate that has been moved, and its texture if that stands once.
+/// A coordinate that has been moved, and its texture if that appears only once.
 struct Moved {
     index: u32,
     clamped: Option<u32>,
 }
 
 impl Textures<'_> {
-    /// Gives the corners of faces coordinates of their own where a texture does not lie as those of the file say; a warning of what is drawn otherwise.
+    /// Gives the corners of faces coordinates of their own where a texture's placement differs from the file's
+    /// coordinates. Warns about anything drawn differently.
     pub(super) fn place(&mut self, path: &Path, geometry: &mut Geometry, warnings: &mut Vec<String>) {
         let mut moved: BTreeMap<(usize, u32), Moved> = BTreeMap::new();
         let mut stretched: Vec<usize> = Vec::new();
@@ -77,7 +79,8 @@ impl Textures<'_> {
     }
 }
 
-/// Makes a larger texture of one that stands once, if these coordinates reach beyond it. It goes on with the colours of the edges.
+/// Makes a larger texture from one that appears only once, if these coordinates reach beyond it. The colours of its
+/// edges fill the rest.
 fn clamp(
     path: &Path,
     texture: &mut Arc<crate::texture::Texture>,

@@ -1,8 +1,10 @@
-//! PLY files, as text and in binary of both orders: polygons, strips and edges, with normals, colours and texture coordinates.
+//! PLY files, as text and in both binary byte orders: polygons, strips and edges, with normals, colours and texture
+//! coordinates.
 //!
-//! The format is Greg Turk's (Stanford, 1994), with the custom of MeshLab for textures: `comment TextureFile name`, and coordinates of
-//! vertices or, in a list `texcoord`, of corners. No crate is used: `ply-rs-bw`, the best kept one, keeps every value under its name in a map and
-//! brings a generator of parsers, and its sentences take several lines.
+//! The format is Greg Turk's (Stanford, 1994), with MeshLab's convention for textures: `comment TextureFile name`, and
+//! coordinates of vertices or, in a list `texcoord`, of corners. This is our own reader. The best maintained crate,
+//! `ply-rs-bw`, stores every value under its name in a map, depends on a parser generator, and its messages take
+//! several lines.
 
 mod body;
 mod elements;
@@ -80,7 +82,7 @@ fn surfaces(path: &Path, header: &Header, files: &mut Vec<PathBuf>, warnings: &m
     Surfaces::new(path, &materials, textures, warnings)
 }
 
-/// One warning for all faces of these numbers, which cross themselves.
+/// One warning for all faces with these numbers, which cross themselves.
 fn crossing_faces(path: &Path, faces: &[usize]) -> Option<String> {
     let first = faces.first()?;
     let what = match faces.len() {

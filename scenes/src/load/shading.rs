@@ -1,4 +1,4 @@
-//! Normals of corners that have none in the file, from the faces around them that are in the same smoothing group.
+//! Computes missing normals of corners from the surrounding faces in the same smoothing group.
 
 use super::faces::cut;
 use super::notes::Notes;
@@ -8,8 +8,8 @@ use crate::wireframe::place;
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Gives each corner a normal; nothing if none has one, and all faces are in one smoothing group, so that each place has one normal. A note if
-/// some corners have normals and others have not. Groups are by face, 0 for none.
+/// Gives each corner a normal. Does nothing if no corner has one and all faces are in one smoothing group, so that each
+/// position has one normal. Returns a note if only some corners have normals. Groups are by face, 0 for none.
 pub(super) fn complete(geometry: &mut Geometry, groups: &[u32], notes: &mut Notes) {
     let has_any = geometry.faces.iter().flat_map(|face| &face.corners).any(|corner| corner.normal.is_some());
     let is_one_group = groups.iter().all(|&group| group > 0 && group == groups[0]);
@@ -31,17 +31,17 @@ pub(super) fn complete(geometry: &mut Geometry, groups: &[u32], notes: &mut Note
     normals.extend(computed.sums.into_iter().map(unit_or_z));
 }
 
-/// Normals under construction, which stand behind those of the file.
+/// Normals under construction, which are stored behind those of the file.
 struct Computed {
-    /// How many the file has.
+    /// The number of normals in the file.
     own: u32,
-    /// By place and smoothing group.
+    /// By position and smoothing group.
     index_of: BTreeMap<([u64; 3], u32), u32>,
     sums: Vec<DVec3>,
 }
 
 impl Computed {
-    /// Takes a face; as in [`crate::smooth_normals`], it counts by area.
+    /// Adds a face; as in [`crate::smooth_normals`], it is weighted by area.
     fn take(&mut self, face: &mut Face, group: u32, positions: &[DVec3]) {
         let corners: Vec<DVec3> = face.corners.iter().map(|corner| positions[corner.vertex as usize]).collect();
         let at: Vec<u32> = match group {
@@ -51,7 +51,7 @@ impl Computed {
         for triangle in cut(&corners).triangles {
             let [p, q, r] = triangle.map(|i| corners[i]);
             let twice_area = (q - p).cross(r - p);
-            // All corners of a flat face have one.
+            // All corners of a flat face share one.
             let of = if group == 0 { &triangle[..1] } else { &triangle[..] };
             of.iter().for_each(|&i| self.sums[at[i] as usize] += twice_area);
         }

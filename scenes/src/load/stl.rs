@@ -1,7 +1,8 @@
-//! STL files, as text and in binary: facets, flat, with the colours that two programs keep in binary ones.
+//! STL files, as text and in binary: facets, flat, with the colours that two programs store in binary ones.
 //!
-//! The format is 3D Systems' (1988). A facet is lit by the normal of its three corners, not by the one that the file states: many programs
-//! write zeros there. No crate is used: `stl_io` names no places and drops colours.
+//! The format is 3D Systems' (1988). A facet is lit by the normal of its three corners, not by the one that the file
+//! states, because many programs write zeros there. This is our own reader: the crate `stl_io` reports no positions and
+//! drops colours.
 
 use super::lines::At;
 use super::mesh_file::Loaded;
@@ -13,7 +14,7 @@ use crate::quote::{quote, shown};
 use glam::{DVec3, dvec3};
 use std::path::Path;
 
-/// Bytes of a binary file before its facets, the last four being their number; and of each facet.
+/// The size of a binary file's header, whose last four bytes are the number of facets; and the size of a facet.
 const HEADER: usize = 84;
 const FACET: usize = 50;
 
@@ -41,13 +42,13 @@ pub(super) fn load(path: &Path, wireframe: bool) -> Result<Loaded, SceneError> {
     Ok(Loaded { mesh, up: DVec3::Z, files: vec![path.to_owned()], warnings })
 }
 
-/// Binary files may begin with `solid`, too; then their length tells, or a zero byte, which their header has.
+/// Binary files may begin with `solid`, too. Then their length decides, or a zero byte, which their header has.
 fn is_text(bytes: &[u8]) -> bool {
     let begins = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     begins && facet_count(bytes).is_none_or(|count| bytes.len() != HEADER + FACET * count) && !bytes.contains(&0)
 }
 
-/// How many facets a binary file says that it has.
+/// The number of facets that a binary file states.
 fn facet_count(bytes: &[u8]) -> Option<usize> {
     Some(u32::from_le_bytes(*bytes.get(HEADER - 4..HEADER)?.as_array()?) as usize)
 }
@@ -92,8 +93,8 @@ fn default_colour(header: &[u8]) -> Option<[f64; 3]> {
     Some([0, 1, 2].map(|channel| f64::from(rgb[channel]) / 255.0))
 }
 
-/// The colour in a facet's last two bytes: Magics has red lowest and clears the highest bit of one that is other than the whole
-/// mesh's; VisCAM and SolidView have blue lowest and set that bit.
+/// The colour in a facet's last two bytes. Magics has red lowest, and clears the highest bit if the colour differs from
+/// the whole mesh's. VisCAM and SolidView have blue lowest and set that bit.
 fn colour(word: u16, whole: Option<[f64; 3]>) -> Option<[f64; 3]> {
     let part = |shift: u32| f64::from(word >> shift & 31) / 31.0;
     match (whole, word >> 15 == 1) {
@@ -151,7 +152,7 @@ fn text(path: &Path, text: &str) -> Result<Vec<Facet>, SceneError> {
     }
 }
 
-/// A warning if a facet's normal is another than that of its corners, to more than a rounding.
+/// A warning if a facet's stated normal differs from that of its corners by more than rounding.
 fn contradicting(path: &Path, facets: &[Facet]) -> Option<String> {
     let is_off = |facet: &Facet| {
         let own = normal(&facet.corners);

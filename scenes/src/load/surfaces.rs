@@ -1,4 +1,4 @@
-//! The materials of a mesh for deferred shading, and where textures lie on its faces, whatever the format of its file.
+//! The materials of a mesh for deferred shading, and the placement of textures on its faces, for every file format.
 
 use crate::error::SceneError;
 use crate::material::{MOST_MATERIALS, Mapping, Material, Materials};
@@ -8,12 +8,12 @@ use glam::DVec2;
 use std::path::Path;
 use std::sync::Arc;
 
-/// A texture, or why there is none: an error of whoever draws with it, and of nobody else.
+/// A texture, or the error for it; only drawing with it reports the error.
 pub(super) type Read = Result<Arc<Texture>, SceneError>;
 
 /// The materials under construction.
 pub(super) struct Surfaces {
-    /// By the file's index of a material: with its texture, and without for a face that has no texture coordinates.
+    /// By the file's index of a material: with its texture, and without it for a face that has no texture coordinates.
     of_look: Vec<[u32; 2]>,
     materials: Vec<Material>,
     textures: Vec<Read>,
@@ -22,7 +22,7 @@ pub(super) struct Surfaces {
 }
 
 impl Surfaces {
-    /// Of a mesh whose materials are these, and their textures; `None` with a warning if they are too many.
+    /// For a mesh with these materials and textures; `None` with a warning if there are too many.
     pub(super) fn new(
         path: &Path,
         looks: &[Material],
@@ -51,11 +51,11 @@ impl Surfaces {
     pub(super) fn add(&mut self, look: Option<usize>, corners: [Option<u32>; 3]) {
         let is_mapped = corners.iter().all(Option::is_some);
         let material = look.map_or(0, |look| self.of_look[look][usize::from(!is_mapped)]);
-        // Before those of the file stands one for corners that have none.
+        // Before those of the file is one for corners that have none.
         self.mappings.push(Mapping { material, coordinates: corners.map(|corner| corner.map_or(0, |i| i + 1)) });
     }
 
-    /// The texture coordinates that corners name.
+    /// The texture coordinates of the corners.
     pub(super) fn set_coordinates(&mut self, coordinates: Vec<DVec2>) {
         self.coordinates.extend(coordinates);
     }
@@ -66,7 +66,7 @@ impl Surfaces {
     }
 }
 
-/// The power of two from 1 to 128 that a number is nearest to by ratio.
+/// The power of two from 1 to 128 that is nearest to a number by ratio.
 pub(super) fn nearest_power(number: f64) -> u32 {
     1 << (1..8).filter(|&k| number > 0.0 && number * number >= f64::from(1_u32 << (2 * k - 1))).count()
 }

@@ -1,5 +1,5 @@
-//! Scene files: a mesh, spheres, and what is to differ from the defaults, in TOML.
-//! The keys are in the crate's README. Every mistake is reported with its line and column; unknown keys are mistakes.
+//! Scene files in TOML: a mesh, spheres, and whatever differs from the defaults. The keys are in the crate's README.
+//! Every mistake is reported with its line and column; unknown keys are mistakes.
 
 use super::framing::{FRAMING_FOV, bounding_box, framing_camera};
 use super::mesh_file::{self, ENDINGS, Loaded};
@@ -87,7 +87,7 @@ impl Keys for CameraTable {
 }
 
 impl CameraTable {
-    /// Where a part of the camera is given.
+    /// The position of each part of the camera in the file.
     fn place_of(&self, part: Part) -> Option<Range<usize>> {
         match part {
             Part::Eye => self.eye.as_ref().map(Spanned::span),
@@ -97,7 +97,7 @@ impl CameraTable {
         }
     }
 
-    /// Where the camera goes wrong: at that part, or if it is not given at the first of the others that is.
+    /// The position for a camera error: that part, or if it is not given, the first of the others that is.
     fn blame(&self, part: Part) -> Option<Range<usize>> {
         [part, Part::Eye, Part::Target, Part::Up, Part::Fov].into_iter().find_map(|part| self.place_of(part))
     }
@@ -113,10 +113,10 @@ impl Keys for LightTable {
     const IS_LISTED: bool = true;
 }
 
-/// The most characters of a sentence of the TOML library's: it may quote the whole file.
+/// The most characters of a message of the TOML library: it may quote the whole file.
 const MESSAGE: usize = 200;
 
-/// The file, to turn byte ranges into places.
+/// The file, to convert byte ranges to positions.
 struct Source<'a> {
     path: &'a Path,
     text: &'a str,
@@ -169,7 +169,7 @@ impl Source<'_> {
         Ok(scene)
     }
 
-    /// Mesh and size, and the camera and light that come with them; `asked` goes before the file's own size.
+    /// Mesh and size, and the camera and light that come with them; `asked` takes precedence over the file's own size.
     fn base(&self, table: &SceneTable, asked: Option<Size>) -> Result<Scene, SceneError> {
         let own = table.size.as_ref().map(|size| self.size(size)).transpose()?;
         let size = asked.or(own);
@@ -184,7 +184,7 @@ impl Source<'_> {
                     None => Loaded::nothing(),
                 };
                 let camera = &table.camera.0;
-                // What these are good for is checked with the rest of the camera.
+                // Their values are checked with the rest of the camera.
                 let up = camera.up.as_ref().map_or(up, |up| DVec3::from_array(up.as_ref().0));
                 let fov = camera.fov.as_ref().map_or(FRAMING_FOV, |fov| *fov.as_ref());
                 let framing = framing_camera(bounding_box(&mesh, &spheres), up, fov, size.unwrap_or(Size::VGA));
@@ -283,7 +283,7 @@ impl Source<'_> {
         Ok(())
     }
 
-    /// What deferred shading is to show of all faces, whatever their own materials say.
+    /// The settings that deferred shading uses for all faces instead of their own materials.
     fn set_surface(&self, table: &SurfaceTable, scene: &mut Scene) -> Result<(), SceneError> {
         let SurfaceTable { texture, specular, shininess } = table;
         if texture.is_none() && specular.is_none() && shininess.is_none() {
@@ -316,7 +316,7 @@ impl Source<'_> {
         Ok(())
     }
 
-    /// A generated texture or a file's, whose path and oddities go to the scene.
+    /// A generated texture or a file's; adds its path and problems to the scene.
     fn texture(&self, name: &Spanned<String>, scene: &mut Scene) -> Result<Arc<Texture>, SceneError> {
         let text = name.as_ref();
         if let Some(texture) = Texture::generated(text) {
@@ -348,7 +348,7 @@ impl Source<'_> {
         ))
     }
 
-    /// Gives an error without a place the place of `span`.
+    /// Gives an error without a position the position of `span`.
     fn place<T>(&self, span: Range<usize>, result: Result<T, SceneError>) -> Result<T, SceneError> {
         result.map_err(|error| {
             let sentence = error.to_string();
@@ -362,7 +362,7 @@ impl Source<'_> {
         SceneError::Place { path: self.path.to_owned(), line, column, problem: problem.into(), remedy: remedy.into() }
     }
 
-    /// Line and column of where that begins, counted from 1.
+    /// Line and column of its beginning, counted from 1.
     fn place_of(&self, span: Range<usize>) -> [usize; 2] {
         let before = self.text.get(..span.start).unwrap_or(self.text);
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
@@ -372,7 +372,7 @@ impl Source<'_> {
     fn not_toml(&self, error: &toml::de::Error) -> SceneError {
         let message = error.message().trim();
         let span = error.span().unwrap_or(0..0);
-        // The library's sentences name the remedy after "expected".
+        // The library's messages name the remedy after "expected".
         let (problem, remedy) = match message.rsplit_once(", expected ") {
             Some((problem, "i64")) => (problem, "write a whole number".to_owned()),
             Some((problem, "f64")) => (problem, "write a number".to_owned()),
@@ -381,7 +381,7 @@ impl Source<'_> {
             None if message.starts_with("missing field") => (message, "add it".to_owned()),
             None => (message, "correct the TOML".to_owned()),
         };
-        // The library's word for a key; what is quoted after it stays as it is.
+        // The library's word for a key; anything quoted after it stays unchanged.
         let problem = brief(problem, MESSAGE).replacen("field", "key", 1);
         self.error(span, problem, remedy)
     }

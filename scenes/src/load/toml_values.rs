@@ -1,4 +1,4 @@
-//! Values of a scene file that the TOML library's own types take too lightly: it ignores what is too much in an array.
+//! Values of a scene file that the TOML library's own types check too loosely: it ignores surplus elements of an array.
 
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -33,18 +33,18 @@ impl<'de, T: Deserialize<'de>, const N: usize> Visitor<'de> for Numbers<T, N> {
     }
 }
 
-/// A table, and neither a list of values nor a list of tables, which the library would take for one.
+/// A table, but not a list of values or a list of tables, which the library would accept for one.
 #[derive(Default)]
 pub(super) struct Table<T>(pub(super) T);
 
-/// Keys that stand in a table.
+/// Keys in a table.
 pub(super) trait Keys {
-    /// What the table is called.
+    /// The name of the table.
     const NAME: &str;
     /// Whether it is one of a list.
     const IS_LISTED: bool;
 
-    /// What to write in place of something that is no such table.
+    /// The remedy when there is no such table.
     fn expected(f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let name = Self::NAME;
         if Self::IS_LISTED {
@@ -75,7 +75,7 @@ impl<'de, T: Deserialize<'de> + Keys> Visitor<'de> for OneTable<T> {
     }
 }
 
-/// A list of tables; a single one is a likely slip and gets a sentence of its own.
+/// A list of tables; a single one is a likely slip and gets a message of its own.
 pub(super) fn tables<'de, D, T>(from: D) -> Result<Option<Vec<Table<T>>>, D::Error>
 where
     D: Deserializer<'de>,

@@ -1,11 +1,11 @@
-//! Colours of a triangle's corners, where they are not all the same.
+//! Colours of a triangle's corners, where they differ.
 
 use super::{Mesh, check_colour};
 use crate::error::SceneError;
 use std::sync::Arc;
 
 impl Mesh {
-    /// The same mesh, whose triangles have these diffuse colours at their corners, in place of one for the whole triangle.
+    /// The same mesh with these diffuse colours at the corners of its triangles, instead of one for the whole triangle.
     ///
     /// ```
     /// use tilewright_scenes::builtin::teapot;
@@ -18,7 +18,7 @@ impl Mesh {
     /// ```
     ///
     /// # Errors
-    /// [`SceneError::Invalid`] if they are not as many as the triangles, or one is outside 0 to 1.
+    /// [`SceneError::Invalid`] if there is not one for each triangle, or one is outside 0 to 1.
     pub fn with_corner_colours(self, colours: Vec<[[f64; 3]; 3]>) -> Result<Mesh, SceneError> {
         let (given, triangles) = (colours.len(), self.triangles.len());
         if given != triangles {

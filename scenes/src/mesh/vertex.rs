@@ -2,7 +2,8 @@
 
 use super::Mesh;
 
-/// A vertex of a mesh: polygons share it where they have the same position and the same normal, which is transformed and lit once.
+/// A vertex of a mesh. Polygons share it where they have the same position and the same normal; it is transformed and
+/// lit once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct MeshVertex {
     /// An index into the positions.
@@ -12,7 +13,7 @@ pub struct MeshVertex {
 }
 
 impl Mesh {
-    /// The vertices of each triangle, and then of each line, whose second end comes twice.
+    /// The vertices of each triangle, and then of each line; a line's second end comes twice.
     ///
     /// ```
     /// use tilewright_scenes::builtin::terrain;

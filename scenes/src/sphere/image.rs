@@ -1,28 +1,28 @@
-//! The picture of a sphere in perspective: an ellipse, with depth and light over it, in real numbers.
+//! A sphere in perspective: an ellipse, with depth and light over it, in real numbers.
 
 use crate::light::Lighting;
 use glam::{DVec2, DVec3};
 
 /// The picture of a sphere in front of the eye, on a screen of square pixels.
 ///
-/// With the sphere's centre s = (x, y, w) from the eye, h the length of (x, y) and r its radius, all follows from
-/// v = (w - r)(w + r) and e^2 = v + h^2, neither of which cancels.
+/// The sphere's centre is s = (x, y, w) from the eye, h is the length of (x, y), and r is its radius. Everything
+/// follows from v = (w - r)(w + r) and e^2 = v + h^2, neither of which suffers cancellation.
 pub(crate) struct Image {
     /// The middle of the ellipse, in pixels.
     pub centre: DVec2,
-    /// The half axes in pixels: away from the middle of the screen, and across; the first is the longer one.
+    /// The half axes in pixels: radially from the middle of the screen, and across; the first is the longer one.
     pub half_axes: [f64; 2],
     /// Unit vectors along both.
     axes: [DVec2; 2],
-    /// 1/w in the middle of the silhouette, how much more it is at its outer end, and by how much the nearest point is above it.
+    /// 1/w in the middle of the silhouette, its increase at the outer end, and its increase at the nearest point.
     pub inverse: [f64; 3],
     /// Unit vectors along both axes of the silhouette's circle, and the one to the eye, in view space.
     frame: [DVec3; 3],
 }
 
 impl Image {
-    /// Of a sphere with its middle `s` (right, down, forward of the eye), and all of it in front of the eye; the screen's middle is at `middle`, and
-    /// there are `scale` pixels in a unit of right / forward.
+    /// For a sphere with its middle at `s` (right, down, forward of the eye), wholly in front of the eye. The screen's
+    /// middle is at `middle`, with `scale` pixels per unit of right / forward.
     pub fn new(s: DVec3, r: f64, middle: DVec2, scale: f64) -> Image {
         let aside = DVec2::new(s.x, s.y);
         let h = aside.dot(aside).sqrt();
@@ -54,8 +54,9 @@ impl Image {
         DVec2::new(half(p.x, q.x), half(p.y, q.y))
     }
 
-    /// The real coefficients d, e, f, a, b, c of `constant + slope . (p, q) + curve Q` over pixels counted from `pixel`, at their centres: p and q are
-    /// the place in the ellipse in parts of its half axes, and Q = 1 - p^2 - q^2.
+    /// The real coefficients d, e, f, a, b, c of `constant + slope . (p, q) + curve Q` over pixels counted from
+    /// `pixel`, at their centres. p and q are the position in the ellipse in units of its half axes, and Q = 1 - p^2 -
+    /// q^2.
     pub fn quadratic(&self, pixel: DVec2, Function { constant, slope, curve }: Function) -> [f64; 6] {
         let offset = pixel + 0.5 - self.centre;
         let along = |i: usize| {
@@ -73,7 +74,7 @@ impl Image {
         ]
     }
 
-    /// How bright it is, 0 to 1.
+    /// Its brightness, 0 to 1.
     pub fn brightness(&self, shade: &Shade) -> Function {
         let [along, across, towards] = self.frame.map(|axis| axis.dot(shade.direction));
         let half = 0.5 / shade.most;
@@ -101,19 +102,19 @@ impl Function {
     }
 }
 
-/// What the light of a scene is to spheres.
+/// The light of a scene, as spheres use it.
 pub(crate) struct Shade {
     ambient: f64,
     /// Of all intensities.
     sum: f64,
     /// The sum of all directions in view space, each times its intensity.
     direction: DVec3,
-    /// The brightness where it is greatest, at least 1.
+    /// The greatest brightness, at least 1.
     most: f64,
 }
 
 impl Shade {
-    /// Of lights with directions of length 1, that `turn` brings to view space.
+    /// For lights with directions of length 1; `turn` brings them to view space.
     pub fn new(lighting: &Lighting, turn: impl Fn(DVec3) -> DVec3) -> Shade {
         let sum = lighting.lights.iter().fold(0.0, |sum, light| sum + light.intensity);
         let add = |to: DVec3, light: &crate::light::Light| to + light.toward * light.intensity;

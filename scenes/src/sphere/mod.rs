@@ -41,7 +41,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// Checks the numbers of the `i`-th sphere of a scene, counted from 0.
+    /// Checks the numbers of a scene's sphere number `i`, counted from 0.
     pub(crate) fn check(&self, i: usize) -> Result<(), SceneError> {
         if !representable(self.centre) {
             return Err(SceneError::invalid(
@@ -61,7 +61,7 @@ impl Sphere {
 }
 
 impl Scene {
-    /// An error if there are spheres, for what draws triangles alone.
+    /// An error if there are spheres, for renderers that draw only triangles.
     pub(crate) fn without_spheres(&self) -> Result<(), SceneError> {
         match self.spheres.len() {
             0 => Ok(()),

@@ -1,4 +1,4 @@
-//! The packet of a sphere: what set-up hands to a rasterizer that evaluates quadratics.
+//! The packet of a sphere: the interface between set-up and a rasterizer that evaluates quadratics.
 
 use crate::packet::PixelBox;
 
@@ -14,29 +14,30 @@ use crate::packet::PixelBox;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Quadratic {
-    /// Of x^2.
+    /// The coefficient of x^2.
     pub d: i64,
-    /// Of x y.
+    /// The coefficient of x y.
     pub e: i64,
-    /// Of y^2.
+    /// The coefficient of y^2.
     pub f: i64,
-    /// Of x.
+    /// The coefficient of x.
     pub a: i64,
-    /// Of y.
+    /// The coefficient of y.
     pub b: i64,
-    /// At pixel (0, 0).
+    /// The value at pixel (0, 0).
     pub c: i64,
 }
 
 impl Quadratic {
-    /// Its value at pixel (x, y), modulo 2^64: products may wrap, as those of depth do.
+    /// Its value at pixel (x, y), modulo 2^64: products may wrap, like those of depth.
     pub fn at(&self, x: i64, y: i64) -> i64 {
         let &Quadratic { d, e, f, a, b, c } = self;
         let terms = [(d, x * x), (e, x * y), (f, y * y), (a, x), (b, y), (c, 1)];
         terms.iter().fold(0, |sum: i64, (factor, by)| sum.wrapping_add(factor.wrapping_mul(*by)))
     }
 
-    /// Of an expression over pixels counted from pixel (x, y): the same over pixels counted from (0, 0), modulo 2^64.
+    /// Converts an expression over pixels counted from pixel (x, y) to one over pixels counted from (0, 0), modulo
+    /// 2^64.
     pub fn seen_from(&self, x: i64, y: i64) -> Quadratic {
         let &Quadratic { d, e, f, a, b, .. } = self;
         let less = |from: i64, terms: [(i64, i64); 2]| {
@@ -45,7 +46,7 @@ impl Quadratic {
         Quadratic { d, e, f, a: less(a, [(d, 2 * x), (e, y)]), b: less(b, [(f, 2 * y), (e, x)]), c: self.at(-x, -y) }
     }
 
-    /// All numbers modulo 2^`bits`, those nearest to 0.
+    /// All numbers modulo 2^`bits`, as the representatives nearest to 0.
     pub(super) fn modulo(&self, bits: u32) -> Quadratic {
         let above = i64::BITS - bits;
         let nearest = |number: i64| number << above >> above;
@@ -67,6 +68,6 @@ pub struct SpherePacket {
     pub rgb: [Quadratic; 3],
     /// The columns and rows that the ellipse meets, cut to the screen; no pixel inside is elsewhere.
     pub bounds: PixelBox,
-    /// Which polygon of the scene this is: spheres come after the lines.
+    /// The number of the polygon in the scene: spheres come after the lines.
     pub polygon: u32,
 }

@@ -1,4 +1,5 @@
-//! Set-up of a sphere in integers: each coefficient is rounded once, counted from the pixel in the middle of the ellipse, and then moved exactly.
+//! Set-up of a sphere in integers. Each coefficient is rounded once, counted from the pixel in the middle of the
+//! ellipse, and then moved exactly.
 
 use super::Sphere;
 use super::image::{Function, Image, Shade};
@@ -9,22 +10,22 @@ use crate::quote::number;
 use crate::screen::Screen;
 use glam::{DVec2, DVec3};
 
-/// Bits of the magnitude of [`SpherePacket::inside`] at the pixels that a machine may ask for.
+/// The bits of the magnitude of [`SpherePacket::inside`] at the pixels where a machine may evaluate it.
 pub const VALUE_BITS: u32 = 38;
 /// The longest half axis of an ellipse, in pixels.
 const MOST_HALF_WIDTH: f64 = 512.0;
-/// The shortest, in pixels: a smaller ellipse is not drawn.
+/// The shortest half axis, in pixels: a smaller ellipse is not drawn.
 const LEAST_HALF_WIDTH: f64 = 1.0 / 16.0;
-/// How many times as long as wide an ellipse may be.
+/// The greatest ratio of an ellipse's length to its width.
 const MOST_RATIO: f64 = 4.0;
-/// Pixels beside an ellipse's box at which a machine may ask for values: a region's side and 1 less.
+/// The pixels beside an ellipse's box where a machine may evaluate it: a region's side less 1.
 const BESIDE: i64 = 255;
-/// Parts of a pixel by which rounding may move a silhouette, where the bits allow it.
+/// The denominator of the fraction of a pixel by which rounding may move a silhouette, where the bits allow it.
 const SILHOUETTE: f64 = 1.0 / 1024.0;
 /// Units of a fraction.
 const ONE: f64 = (1 << FRACTION_BITS) as f64;
 
-/// Why a sphere is not drawn.
+/// The reason why a sphere is not drawn.
 #[derive(Clone, Copy)]
 pub(crate) enum Unseen {
     Behind,
@@ -32,13 +33,13 @@ pub(crate) enum Unseen {
     BetweenCentres,
 }
 
-/// A sphere that is drawn, or why it is not.
+/// A sphere that is drawn, or the reason why it is not.
 pub(crate) type Seen = Result<SpherePacket, Unseen>;
 
 /// Sets up sphere number `i` of a scene, from 0 on, whose middle is at `s` from the eye (right, down, forward).
 ///
 /// # Errors
-/// It reaches the near plane; or its picture meets the screen, and is too large or too slender.
+/// The sphere reaches the near plane; or its picture meets the screen and is too large or too slender.
 pub(crate) fn set_up(i: usize, sphere: &Sphere, s: DVec3, screen: &Screen, shade: &Shade) -> Result<Seen, SceneError> {
     let r = sphere.radius;
     let wrong = |problem: String, remedy| Err(SceneError::invalid(format!("sphere {} {problem}", i + 1), remedy));
@@ -72,13 +73,13 @@ pub(crate) fn set_up(i: usize, sphere: &Sphere, s: DVec3, screen: &Screen, shade
     Ok(Rounding::new(&image).packet(&image, sphere, screen, shade).ok_or(Unseen::BetweenCentres))
 }
 
-/// How an ellipse's coefficients are rounded, and what that may cost.
+/// The rounding of an ellipse's coefficients, and its error.
 struct Rounding {
-    /// The pixel that they are counted from: that of the middle.
+    /// The pixel that they are counted from: the one in the middle.
     origin: [i64; 2],
-    /// Columns and rows from there in which all pixels of the ellipse are, and one more.
+    /// The columns and rows from there that contain all pixels of the ellipse, and one more.
     reach: [i64; 2],
-    /// The most by which a value may be beside the exact one there, in units of the last place.
+    /// The largest error of a value there, in units of the last place.
     error: f64,
     /// [`SpherePacket::inside`], from the origin.
     inside: Quadratic,
@@ -87,7 +88,7 @@ struct Rounding {
 }
 
 impl Rounding {
-    /// Of an ellipse with half axes in the limits.
+    /// For an ellipse with half axes in the limits.
     fn new(image: &Image) -> Rounding {
         let pixel = image.centre.floor();
         let origin = [pixel.x as i64, pixel.y as i64];
@@ -99,7 +100,7 @@ impl Rounding {
         let exact = image.quadratic(pixel, Function { constant: 0.0, slope: [0.0; 2], curve: 1.0 });
         let scaled = |bits: u32| rounded(exact, (1_u64 << bits) as f64);
         let fits = |bits: &u32| most(&scaled(*bits), reach.map(|reach| reach + BESIDE)) < 1 << VALUE_BITS;
-        // From the silhouette outward Q falls by at least 2 in a half axis.
+        // From the silhouette outward Q decreases by at least 2 in a half axis.
         let precise = |bits: &u32| error * image.half_axes[0] <= SILHOUETTE * 2.0 * (1_u64 << bits) as f64;
         let most_bits = (0..VALUE_BITS).rev().find(fits).unwrap_or(0);
         let bits = (0..most_bits).find(precise).unwrap_or(most_bits);
@@ -110,7 +111,7 @@ impl Rounding {
     fn packet(&self, image: &Image, sphere: &Sphere, screen: &Screen, shade: &Shade) -> Option<SpherePacket> {
         let bounds = self.bounds(screen)?;
         let span = f64::from(FARTHEST_VERTEX - NEAREST_VERTEX);
-        // Depth falls as 1/w rises.
+        // Depth decreases as 1/w increases.
         let [middle, slope, curve] = image.inverse;
         let inverse = Function { constant: middle, slope: [slope, 0.0], curve };
         let depth = inverse.scaled(screen.depth_scale(), -screen.depth_scale() * screen.near());
@@ -126,12 +127,13 @@ impl Rounding {
         })
     }
 
-    /// `least + span * part * function` with fraction bits, for a function from 0 to 1 over the ellipse, `part` from 0 to 1. Where rounding may lead
-    /// out of `least` to `least + span`, so much is taken off that range at both ends.
+    /// `least + span * part * function` with fraction bits, for a function from 0 to 1 over the ellipse, and `part`
+    /// from 0 to 1. If rounding may leave the range from `least` to `least + span`, the range is reduced by that at
+    /// both ends.
     fn fixed(&self, image: &Image, function: &Function, least: f64, span: f64, part: f64) -> Quadratic {
         let Function { constant, slope: [p, q], curve } = function;
         let slope = p.abs() + q.abs();
-        // Half a unit of it is what rounding to the nearest whole number is about.
+        // Rounding to the nearest whole number changes it by about half a unit.
         let beside = span * part * (slope + curve.abs()) * self.beyond + self.error / ONE - 0.5;
         let lowest = span * part * (constant - slope + curve.min(0.0));
         let highest = span * part * (constant + slope + curve.max(0.0));
@@ -151,7 +153,7 @@ impl Rounding {
     }
 }
 
-/// The first and the last column of a screen that an ellipse meets, of those up to `reach` beside its origin.
+/// The first and the last column of a screen that an ellipse meets, among those up to `reach` beside its origin.
 fn columns(inside: &Quadratic, reach: i64, origin: i64, width: u32) -> Option<(u32, u32)> {
     let [d, e, f, a, b, c] = [inside.d, inside.e, inside.f, inside.a, inside.b, inside.c].map(i128::from);
     // The greatest value of a column, times -4 f, which is positive.
@@ -165,13 +167,13 @@ fn columns(inside: &Quadratic, reach: i64, origin: i64, width: u32) -> Option<(u
     (first <= last).then_some((first as u32, last as u32))
 }
 
-/// The coefficients in units of 1/`unit`, each to the nearest.
+/// The coefficients in units of 1/`unit`, each rounded to the nearest.
 fn rounded(exact: [f64; 6], unit: f64) -> Quadratic {
     let [d, e, f, a, b, c] = exact.map(|number| (number * unit + 0.5).floor() as i64);
     Quadratic { d, e, f, a, b, c }
 }
 
-/// What no value exceeds up to so many columns and rows from the origin.
+/// An upper bound of the values up to that many columns and rows from the origin.
 fn most(quadratic: &Quadratic, [x, y]: [i64; 2]) -> i128 {
     let &Quadratic { d, e, f, a, b, c } = quadratic;
     let terms = [(d, x * x), (e, x * y), (f, y * y), (a, x), (b, y), (c, 1)];

@@ -9,21 +9,21 @@ use crate::quote::shown;
 use std::path::Path;
 use std::sync::Arc;
 
-/// What is wrong with a texture's file, and what to do; who names the file knows at what place.
+/// What is wrong with a texture's file, and the remedy; the caller adds the place.
 pub(crate) type Wrong = (String, String);
 
-/// A texture, and in what it is other than its file, a sentence each; who names the file knows at what place.
+/// A texture, and how it differs from its file, a sentence each; the caller adds the place.
 #[derive(Debug)]
 pub(crate) struct Found {
     pub(crate) texture: Arc<Texture>,
     pub(crate) notes: Vec<String>,
 }
 
-/// Reads a texture. Transparency is dropped, 16-bit channels are rounded to 8; one that is no square of a power of two up to
-/// 1024 is made one, as [the page of that](super::fit) says.
+/// Reads a texture. Transparency is dropped, 16-bit channels are rounded to 8. A picture that is not a square of a
+/// power of two up to 1024 is scaled to one, as [the page of that](super::fit) says.
 ///
 /// # Errors
-/// The file cannot be read, is no whole PNG or JPEG file, or takes more than 256 MiB.
+/// The file cannot be read, is not a complete PNG or JPEG file, or takes more than 256 MiB.
 pub(crate) fn read(path: &Path) -> Result<Found, Wrong> {
     let name = shown(path);
     if !path.exists() {
@@ -35,7 +35,7 @@ pub(crate) fn read(path: &Path) -> Result<Found, Wrong> {
     made(&name, &read_bytes(path, &input::TEXTURE).map_err(|error| split(&error))?)
 }
 
-/// A texture from the bytes of such a file, which messages call by that name.
+/// A texture from the bytes of such a file; messages use that name.
 ///
 /// # Errors
 /// As [`read`].
@@ -55,7 +55,7 @@ pub(crate) fn made(name: &str, bytes: &[u8]) -> Result<Found, Wrong> {
     Ok(Found { texture, notes: notes(name, &picture, side) })
 }
 
-/// What a texture on that level loses of the picture.
+/// The detail that a texture on that level loses, compared with the picture.
 fn notes(name: &str, picture: &Picture, side: u32) -> Vec<String> {
     let (width, height) = picture.pixels.dimensions();
     let mut notes = Vec::new();

@@ -1,13 +1,14 @@
-//! Trilinear filtering in integers: the four nearest texels of each of two levels, and what is between these.
+//! Trilinear filtering in integers: the four nearest texels on each of two levels, interpolated.
 
 use super::Texture;
 use crate::deferred::between;
 
 impl Texture {
-    /// The texture's colour at (u, v), 16 bits of fraction each, on a level in 1/16; beyond the finest level it is that of the finest.
+    /// The texture's colour at (u, v), with 16 bits of fraction each, on a level in 1/16. Beyond the finest level it is
+    /// that of the finest.
     ///
-    /// On the levels `floor(level / 16)` and the next finer one, each by [`between`] of [`Texture::bilinear`], with the weight
-    /// 16 `(level mod 16)`.
+    /// The levels are `floor(level / 16)` and the next finer one. [`between`] interpolates their [`Texture::bilinear`]
+    /// colours with the weight 16 `(level mod 16)`.
     ///
     /// ```
     /// use tilewright_scenes::Texture;
@@ -27,7 +28,8 @@ impl Texture {
         mixed(self.bilinear(uv, coarse), self.bilinear(uv, coarse + 1), weight)
     }
 
-    /// The texture's colour at (u, v) on one level: first along both rows, then between them, by [`between`].
+    /// The texture's colour at (u, v) on one level: interpolated first along both rows, then between them, by
+    /// [`between`].
     ///
     /// The place in texels is `floor(u 2^level / 2^8) - 2^7`, in 1/2^8 and modulo 2^(level + 8), since a texel's colour is that of
     /// its middle. Its whole part is the texel to the left, and its fraction the weight of the one to the right.
@@ -60,7 +62,7 @@ mod tests {
         })
     }
 
-    /// What a level is at (u, v), in floats: a tent over the middles of the texels.
+    /// The colour of a level at (u, v), in floats: a tent over the middles of the texels.
     fn exact(texture: &Texture, [u, v]: [u16; 2], level: u32, channel: usize) -> f64 {
         let side = f64::from(1_u32 << level);
         let place = |part: u16| f64::from(part) / 65536.0 * side - 0.5;
@@ -77,7 +79,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
 
-        /// Each of three roundings takes off less than a unit, and cutting a place to 1/256 less than one for each axis and level.
+        /// Each of three roundings subtracts less than a unit. Cutting a place to 1/256 subtracts less than one for
+        /// each axis and level.
         #[test]
         fn filtering_is_exact_to_its_roundings(texture in texture(), uv in any::<[u16; 2]>(), level in 0..96_u16) {
             let got = texture.trilinear(uv, level);
@@ -90,7 +93,7 @@ mod tests {
             }
         }
 
-        /// Where all texels are one colour, so is all that is filtered; else it stays between the least and the greatest.
+        /// If all texels have one colour, so has the result; otherwise it stays between the least and the greatest.
         #[test]
         fn filtering_adds_no_colour(texture in texture(), uv in any::<[u16; 2]>(), level in 0..96_u16) {
             let got = texture.trilinear(uv, level);

@@ -1,8 +1,9 @@
-//! Pictures of any size brought to the square that a texture is.
+//! Pictures of any size, scaled to the square of a texture.
 //!
-//! The side is the power of two that is nearest to the longer side of the picture, going by ratio, and at most 1024. A texel of
-//! the square is the mean of the picture over the area that it covers: with each side of a picture of w x h pixels stretched to
-//! w S and h S units, a pixel is S x S units and a texel of S x S of them w x h. So for each channel a texel is
+//! The side is the power of two that is nearest to the longer side of the picture, by ratio, and at most 1024. A texel
+//! of the square is the mean of the picture over the area that it covers. Let the sides of a picture of w x h pixels be
+//! stretched to w S and h S units. A pixel then is S x S units, and a texel of S x S texels is w x h units. So for each
+//! channel a texel is
 //!
 //! ```text
 //! floor((2 sum + w h) / (2 w h)),   sum = sum over all pixels of (units in common) (value of the pixel)
@@ -13,19 +14,19 @@
 use super::MOST_LEVEL;
 use image::RgbImage;
 
-/// The level of a texture of these sides, if it can be one as it is.
+/// The level of a texture with these sides, if it can be used unchanged.
 pub(super) fn level(width: u32, height: u32) -> Option<u32> {
     (width == height && width.is_power_of_two() && width.ilog2() <= MOST_LEVEL).then(|| width.ilog2())
 }
 
-/// The level of the square that keeps most of such a picture.
+/// The level of the square that preserves most of such a picture.
 fn nearest_level(width: u32, height: u32) -> u32 {
     let side = u64::from(width.max(height).clamp(1, 1 << MOST_LEVEL));
     let above = side.next_power_of_two();
     if 2 * side * side >= above * above { above.ilog2() } else { above.ilog2() - 1 }
 }
 
-/// The level and the texels of a picture that is not empty, row by row from below as a texture has them.
+/// The level and the texels of a picture that is not empty, row by row from below as in a texture.
 pub(super) fn fitted(picture: &RgbImage) -> (u32, Vec<[u8; 3]>) {
     let (width, height) = picture.dimensions();
     if let Some(level) = level(width, height) {
@@ -48,7 +49,7 @@ pub(super) fn fitted(picture: &RgbImage) -> (u32, Vec<[u8; 3]>) {
     (level, texels)
 }
 
-/// A row of the picture, summed up for each column of the square; the last one is kept, as two texels may share it.
+/// A row of the picture, summed for each column of the square; the last one is kept, as two texels may share it.
 struct Row {
     of: Option<u32>,
     sums: Vec<[u64; 3]>,
@@ -76,7 +77,8 @@ fn add(sum: &mut [u64; 3], part: [u64; 3], units: u64) {
     }
 }
 
-/// Along one axis, the pixels that the i-th of `side` texels covers of `pixels`, and how many units of each; `pixels` units in all.
+/// Along one axis, the pixels that the i-th of `side` texels covers of `pixels`, and the units of each; `pixels` units
+/// in all.
 fn shares(i: usize, side: usize, pixels: u32) -> impl Iterator<Item = (u32, u64)> {
     let (i, side, pixels) = (i as u64, side as u64, u64::from(pixels));
     let (from, to) = (i * pixels, (i + 1) * pixels);
@@ -105,7 +107,7 @@ mod tests {
         })
     }
 
-    /// How much two spans have in common.
+    /// The length that two spans have in common.
     fn common(p: [i128; 2], q: [i128; 2]) -> i128 {
         (p[1].min(q[1]) - p[0].max(q[0])).max(0)
     }
@@ -125,7 +127,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-        /// The nearest whole number to the exact mean is at most half from it, and above where there are two.
+        /// The nearest whole number to the exact mean is at most half away from it, and above it if there are two.
         #[test]
         fn a_texel_is_the_mean_of_what_it_covers(picture in picture()) {
             let (level, texels) = fitted(&picture);

@@ -1,4 +1,4 @@
-//! Textures made by rule, in integers: no picture has to be shipped, and they go on without a seam.
+//! Procedural textures, in integers: no picture has to be shipped, and they tile without a seam.
 
 use super::Texture;
 
@@ -43,7 +43,7 @@ fn planks(i: u32, j: u32) -> [u8; 3] {
     const PLANK: u32 = SIDE / 4;
     let plank = j / PLANK;
     let from_joint = (j % PLANK).min(PLANK - 1 - j % PLANK);
-    // Where a plank ends along u; those of neighbours are apart.
+    // The u at which a plank ends; those of neighbours are far apart.
     let from_end = i.wrapping_add(SIDE - 104 * plank % SIDE) % SIDE;
     if from_joint == 0 || from_end < 2 {
         return [58, 36, 22];
@@ -54,10 +54,10 @@ fn planks(i: u32, j: u32) -> [u8; 3] {
     shade([176, 118, 68], 190 + tint + fine / 8 + coarse / 8)
 }
 
-/// White stone with dark veins, where a wave that noise has bent goes through its middle.
+/// White stone with dark veins, along the zeros of a wave that noise distorts.
 fn marble(i: u32, j: u32) -> [u8; 3] {
     let bend: u32 = (0..4).map(|octave| noise(i, j, [4 << octave; 2], 30 + octave) >> octave).sum();
-    // Two waves to a side, so that it goes on without a seam; 512 to a wave.
+    // Two waves to a side, so that it tiles without a seam; 512 to a wave.
     let phase = (4 * i + 4 * j + 2 * bend) % 512;
     let from_vein = phase.abs_diff(256);
     let depth = 64_u32.saturating_sub(from_vein);
@@ -65,14 +65,14 @@ fn marble(i: u32, j: u32) -> [u8; 3] {
     shade([236, 232, 226], 235 + cloud - depth * 2)
 }
 
-/// A colour at a brightness of which 256 is 1.
+/// A colour at a brightness in 1/256.
 fn shade(base: [u32; 3], brightness: u32) -> [u8; 3] {
     base.map(|channel| (channel * brightness / 256).min(255) as u8)
 }
 
-/// Smooth noise, 0 to 255, of so many cells along u and along v; it goes on without a seam.
+/// Smooth noise, 0 to 255, of this many cells along u and along v; it tiles without a seam.
 fn noise(i: u32, j: u32, cells: [u32; 2], seed: u32) -> u32 {
-    // The place in cells, 8 bits of it fraction.
+    // The position in cells, with 8 bits of fraction.
     let [x, y] = [i * cells[0], j * cells[1]].map(|place| (place << 8) / SIDE);
     let corner = |dx, dy| hash(((x >> 8) + dx) % cells[0], ((y >> 8) + dy) % cells[1], seed) & 255;
     let [along, up] = [x, y].map(|place| smooth(place & 255));

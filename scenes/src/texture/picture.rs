@@ -1,7 +1,7 @@
-//! Pictures for textures: PNG and JPEG files, told by what is in them and not by their names.
+//! Pictures for textures: PNG and JPEG files, recognised by their content and not by their names.
 //!
-//! JPEG files are decoded in plain integer code on every machine, so the same file has the same pixels everywhere: `zune-jpeg` is
-//! built without its vector code. Profiles and gamma of a file are not looked at.
+//! JPEG files are decoded in plain integer code on every machine, so the same file has the same pixels everywhere:
+//! `zune-jpeg` is built without its vector code. Profiles and gamma of a file are ignored.
 
 use crate::png::{self, Unreadable};
 use image::{DynamicImage, RgbImage};
@@ -10,28 +10,28 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-/// A picture as it is stored, and what it is other than that.
+/// A picture as stored, and how its display should differ.
 pub(super) struct Picture {
     pub(super) pixels: RgbImage,
     /// Some pixel is not opaque.
     pub(super) is_transparent: bool,
-    /// Its EXIF part says that it is to be shown turned or mirrored.
+    /// Its EXIF part asks for a rotation or a mirror image.
     pub(super) is_turned: bool,
 }
 
 /// Why there is no picture.
 pub(super) enum Bad {
-    /// It begins as neither kind of file does.
+    /// It begins like neither kind of file.
     Unknown,
-    /// What is wrong with a file that begins as that kind does.
+    /// It begins like that kind, but this is wrong with it.
     Damaged(&'static str),
-    /// So many pixels, which take too much memory.
+    /// It has this many pixels, which take too much memory.
     Large(u32, u32),
 }
 
-/// The most that a picture may take while it is decoded, as it is stored, in bytes.
+/// The most memory that a picture may take during decoding, in bytes.
 const MOST_BYTES: u64 = 256 << 20;
-/// How every JPEG file begins.
+/// The first bytes of every JPEG file.
 const JPEG: &[u8] = &[0xff, 0xd8, 0xff];
 /// The longest side of a JPEG file.
 const JPEG_SIDE: usize = u16::MAX as usize;
@@ -57,7 +57,7 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, Bad> {
         .set_max_height(JPEG_SIDE)
         .jpeg_set_out_colorspace(ColorSpace::RGB);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
-    // What the library says of a damaged file is its own jargon.
+    // The library describes a damaged file in its own jargon.
     let damaged = |_| Bad::Damaged("JPEG");
     decoder.decode_headers().map_err(damaged)?;
     let (width, height) = decoder.dimensions().ok_or(Bad::Damaged("JPEG"))?;
@@ -81,7 +81,7 @@ fn is_transparent(image: &DynamicImage) -> bool {
     }
 }
 
-/// The orientation of an EXIF part, 1 to 8, if it states one: 1 is as stored.
+/// The orientation in an EXIF part, 1 to 8, if it states one: 1 is as stored.
 fn orientation(exif: &[u8]) -> Option<u16> {
     let is_little = exif.starts_with(b"II*\0");
     if !is_little && !exif.starts_with(b"MM\0*") {

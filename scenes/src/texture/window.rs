@@ -1,22 +1,24 @@
-//! Textures that stand once. Machines repeat every texture, so such a one is put into the middle of a larger one, which goes on with the
-//! colours of its edges.
+//! Textures that appear only once. Machines repeat every texture, so such a texture is put into the middle of a larger
+//! one, whose rest has the colours of its edges.
 
 use super::{MOST_LEVEL, Texture};
 use glam::DVec2;
 
-/// A square of the plane of texture coordinates that is to be a texture of its own.
+/// A square of the plane of texture coordinates that becomes a texture of its own.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Window {
     /// Its lower left corner; whole texels.
     low: DVec2,
-    /// How often its side is that of the texture, as a power of two.
+    /// The ratio of its side to the texture's, as a power of two.
     doublings: u32,
 }
 
 impl Window {
-    /// Round all that lies between these, with a texel and more to spare; `None` if the texture would be less than a texel of it.
+    /// The window around everything between these, with at least a texel to spare; `None` if the texture would be less
+    /// than a texel of it.
     pub(crate) fn round(least: DVec2, most: DVec2, texture: &Texture) -> Option<Window> {
-        // Its corner is at a texel's, and where it can at a quarter, so that coarser levels keep their texels.
+        // Its corner is at a texel's corner, and where possible at a quarter of the texture, so that coarser levels
+        // keep their texels.
         let grain = f64::from(1_u32 << texture.level().min(2));
         let needed = (most - least).max_element() + 2.0 / grain;
         let doublings = (0..=MOST_LEVEL).find(|&n| f64::from(1_u32 << n) >= needed)?;
@@ -31,14 +33,14 @@ impl Window {
         texture.level().min(MOST_LEVEL - self.doublings)
     }
 
-    /// Where a place is in it.
+    /// The position of a place in it.
     pub(crate) fn place(&self, uv: DVec2) -> DVec2 {
         (uv - self.low) / f64::from(1_u32 << self.doublings)
     }
 }
 
 impl Texture {
-    /// What is seen through a window of a texture that stands once.
+    /// The content of a window of a texture that appears only once.
     pub(crate) fn within(&self, window: &Window) -> Texture {
         let level = window.level(self);
         let side = 1_i64 << level;
@@ -66,7 +68,7 @@ mod tests {
         Texture::new(level, texels).expect("as many texels as it takes")
     }
 
-    /// In the middle of each texel there is its colour, and outside that of the nearest.
+    /// In the middle of each texel the colour is the texel's, and outside the nearest texel's.
     #[test]
     fn a_window_goes_on_with_the_colours_of_edges() {
         for level in [0, 1, 2, 4] {

@@ -1,4 +1,4 @@
-//! Frames of deferred shading: what they have in common with the other golden frames, and their checksums.
+//! Frames of deferred shading: their agreement with the other golden frames, and their checksums.
 
 use proptest::prelude::*;
 use std::ops::ControlFlow;
@@ -35,7 +35,7 @@ fn depths_are_those_of_the_gouraud_frame() {
     }
 }
 
-/// No light falls on lines, so their colours are those of the Gouraud frame, but where depths tie.
+/// Lines are not lit, so their colours are those of the Gouraud frame, except where depths tie.
 #[test]
 fn lines_are_drawn_as_they_are() {
     let scene = Scene::builtin("star").unwrap();
@@ -71,7 +71,7 @@ fn eight_samples_are_two_ordinary_passes() {
     }
 }
 
-/// Inside of a surface, shading once gives about what shading each sample does.
+/// Inside a surface, shading once gives nearly the same result as shading each sample.
 #[test]
 fn shading_once_differs_little() {
     let frame = |shading| golden::render_deferred(&deferred("textured", small(), Samples::Eight(shading)));
@@ -85,11 +85,11 @@ fn shading_once_differs_little() {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(24) })]
 
-    /// DES-MIN: neither order nor distribution of the packets changes a word.
+    /// DES-MIN: neither sequence nor distribution of the packets changes a word.
     #[test]
     fn order_and_partition_do_not_matter(keys in proptest::collection::vec((0..4_usize, any::<u32>()), 512)) {
         let packets = &deferred("textured", small(), Samples::One).passes[0].packets;
-        // Each a second time at the same depths: at every pixel another parameter than depth decides.
+        // Each packet again at the same depths: at every pixel a parameter other than depth decides.
         let turned = |packet: &AppearancePacket| AppearancePacket { normal: packet.normal.map(negated), ..packet.clone() };
         let packets: Vec<_> = packets.iter().cloned().chain(packets.iter().map(turned)).collect();
         let whole = golden::visible(small(), &packets);
@@ -106,13 +106,13 @@ proptest! {
     }
 }
 
-/// The plane of the opposite numbers, but for a rounding.
+/// The plane of the opposite numbers, up to rounding.
 fn negated(plane: Plane) -> Plane {
     let negated = |number: u64| u64::from((number as u32).wrapping_neg());
     Plane { x: negated(plane.x), y: negated(plane.y), origin: negated(plane.origin) }
 }
 
-/// What a word says of the teapot is what the mesh says.
+/// A word of the teapot agrees with the mesh.
 #[test]
 fn colours_are_diffuse_and_plain_surfaces_have_no_texture() {
     let words = golden::visible(small(), &deferred("teapot", small(), Samples::One).passes[0].packets);
@@ -126,7 +126,7 @@ fn colours_are_diffuse_and_plain_surfaces_have_no_texture() {
     }
 }
 
-/// A triangle that is seen from behind, or whose normals point away from the eye, is turned: both sides look alike.
+/// The normals of a triangle seen from behind, or with reversed normals, are flipped: both sides look the same.
 #[test]
 fn normals_are_turned_to_the_eye() {
     let scene = Scene::builtin("teapot").unwrap();
@@ -143,7 +143,7 @@ fn normals_are_turned_to_the_eye() {
     }
 }
 
-/// A texel is to be as large as what is shaded: a level less where that is twice as wide.
+/// A texel should be as large as a shaded sample: one level less where that is twice as wide.
 #[test]
 fn shading_once_takes_coarser_textures() {
     let levels = |shading| {

@@ -44,7 +44,7 @@ fn pixels() -> impl Iterator<Item = (u32, u32)> {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-    /// As depth (DES-Z): exact to half a unit and 0.13, and never beyond the vertices' own values.
+    /// As for depth (DES-Z): within half a unit and 0.13 of the exact plane, and never beyond the vertices' own values.
     #[test]
     fn parameters_are_exact_to_a_rounding(v in [vertex(), vertex(), vertex()], material in any::<u8>(), level in any::<u8>()) {
         let packet = set_up_appearance(&v, material, level, screen());
@@ -111,15 +111,15 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
 
-    /// The texture coordinates at a pixel are those of the point that is seen through its middle: found by a ray from the eye, to a
-    /// quarter of a pixel, as vertices are snapped, and to the rounding of both planes.
+    /// The texture coordinates at a pixel are those of the point seen through its middle, found by a ray from the eye.
+    /// The tolerance is a quarter of a pixel, as vertices are snapped, and the rounding of both planes.
     #[test]
     fn texture_coordinates_are_those_of_the_point_that_is_seen(
         corners in proptest::collection::vec((-8.0..8.0_f64, -6.0..6.0_f64, -14.0..-2.0_f64, -3.0..3.0_f64, -3.0..3.0_f64), 3),
     ) {
         let deferred = project_deferred(&scene(&corners), screen(), Samples::One).unwrap();
         for packet in &deferred.passes[0].packets {
-            // Not edge on, where a little of the screen is much of the surface.
+            // Not edge-on, where a small distance on the screen is a large one on the surface.
             if packet.triangle.area() < 60.0 {
                 continue;
             }

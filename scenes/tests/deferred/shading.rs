@@ -1,4 +1,4 @@
-//! The integer rule of shading against the same in floats, and at its extremes.
+//! The integer rule of shading against float shading, and at its extremes.
 
 use proptest::prelude::*;
 use std::sync::{Arc, LazyLock};
@@ -61,8 +61,8 @@ fn shader() -> impl Strategy<Value = Shader> {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(3000) })]
 
-    /// At most a unit too bright, as a product is; and too dark by a floor a light and one each for sum and products. A highlight of power p multiplies the errors of a cosine, some four units of
-    /// 2^-12, by p at most.
+    /// At most one unit too bright, from a product. Too dark by at most a floor for each light and one each for sum and
+    /// products. A highlight of power p multiplies the errors of a cosine, about four units of 2^-12, by at most p.
     #[test]
     fn shading_is_what_it_is_in_floats(shader in shader(), normal in direction(), length in 40..128_i16, rgb in any::<[u8; 3]>()) {
         let parameters = Parameters { normal: normal.map(|n| n * length), rgb, ..Parameters::default() };
@@ -71,7 +71,7 @@ proptest! {
         let lights = shader.lights.len() as f64;
         let power = f64::from(1 << material.squarings);
         let most = 3.0 + lights + lights * f64::from(material.specular) * (4.0 * power / 4096.0).min(1.0);
-        // Where a cosine is about 0, it is a matter of rounding whether there is a highlight.
+        // Where a cosine is about 0, rounding decides whether there is a highlight.
         let turned = |light: &ShaderLight| {
             let sum: i32 = parameters.normal.iter().zip(light.direction).map(|(&n, d)| i32::from(n) * i32::from(d)).sum();
             sum > 0 && sum < 256 * 16 * i32::from(length)
@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    /// Eight samples alike are shaded once as each is, but for a rounding of the normal.
+    /// Eight equal samples, shaded once, give the colour of each, up to a rounding of the normal.
     #[test]
     fn eight_samples_alike_are_as_one(shader in shader(), normal in direction(), rgb in any::<[u8; 3]>()) {
         let word = Appearance::from(Parameters { normal: normal.map(|n| n * 127), rgb, ..Parameters::default() });
@@ -95,7 +95,8 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(200) })]
 
-    /// Whatever a word and the constants are, nothing overflows (the checks of an unoptimised build), once per pixel neither.
+    /// For every word and every constant, nothing overflows (an unoptimised build checks this), with one shading per
+    /// pixel or eight.
     #[test]
     fn no_word_overflows(
         mut shader in shader(),
@@ -138,7 +139,7 @@ fn a_colour_is_the_sum_of_its_parts() {
     // The unit normal is 4095, the cosine floor(4095 255 / 256) = 4079, diffuse 30 + floor(128 4080 / 4096) = 157; the cosine's power 32
     // is 3574, so the highlight is floor(111 52 / 256) = 22.
     assert_eq!(shader.shade(of(0, [0, 0, -32767])), [123 + 22, 61 + 22, 22]);
-    // From behind and without a normal there is ambient light alone.
+    // From behind and without a normal there is only ambient light.
     assert_eq!(shader.shade(of(0, [0, 0, 32767])), [24, 12, 0]);
     assert_eq!(shader.shade(of(0, [0; 3])), [24, 12, 0]);
     assert_eq!(shader.shade(of(1, [0; 3])), [200, 100, 0]);

@@ -1,4 +1,4 @@
-//! The camera that frames a mesh by itself, and pictures in which nothing is drawn.
+//! The automatic camera, and pictures in which nothing is drawn.
 
 use crate::load::{TRIANGLE, folder, load};
 use glam::{DVec3, dvec3};
@@ -89,7 +89,7 @@ fn a_tiny_mesh_is_framed_like_any_other() {
     }
 }
 
-/// The scene of that text, and what it says about a picture in which nothing is drawn.
+/// The scene of that text, and its message about a picture in which nothing is drawn.
 fn blank(test: &str, text: &str) -> Option<String> {
     let folder = folder(test, &[("mesh.obj", TRIANGLE), ("scene.toml", text)]);
     load(&folder.join("scene.toml")).unwrap().project().unwrap().warning()

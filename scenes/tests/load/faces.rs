@@ -59,7 +59,7 @@ fn areas(scene: &Scene) -> (DVec3, f64) {
     doubled.fold((DVec3::ZERO, 0.0), |(sum, lengths), area| (sum + area, lengths + area.length()))
 }
 
-/// The outline turned so that it begins at each of its corners, in both directions.
+/// The outline rotated to begin at each of its corners, in both directions.
 fn all_ways_round(outline: &[[f64; 2]]) -> Vec<Outline> {
     let starts = (0..outline.len()).map(|start| [&outline[start..], &outline[..start]].concat());
     starts.flat_map(|way| [way.clone(), way.into_iter().rev().collect()]).collect()

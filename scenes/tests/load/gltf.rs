@@ -1,4 +1,4 @@
-//! glTF files: the pictures of good ones, and what is drawn in another way.
+//! glTF files: the pictures of good ones, and features that are drawn differently.
 
 use crate::load::{folder, load, same_pictures, warned};
 use base64::Engine;
@@ -170,7 +170,7 @@ fn accessors_of_all_kinds_make_one_picture() {
     );
     fs::write(folder.join("halves.gltf"), builder.embedded(&rest)).unwrap();
     same_pictures(&folder.join("halves.gltf"), &format!("{OBJ}{FACES}"), &[]);
-    // Zeros, of which a sparse accessor replaces all that are none.
+    // A sparse accessor replaces all zeros that should be nonzero.
     let mut builder = Builder::default();
     let places = builder.view(&[0, 1, 2, 3], "");
     let values = builder.view(&bytes_of(&POSITIONS), "");

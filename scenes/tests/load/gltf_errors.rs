@@ -184,7 +184,7 @@ fn bad_nodes_are_refused() {
     for (nodes, sentence) in cases {
         assert_eq!(bytes_error(&folder, "a.gltf", file(nodes).as_bytes()), format!("a.gltf: {sentence}"));
     }
-    // Without a scene, what is below nothing is drawn.
+    // Without a scene, the root nodes are drawn.
     fs::write(folder.join("a.gltf"), file("\"nodes\":[{\"mesh\":0},{\"children\":[0]}]")).unwrap();
     assert_eq!(load(&folder.join("a.gltf")).unwrap().mesh.triangles().len(), 2);
 }

@@ -1,4 +1,4 @@
-//! What is too large is refused in a sentence that states the limit, and before it fills the memory.
+//! Oversized input is refused in a sentence that states the limit, before it fills the memory.
 
 use crate::load::{TRIANGLE, folder, load, obj_error};
 use std::fs::File;
@@ -43,7 +43,7 @@ fn a_file_of_just_the_limit_is_read() {
     assert_eq!(load(&folder.join("scene.toml")).unwrap().size.width(), 20);
 }
 
-/// A device says that it is empty, and goes on for ever.
+/// A device reports a length of 0, and never ends.
 #[test]
 #[cfg(unix)]
 fn devices_are_read_no_further_than_files() {
@@ -75,7 +75,7 @@ fn numbers_out_of_reach_are_refused_at_their_line() {
     assert_eq!(obj_error("reach_vast", &format!("{TRIANGLE}v 0 9e99 0\n")), sentence(5, "v", "9e99"));
     assert_eq!(obj_error("reach_negative", &format!("{TRIANGLE}v 0 -1e30 0\n")), sentence(5, "v", "-1e30"));
     assert_eq!(obj_error("reach_normal", &format!("vn 1e31 0 0\n{TRIANGLE}")), sentence(1, "vn", "1e31"));
-    // What is just within reach can be framed and drawn.
+    // Input just within the limit can be framed and drawn.
     let folder = folder("huge", &[("mesh.obj", "v 0 0 0\nv 9.9e29 0 0\nv 0 -9.9e29 0\nf 1 2 3\n")]);
     let projection = load(&folder.join("mesh.obj")).unwrap().project().unwrap();
     assert_eq!(projection.counts.drawn, 1);

@@ -40,7 +40,7 @@ fn load(path: &Path) -> Result<Scene, String> {
     Scene::load(path.to_str().unwrap()).map_err(|error| error.to_string())
 }
 
-/// What the VC-1 and what deferred shading draws of a mesh file, from the front.
+/// The VC-1's and deferred shading's pictures of a mesh file, from the front.
 fn pictures(path: &Path) -> [Frame; 2] {
     let scene = load(path).unwrap();
     let camera = Camera { eye: dvec3(0.3, 0.2, 5.0), target: DVec3::ZERO, up: DVec3::Y, fov: 40.0 };
@@ -51,7 +51,7 @@ fn pictures(path: &Path) -> [Frame; 2] {
     [golden::render(size, &projection.triangles, scene.background), golden::render_deferred(&deferred)]
 }
 
-/// Checks that a mesh file makes the pictures of this OBJ file, of which none is blank, and is odd in these ways.
+/// Checks that a mesh file gives the pictures of this OBJ file, none of them blank, and these warnings.
 fn same_pictures(path: &Path, obj: &str, warnings: &[&str]) {
     let folder = path.parent().unwrap();
     let plain = folder.join("plain.obj");
@@ -72,20 +72,20 @@ fn warned(scene: &Scene, folder: &Path) -> Vec<String> {
     scene.warnings.iter().map(|warning| warning.replace(&folder, "")).collect()
 }
 
-/// The sentence that a file of these bytes ends in, without the folder.
+/// The error message for a file with these bytes, without the folder.
 fn bytes_error(folder: &Path, name: &str, bytes: &[u8]) -> String {
     fs::write(folder.join(name), bytes).unwrap();
     load(&folder.join(name)).unwrap_err().replace(&format!("{}/", folder.display()), "")
 }
 
-/// The sentence that a mesh file of this text ends in, without the folder.
+/// The error message for a mesh file with this text, without the folder.
 fn obj_error(test: &str, text: &str) -> String {
     let folder = folder(test, &[("mesh.obj", text)]);
     let sentence = load(&folder.join("mesh.obj")).unwrap_err();
     sentence.replace(&format!("{}/", folder.display()), "")
 }
 
-/// The sentence that a scene file of this text ends in; `mesh.obj` is beside it.
+/// The error message for a scene file with this text; `mesh.obj` is in the same folder.
 fn toml_error(test: &str, text: &str) -> String {
     let folder = folder(test, &[("scene.toml", text), ("mesh.obj", TRIANGLE)]);
     let sentence = load(&folder.join("scene.toml")).unwrap_err();

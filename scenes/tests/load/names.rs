@@ -91,7 +91,7 @@ fn seven_numbers_are_a_place_and_a_colour_with_alpha() {
     assert_eq!(scene.warnings, [""; 0]);
 }
 
-/// The warnings of a mesh of this text, beside files of these names; without the folder.
+/// The warnings for a mesh with this text, in a folder with files of these names; without the folder.
 fn warnings(test: &str, text: &str, files: &[(&str, &str)]) -> Vec<String> {
     let folder = folder(test, &[&[("m.obj", text)], files].concat());
     let scene = load(&folder.join("m.obj")).unwrap();
@@ -103,7 +103,7 @@ fn missing_files_are_named_once() {
     let text = format!("mtllib a b.mtl c.mtl\nmtllib d.mtl # the last\nusemtl x\n{TRIANGLE}usemtl y\n");
     let said = "m.obj:1: the material files a b.mtl and 2 more are missing, so their materials are grey: put them beside the mesh";
     assert_eq!(warnings("missing", &text, &[]), [said]);
-    // What is malformed, and named by nothing, is not read.
+    // A malformed file that nothing names is not read.
     assert_eq!(warnings("malformed_own", &text, &[("m.mtl", "newmtl\n")]), [said]);
 }
 

@@ -1,4 +1,4 @@
-//! Textures as they come: JPEG beside PNG, of any size and depth, and what is lost of each.
+//! Textures from PNG and JPEG files of any size and depth, and what each loses.
 
 use crate::load::{folder, load, warned};
 use image::{DynamicImage, ImageBuffer, Luma, LumaA, Rgba};
@@ -55,7 +55,7 @@ fn a_jpeg_file_has_the_colours_that_it_was_made_of() {
     }
 }
 
-/// What a file is goes by its bytes.
+/// The content of a file decides its format.
 #[test]
 fn the_name_of_a_picture_says_nothing() {
     let folder = with_data("jpeg_named");
@@ -63,7 +63,7 @@ fn the_name_of_a_picture_says_nothing() {
     assert_eq!(texels(&folder, "photo.png"), texels(&folder, "baseline.jpg"));
 }
 
-/// As [`Frame::checksum`] has them; how a file is encoded is no matter of its colours.
+/// As [`Frame::checksum`] computes them; the encoding of a file does not affect its colours.
 #[test]
 fn the_bytes_of_a_jpeg_file_are_the_same_everywhere() {
     let folder = with_data("jpeg_pinned");

@@ -17,7 +17,7 @@ fn text() -> String {
     format!("{HEADER}{vertices}4 0 1 2 3\n3 3 2 4\n")
 }
 
-/// The same in binary, with types as they come and elements that nobody needs.
+/// The same in binary, with various types and elements that are not drawn.
 fn binary(is_big: bool) -> Vec<u8> {
     let order = if is_big { "big" } else { "little" };
     let header = format!(
@@ -104,7 +104,7 @@ fn colours_of_vertices_go_over_the_face() {
     assert_eq!(scene.warnings, [""; 0]);
     assert_eq!(scene.mesh.corner_colours(1), [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]]);
     for frame in [&plain, &deferred] {
-        // From red below to blue above, by whatever light there is.
+        // From red below to blue above, under any light.
         let ratio = |y| {
             let [r, _, b] = frame.rgb(24, y).map(f64::from);
             b / (r + b)
@@ -162,7 +162,7 @@ fn textures_lie_by_vertices_or_by_corners() {
     tiles.words[2] = tilewright_scenes::frame::blank([9, 20, 230]);
     tiles.write_png(folder.join("my tiles.png")).unwrap();
     same_pictures(&folder.join("vertex.ply"), obj, &[]);
-    // Colours beside a texture are those of the texture once more.
+    // Colours next to a texture repeat those of the texture.
     let kinds = "property float s\nproperty float t\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n";
     let both = ["0 0 9 9 9", "1 0 9 9 9", "1 1 9 9 9", "0 1 9 9 9"];
     let both = coloured(kinds, both, "comment TextureFile my tiles.png") + "4 0 1 2 3\n";
@@ -181,7 +181,7 @@ fn textures_lie_by_vertices_or_by_corners() {
         of_first.coordinates.map(|i| materials.coordinates[i as usize]),
         [dvec2(0.0, 0.0), dvec2(1.0, 0.0), dvec2(1.0, 1.0)]
     );
-    // A texture that is not there is an error of whoever draws with it, as with OBJ files.
+    // A missing texture is an error only for deferred shading, as with OBJ files.
     let lost = materials.textures[0].clone().unwrap_err().to_string().replace(&format!("{}/", folder.display()), "");
     assert_eq!(
         lost,

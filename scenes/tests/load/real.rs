@@ -1,4 +1,4 @@
-//! Meshes as programs write them, each with its picture and all that is said of it.
+//! Meshes as programs write them, each with its picture and all its warnings.
 //!
 //! The files are in `tests/data/real`, a folder for each. A picture is a grid of letters, rows from the top; each stands for the colour in the middle of its
 //! part of the frame. Light comes from everywhere, so colours are those of the files.
@@ -32,7 +32,7 @@ fn bright(path: &Path) -> Scene {
     Scene { lighting: Lighting { ambient: 1.0, lights: Vec::new() }, ..seen(path) }
 }
 
-/// What machines draw that know a colour alone, and what deferred shading draws.
+/// The picture of machines that draw only colours, and that of deferred shading.
 fn frames(scene: &Scene) -> [Frame; 2] {
     let projection = scene.project().unwrap();
     let plain = golden::render(projection.size, &projection.triangles, scene.background);
@@ -54,7 +54,7 @@ fn letter(rgb: [u8; 3]) -> char {
     known.iter().find(|(_, other)| is_near(other)).map_or('?', |&(letter, _)| letter)
 }
 
-/// The colours in the middle of so many parts a side.
+/// The colours in the middle of a grid's parts.
 fn grid(frame: &Frame, parts: usize) -> String {
     let middle = |i: usize| (SIDE as usize * (2 * i + 1) / (2 * parts)) as u32;
     let row = |j: usize| (0..parts).map(|i| letter(frame.rgb(middle(i), middle(j)))).collect::<String>();
@@ -65,7 +65,7 @@ fn without_folder(warnings: &[String], folder: &Path) -> Vec<String> {
     warnings.iter().map(|warning| warning.replace(&format!("{}/", folder.display()), "")).collect()
 }
 
-/// What of a file is not as expected.
+/// The differences between a file's results and the expected ones.
 fn faults(path: &Path, case: &Case) -> Vec<String> {
     let scene = bright(path);
     let warnings = without_folder(&scene.warnings, path.parent().unwrap());

@@ -1,6 +1,6 @@
-//! What is seen of each file in `tests/data/real`, and what is said of it.
+//! The picture and the warnings of each file in `tests/data/real`.
 
-/// A mesh, and what is expected of it.
+/// A mesh and its expected results.
 pub struct Case {
     /// In `tests/data/real`.
     pub file: &'static str,

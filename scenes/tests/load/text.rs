@@ -1,4 +1,4 @@
-//! What is quoted of a file is short and harmless, and a file in another encoding is named as such.
+//! Quotes from a file are short and harmless, and a file in another encoding is reported as such.
 
 use crate::load::{TRIANGLE, folder, load, obj_error, toml_error};
 use std::fs;
@@ -88,7 +88,7 @@ fn text_in_another_encoding_is_named_as_such() {
     fs::write(folder.join("colours.mtl"), material).unwrap();
     let mesh = format!("mtllib colours.mtl\n{TRIANGLE}");
     assert_eq!(sentence("mesh.obj", mesh.as_bytes()), "colours.mtl: is text in UTF-16: save it in UTF-8");
-    // A stray CR inside a comment harms nobody.
+    // A stray CR inside a comment is harmless.
     fs::write(folder.join("mesh.obj"), format!("# a\rb\n{TRIANGLE}")).unwrap();
     assert!(load(&folder.join("mesh.obj")).is_ok());
 }

@@ -13,7 +13,7 @@ const SQUARE: &str = "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\
 const MATERIALS: &str =
     "newmtl tiles\nKd 1 1 1\nKs 0.1 0.5 0.2\nNs 60\nmap_Kd my tiles.png\nnewmtl wax\nKd 1 0 0\nNs 3\nmap_Ks x\n";
 
-/// What is said of them.
+/// The warnings about them.
 fn said(folder: &Path) -> [String; 2] {
     let at = |name: &str| folder.join(name).display().to_string();
     [
@@ -91,7 +91,7 @@ fn a_mesh_whose_materials_say_nothing_of_it_has_none() {
     assert!(small(&scene).is_ok());
 }
 
-/// Whoever needs no texture is not bothered with it.
+/// A texture's error does not affect anything that needs no texture.
 #[test]
 fn a_bad_texture_is_an_error_of_deferred_shading_alone() {
     let folder = folder("bad_texture", &[("square.obj", SQUARE), ("text.png", "no picture"), ("large.png", "")]);
@@ -197,7 +197,7 @@ fn a_scene_file_says_what_surfaces_look_like() {
     assert!(small(&tiles).is_ok());
 }
 
-/// The texture that a scene file names lies as the coordinates of the mesh say, wherever the one lies whose place it takes.
+/// The texture of a scene file is placed by the mesh's coordinates, wherever the replaced texture was placed.
 #[test]
 fn a_scene_files_texture_is_not_moved_by_the_options_of_the_meshs_own() {
     let scene = "mesh = 'square.obj'\n[surface]\ntexture = 'my tiles.png'\n";
@@ -212,7 +212,7 @@ fn a_scene_files_texture_is_not_moved_by_the_options_of_the_meshs_own() {
     assert_eq!(with("surface_placed", "-s 3 3 -o -1 -1 -clamp on my tiles.png"), plain);
 }
 
-/// A texture goes on with the colours of its edges, as fine as it can be.
+/// A texture's edge colours continue beyond it, at the finest level possible.
 #[test]
 fn a_clamped_texture_that_is_reached_too_far_beyond_is_coarser_or_repeats() {
     let far = |test: &str, scale: &str| {

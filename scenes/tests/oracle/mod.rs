@@ -1,8 +1,8 @@
-//! An oracle for coverage, depth and colour in exact fractions, written apart from set-up and golden rasterizer.
+//! An oracle for coverage, depth and colour in exact fractions, independent of set-up and golden rasterizer.
 //!
-//! It knows the geometry alone: no edge of reduced form, no plane, no orientation swap, no modular number. The fill rule is stated as
-//! what it means: the sample point stands at the pixel's centre, moved right by an infinitesimal and down by a smaller one, so it
-//! never lies on an edge, and triangles that share an edge share no sample.
+//! It uses only geometry: no reduced edges, no planes, no orientation swap, no modular numbers. The fill rule is stated
+//! by its meaning. The sample point is the pixel's centre, moved right by an infinitesimal and down by a smaller one.
+//! So it never lies on an edge, and triangles that share an edge share no sample.
 
 use tilewright_scenes::ScreenVertex;
 
@@ -32,7 +32,7 @@ fn from_to(p: &ScreenVertex, q: &ScreenVertex) -> (i128, i128) {
 fn side(p: &ScreenVertex, q: &ScreenVertex, x: u32, y: u32) -> i128 {
     let edge = from_to(p, q);
     let centre = (i128::from(16 * x + 8) - i128::from(p.x), i128::from(16 * y + 8) - i128::from(p.y));
-    // The infinitesimals count in turn, each only if everything larger is zero.
+    // The infinitesimals decide one after the other, each only if everything larger is zero.
     [cross(edge, centre), cross(edge, (1, 0)), cross(edge, (0, 1))]
         .into_iter()
         .find(|&c| c != 0)

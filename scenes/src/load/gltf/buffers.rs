@@ -1,4 +1,4 @@
-//! Buffers of a glTF file, and the accessors that make numbers of their bytes.
+//! Buffers of a glTF file, and the accessors that convert their bytes to numbers.
 
 use super::container::File;
 use crate::error::SceneError;
@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 const MOST_BYTES: usize = 256 << 20;
 const MOST_ZEROS: usize = 1 << 22;
 
-/// The buffers that were asked for, each read once.
+/// The requested buffers, each read once.
 pub(super) struct Buffers<'a> {
     file: &'a File,
     read: BTreeMap<usize, Vec<u8>>,
@@ -25,10 +25,10 @@ pub(super) struct Buffers<'a> {
     total: usize,
 }
 
-/// What is in a URI.
+/// The content of a URI.
 pub(super) enum Uri {
     Bytes(Vec<u8>),
-    /// A file beside the one that names it.
+    /// A separate file.
     File(PathBuf),
 }
 
@@ -74,7 +74,7 @@ impl<'a> Buffers<'a> {
         let wrong = |problem: &str, remedy: &str| self.file.wrong(&format!("buffers[{index}] {problem}"), remedy);
         let mut bytes = match &buffer.uri {
             None => {
-                // The first buffer alone may be in the file itself.
+                // Only the first buffer may be in the file itself.
                 let blob = self.file.blob.as_ref().filter(|_| index == 0);
                 blob.cloned().ok_or_else(|| wrong("is nowhere: it has no `uri`", "export it again"))?
             }
@@ -102,7 +102,7 @@ impl<'a> Buffers<'a> {
         Ok(bytes)
     }
 
-    /// The whole numbers of an accessor of one number an element.
+    /// The whole numbers of an accessor with one number an element.
     pub(super) fn indices(&mut self, index: Index<Accessor>) -> Result<Vec<u32>, SceneError> {
         let accessor = &self.file.root.accessors[index.value()];
         if component(accessor) == ComponentType::F32 {
@@ -117,7 +117,7 @@ impl<'a> Buffers<'a> {
         width(&self.file.root.accessors[index.value()])
     }
 
-    /// The elements of an accessor, as numbers: normalised as it says, unless that is given.
+    /// The elements of an accessor, as numbers, normalised if the accessor, or `normalized`, says so.
     pub(super) fn vectors<const N: usize>(
         &mut self,
         index: Index<Accessor>,
@@ -157,7 +157,7 @@ impl<'a> Buffers<'a> {
         Ok(all)
     }
 
-    /// Puts the elements that a sparse accessor has apart in their places.
+    /// Writes a sparse accessor's separate elements to their places.
     fn replace<const N: usize>(
         &mut self,
         index: Index<Accessor>,
@@ -199,7 +199,7 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// The bytes of each of so many elements, if all of them are there.
+/// The bytes of each of `count` elements, if all of them are there.
 fn elements(
     bytes: &[u8],
     from: usize,
@@ -207,7 +207,7 @@ fn elements(
     stride: usize,
     size: usize,
 ) -> Option<impl Iterator<Item = &[u8]>> {
-    // No stride is shorter than an element, so no more are read than there are bytes.
+    // No stride is shorter than an element, so at most the available bytes are read.
     let length = count.checked_sub(1).map_or(Some(0), |last| last.checked_mul(stride)?.checked_add(size));
     let bytes = bytes.get(from..from.checked_add(length?)?)?;
     (stride >= size).then(|| (0..count).map(move |i| &bytes[i * stride..][..size]))
@@ -230,7 +230,7 @@ fn component_at(bytes: &[u8], kind: ComponentType) -> f64 {
     }
 }
 
-/// What makes a normalised number of a stored one.
+/// Converts a stored number to a normalised one.
 fn scaled(kind: ComponentType, normalized: bool) -> impl Fn(f64) -> f64 + Copy {
     let most = match kind {
         _ if !normalized => None,
@@ -246,7 +246,7 @@ fn scaled(kind: ComponentType, normalized: bool) -> impl Fn(f64) -> f64 + Copy {
 fn component(accessor: &Accessor) -> ComponentType {
     match accessor.component_type {
         Checked::Valid(GenericComponentType(kind)) => kind,
-        // Whoever read the file has refused it.
+        // The file was refused before this.
         Checked::Invalid => ComponentType::F32,
     }
 }
@@ -266,7 +266,7 @@ fn size(offset: Option<USize64>) -> usize {
     offset.map_or(0, |offset| offset.0 as usize)
 }
 
-/// What a URI in the file at `path` stands for.
+/// The meaning of a URI in the file at `path`.
 pub(super) fn resolved(path: &Path, uri: &str) -> Result<Uri, &'static str> {
     if let Some(data) = uri.strip_prefix("data:") {
         let (_, code) = data.split_once(";base64,").ok_or("has a `data:` address that is not in base64")?;
@@ -278,7 +278,7 @@ pub(super) fn resolved(path: &Path, uri: &str) -> Result<Uri, &'static str> {
     Ok(Uri::File(path.parent().unwrap_or(Path::new("")).join(percent_decoded(uri))))
 }
 
-/// A name whose bytes may stand as `%` and two hexadecimal digits.
+/// A name whose bytes may be written as `%` and two hexadecimal digits.
 fn percent_decoded(uri: &str) -> String {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();

@@ -1,15 +1,15 @@
-//! Linear colours, as screens show them.
+//! Linear colours, encoded for screens.
 
-/// The sRGB encoding (IEC 61966-2-1) of a linear channel, which is cut to 0 to 1. By + - * / and square roots alone, so that it is
-/// bit-equal on every machine.
+/// The sRGB encoding (IEC 61966-2-1) of a linear channel, clamped to 0 to 1. It uses only + - * / and square roots, so
+/// that it is bit-equal on every machine.
 pub(super) fn encoded(linear: f64) -> f64 {
     let linear = linear.clamp(0.0, 1.0);
     if linear <= 0.003_130_8 {
         return 12.92 * linear;
     }
-    // The power of 1/2.4 is that of 1/4 times that of 1/6.
+    // The power 1/2.4 is the power 1/4 times the power 1/6.
     let power = linear.sqrt().sqrt() * cube_root(linear).sqrt();
-    // As the standard has it, but that 1 stays 1.
+    // As in the standard, except that 1 stays 1.
     1.0 - 1.055 * (1.0 - power)
 }
 

@@ -1,4 +1,4 @@
-//! What a glTF file says: its JSON, checked, and the binary part of a `.glb` file.
+//! The content of a glTF file: its JSON, checked, and the binary part of a `.glb` file.
 
 use crate::error::SceneError;
 use crate::input::{self, read_bytes};
@@ -9,13 +9,13 @@ use gltf_json::validation::{Error, Validate};
 use gltf_json::{Path as Place, Root};
 use std::path::{Path, PathBuf};
 
-/// What all binary files begin with.
+/// The first bytes of all binary files.
 const MAGIC: &[u8] = b"glTF";
 /// The kinds of a binary file's parts.
 const JSON: [u8; 4] = *b"JSON";
 const BIN: [u8; 4] = *b"BIN\0";
 
-/// The extensions that are read.
+/// The supported extensions.
 const EXTENSIONS: [&str; 4] =
     ["KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform"];
 
@@ -36,7 +36,7 @@ impl File {
         };
         let blob = blob.map(<[u8]>::to_vec);
         let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-        // Made in that crate: what is generic would be made here once more, and optimised.
+        // Instantiated in that crate: a generic function would be compiled here once more, and optimised.
         let root = Root::from_slice(json).map_err(|error| not_json(path, &error))?;
         let version = &root.asset.version;
         if !version.starts_with("2.") {
@@ -120,12 +120,12 @@ fn parts(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), &'static str> {
     }
     let body = bytes.get(12..length).ok_or("is shorter than its header says")?;
     let (json, rest) = part(body, JSON)?;
-    // Parts of kinds that are not known are to be passed over.
+    // Parts of unknown kinds are to be skipped.
     let blob = if rest.is_empty() { None } else { part(rest, BIN).ok().map(|(blob, _)| blob) };
     Ok((json, blob))
 }
 
-/// The part that a binary file goes on with, and what is behind it.
+/// The next part of a binary file, and the rest behind it.
 fn part(bytes: &[u8], kind: [u8; 4]) -> Result<(&[u8], &[u8]), &'static str> {
     let (head, rest) = bytes.split_first_chunk::<8>().ok_or("ends within the head of a part")?;
     let [a, b, c, d, found @ ..] = *head;
@@ -147,8 +147,8 @@ fn not_json(path: &Path, error: &gltf_json::Error) -> SceneError {
     }
 }
 
-/// What the checks find and nobody here looks at: the least and greatest position, attributes of a program's own, accessors of
-/// zeros, and extensions, which are checked before.
+/// Items that the checks report and this loader ignores: the least and greatest position, application-specific
+/// attributes, accessors of zeros, and extensions, which are checked before.
 fn is_harmless(place: &Place, error: Error, root: &Root) -> bool {
     let place = place.as_str();
     match error {

@@ -1,7 +1,8 @@
 //! Materials of a glTF file: base colours, their textures, and how rough they are.
 //!
-//! Highlights follow from roughness r, as a microfacet model has them at its peak: the power is 2/r^4 - 2 (Karis, 2013), and the
-//! brightness 0.04 (power + 8)/8 at most 1, as 0.04 is what glTF reflects of light that falls on straight. Metals are drawn as if they were none.
+//! Highlights follow from roughness r, as in the peak of a microfacet model. The power is 2/r^4 - 2 (Karis, 2013). The
+//! brightness is 0.04 (power + 8)/8, at most 1, because glTF reflects 0.04 of light at normal incidence. Metals are
+//! drawn like other materials.
 
 use super::Oddities;
 use super::buffers::{Buffers, Uri, resolved};
@@ -21,23 +22,23 @@ use gltf_json::validation::Checked;
 use gltf_json::{Image, Index};
 use std::path::PathBuf;
 
-/// How one material looks.
+/// The look of one material.
 struct Look {
     colour: [f64; 3],
     material: Material,
     mapping: Option<Mapping>,
 }
 
-/// Where a texture is taken from.
+/// The source of a texture's coordinates and its placement.
 pub(super) struct Mapping {
     /// The set of texture coordinates.
     pub(super) set: u32,
     transform: Option<TextureTransform>,
-    /// Whether the texture goes on repeating on all sides.
+    /// Whether the texture repeats on all sides.
     pub(super) repeats: bool,
 }
 
-/// The materials in the file's order, and one of primitives that name none.
+/// The file's materials in sequence, then one for primitives that name none.
 pub(super) struct Looks {
     all: Vec<Look>,
     /// The pictures that they name, without repetitions.
@@ -75,7 +76,7 @@ impl Looks {
         Look { colour: [r, g, b].map(encoded), material: Material { texture, ..rough(f64::from(roughness)) }, mapping }
     }
 
-    /// The index of a texture among [`Looks::images`], and how it lies.
+    /// The index of a texture among [`Looks::images`], and its placement.
     fn texture(&mut self, file: &File, info: &Info, oddities: &mut Oddities) -> (u32, Mapping) {
         let texture = &file.root.textures[info.index.value()];
         let sampler = texture.sampler.map(|sampler| &file.root.samplers[sampler.value()]);
@@ -99,7 +100,7 @@ impl Looks {
         material.map_or(self.all.len() - 1, |material| material.value())
     }
 
-    /// How the texture of a material lies, if it has one.
+    /// The placement of a material's texture, if it has one.
     pub(super) fn mapping(&self, material: usize) -> Option<&Mapping> {
         self.all[material].mapping.as_ref()
     }
@@ -112,7 +113,7 @@ impl Looks {
         self.all.iter().map(|look| look.material).collect()
     }
 
-    /// The textures; their files go to `files`, and what is odd about them to `oddities`.
+    /// The textures; adds their files to `files`, and problems to `oddities`.
     pub(super) fn textures(
         &self,
         of: &File,
@@ -135,7 +136,7 @@ impl Looks {
     }
 }
 
-/// A picture, wherever it is.
+/// A picture, wherever it is stored.
 fn found(
     of: &File,
     index: Index<Image>,
@@ -170,7 +171,7 @@ fn rough(roughness: f64) -> Material {
 }
 
 impl Mapping {
-    /// A texture coordinate as it is in a texture here: v upward.
+    /// A texture coordinate in this crate's convention: v upward.
     pub(super) fn of(&self, [u, v]: [f64; 2]) -> DVec2 {
         let Some(transform) = &self.transform else {
             return dvec2(u, 1.0 - v);
@@ -185,7 +186,7 @@ impl Mapping {
 /// Whether a material has something.
 type Part = fn(&gltf_json::Material) -> bool;
 
-/// One sentence for what materials have and nobody draws.
+/// One sentence for features of materials that are not drawn.
 fn undrawn(file: &File, oddities: &mut Oddities) {
     let parts: [(Part, &str); 5] = [
         (is_metal, "metalness"),
@@ -218,7 +219,7 @@ fn is_metal(material: &gltf_json::Material) -> bool {
     !is_glossy(material) && !is_unlit(material) && material.pbr_metallic_roughness.metallic_factor.0 > 0.0
 }
 
-/// What of a material is drawn in another way.
+/// Features of a material that are drawn differently.
 fn note(material: &gltf_json::Material, oddities: &mut Oddities) {
     if is_unlit(material) {
         oddities.add("its materials without light are lit as others are");

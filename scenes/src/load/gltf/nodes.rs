@@ -1,4 +1,4 @@
-//! The nodes of a scene: which meshes there are, and where.
+//! The nodes of a scene: the meshes in it and their transforms.
 
 use super::Oddities;
 use super::container::File;
@@ -14,7 +14,7 @@ pub(super) struct Placed {
     pub(super) to_world: DMat4,
 }
 
-/// The meshes of the scene that is drawn, each as often as nodes have it, parents before their children.
+/// The meshes of the scene that is drawn, each once for every node that has it, parents before their children.
 pub(super) fn meshes(file: &File, oddities: &mut Oddities) -> Result<Vec<Placed>, SceneError> {
     let root = &file.root;
     if root.scenes.len() > 1 {
@@ -41,7 +41,7 @@ pub(super) fn meshes(file: &File, oddities: &mut Oddities) -> Result<Vec<Placed>
     Ok(placed)
 }
 
-/// The uppermost nodes: those of the scene, or those that are below no other if the file has no scene.
+/// The root nodes: those of the scene, or, if the file has no scene, those that are below no other.
 fn roots(file: &File) -> Vec<usize> {
     let root = &file.root;
     let scene = root.scene.map_or(0, |scene| scene.value());
@@ -61,14 +61,14 @@ fn to_parent(node: &Node) -> DMat4 {
         vector.map_or(default, |vector| DVec3::from_array(vector.map(f64::from)))
     };
     let rotation = node.rotation.map_or(DQuat::IDENTITY, |of| DQuat::from_array(of.0.map(f64::from)));
-    // A rotation is of length 1 to its rounding; whatever else there is makes no angle.
+    // A rotation has length 1 up to rounding; any other quaternion is no rotation.
     let length = rotation.length();
     let rotation = if length > 0.0 { rotation / length } else { DQuat::IDENTITY };
     let (scale, translation) = (vector(node.scale, DVec3::ONE), vector(node.translation, DVec3::ZERO));
     DMat4::from_scale_rotation_translation(scale, rotation, translation)
 }
 
-/// What of a node with a mesh is drawn in another way.
+/// Features of a node with a mesh that are drawn differently.
 fn note(node: &Node, mesh: &Mesh, oddities: &mut Oddities) {
     if node.skin.is_some() {
         oddities.add("its skins are not bent: each mesh is drawn as its file has it, where its node is");

@@ -1,4 +1,4 @@
-//! The primitives of a glTF file's meshes: triangles and lines in the world.
+//! The primitives of a glTF file's meshes: triangles and lines in world space.
 
 use super::Oddities;
 use super::buffers::Buffers;
@@ -13,7 +13,7 @@ use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked;
 use gltf_json::{Accessor, Index};
 
-/// The most faces and lines of a file, and the most vertices, with all repetitions by nodes.
+/// The most faces and lines of a file, and the most vertices, including repetitions by nodes.
 const MOST: usize = 4 << 20;
 
 /// Everything that has been added.
@@ -22,7 +22,7 @@ pub(super) struct Primitives {
     pub(super) geometry: Geometry,
 }
 
-/// What stands before the vertices of a primitive, for its indices.
+/// The number of vertices before a primitive's, which offsets its indices.
 struct First {
     position: u32,
     normal: Option<u32>,
@@ -31,7 +31,7 @@ struct First {
 }
 
 impl Primitives {
-    /// Adds a mesh where its node is.
+    /// Adds a mesh at its node's place.
     pub(super) fn add(
         &mut self,
         file: &File,
@@ -80,7 +80,7 @@ impl Primitives {
         Ok(())
     }
 
-    /// Adds what the vertices of a primitive have.
+    /// Adds the attributes of a primitive's vertices.
     #[expect(clippy::too_many_arguments, reason = "a primitive in its file")]
     fn vertices(
         &mut self,
@@ -183,7 +183,7 @@ pub(super) fn attribute(primitive: &Primitive, semantic: Semantic) -> Option<Ind
     primitive.attributes.get(&Checked::Valid(semantic)).copied()
 }
 
-/// The triangles or lines that such indices make, and how many indices are left over.
+/// The triangles or lines that such indices make, and the number of indices left over.
 fn elements(mode: Mode, indices: &[u32]) -> (Vec<Vec<u32>>, usize) {
     let pieces = |size: usize| (indices.chunks_exact(size).map(<[u32]>::to_vec).collect(), indices.len() % size);
     let least = |least: usize| if indices.len() < least { indices.len() } else { 0 };
@@ -198,7 +198,7 @@ fn elements(mode: Mode, indices: &[u32]) -> (Vec<Vec<u32>>, usize) {
             (lines, least(2))
         }
         Mode::TriangleStrip => {
-            // Each second triangle runs round the other way.
+            // Every second triangle has the opposite direction.
             let triangle = |(i, &[p, q, r]): (usize, &[u32; 3])| if i % 2 == 0 { vec![p, q, r] } else { vec![p, r, q] };
             (indices.array_windows().enumerate().map(triangle).collect(), least(3))
         }
@@ -209,14 +209,14 @@ fn elements(mode: Mode, indices: &[u32]) -> (Vec<Vec<u32>>, usize) {
     }
 }
 
-/// What takes normals along with a transform: the cofactors of its matrix, which are its transposed inverse times its determinant. So a
-/// normal stays on the side that its face is on, also where the transform mirrors.
+/// The transform of normals: the cofactors of the matrix, which are its transposed inverse times its determinant. So a
+/// normal stays on its face's side, even if the transform mirrors.
 fn of_normals(to_world: DMat4) -> DMat3 {
     let [x, y, z] = [to_world.x_axis, to_world.y_axis, to_world.z_axis].map(|axis| axis.truncate());
     DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y))
 }
 
-/// A direction of any length, where products of huge scales are none.
+/// A direction of any length, for huge scales whose products overflow.
 fn bounded(normal: DVec3) -> DVec3 {
     if normal.abs().cmplt(DVec3::splat(1e99)).all() { normal } else { DVec3::ZERO }
 }

@@ -1,4 +1,4 @@
-//! The numbers of a PLY file after its header, one after another, whatever their form is.
+//! The numbers of a PLY file after its header, one after another, in any form.
 
 use super::super::lines::At;
 use super::header::{Form, Header, Kind};
@@ -10,7 +10,7 @@ pub(super) struct Body<'a> {
     path: &'a Path,
     form: Form,
     rest: &'a [u8],
-    /// Of a text, the line that was read last.
+    /// In a text file, the line that was read last.
     line: usize,
 }
 
@@ -19,7 +19,7 @@ impl<'a> Body<'a> {
         Body { path, form: header.form, rest: &bytes[header.length..], line: header.line }
     }
 
-    /// The next number, of that property of the element of that number, counted from 1.
+    /// The next number: that property of the element with that number, counted from 1.
     pub(super) fn number(&mut self, kind: Kind, of: Of) -> Result<f64, SceneError> {
         match self.form {
             Form::Text => self.word(kind, of),
@@ -90,7 +90,7 @@ impl<'a> Body<'a> {
     }
 }
 
-/// What is read, for errors: the number-th of so many, counted from 1.
+/// What is read, for errors: its number, counted from 1, and the total.
 #[derive(Clone, Copy)]
 pub(super) struct Of<'a> {
     pub(super) name: &'a str,

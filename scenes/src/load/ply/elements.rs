@@ -8,10 +8,10 @@ use crate::quote::quote;
 use glam::{DVec2, DVec3, dvec2};
 use std::path::Path;
 
-/// The most corners of a face, as of an OBJ file's.
+/// The most corners of a face, as in an OBJ file.
 const MOST_CORNERS: f64 = 16_384.0;
 
-/// What a value is of a vertex, a face or an edge.
+/// The meaning of a value in a vertex, a face or an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Role {
     Position(usize),
@@ -23,7 +23,7 @@ enum Role {
     Corners,
     /// Texture coordinates of a face's corners.
     CornerCoordinates,
-    /// Which of the textures a face has.
+    /// The number of a face's texture.
     Texture,
     /// An end of an edge.
     End(usize),
@@ -54,7 +54,7 @@ fn role(element: &str, property: &Property) -> Role {
     }
 }
 
-/// What one element says.
+/// The values of one element.
 #[derive(Default)]
 struct Item {
     position: DVec3,
@@ -67,7 +67,7 @@ struct Item {
     ends: [f64; 2],
 }
 
-/// Which values elements of a kind have.
+/// The values that elements of a kind have.
 #[derive(Clone, Copy, Default)]
 struct Has {
     normals: bool,
@@ -84,7 +84,7 @@ struct Raw {
     texture: Option<f64>,
 }
 
-/// Everything that is drawn. Faces may stand before the vertices that they name.
+/// Everything that is drawn. Faces may come before the vertices that they refer to.
 #[derive(Default)]
 pub(super) struct Elements {
     vertices: Has,
@@ -95,7 +95,7 @@ pub(super) struct Elements {
 }
 
 impl Elements {
-    /// Reads all of an element from the body; whatever else is skipped.
+    /// Reads one kind of element from the body, or skips it.
     pub(super) fn read(&mut self, element: &Element, body: &mut Body, textures: usize) -> Result<(), SceneError> {
         if element.properties.is_empty() {
             return Ok(());
@@ -123,7 +123,7 @@ impl Elements {
                 if role == Role::Corners && of.name == "face" && length > MOST_CORNERS {
                     return Err(body.error(of, "has more than 16384 corners", "cut it"));
                 }
-                // What is negative has no entries.
+                // A negative length means no entries.
                 for _ in 0..length as u64 {
                     let value = body.number(property.kind, of)?;
                     match role {
@@ -186,7 +186,7 @@ impl Elements {
         Ok(())
     }
 
-    /// Strips of triangles, which -1 ends; each second triangle runs round the other way.
+    /// Strips of triangles, which -1 ends; every second triangle has the opposite direction.
     fn strips(&mut self, corners: &[f64]) {
         for strip in corners.split(|&corner| corner < 0.0) {
             for (i, &[p, q, r]) in strip.array_windows().enumerate() {
@@ -197,7 +197,7 @@ impl Elements {
         }
     }
 
-    /// Drops the colours, where textures show them: a scan has both, and their product would be too dark.
+    /// Drops the colours where there are textures: a scan has both, and their product would be too dark.
     pub(super) fn without_colours(&mut self) -> bool {
         let had = self.vertices.colours || self.faces.iter().any(|face| face.colour.is_some());
         self.vertices.colours = false;
@@ -229,7 +229,7 @@ impl Elements {
                 "export it again",
             )),
         };
-        // What corners name beside their vertices.
+        // The attributes that corners refer to, besides their vertices.
         let tints = geometry.colours.len();
         for face in faces {
             let own_colour = face.colour.filter(|_| tints == 0).map(|colour| {
@@ -275,7 +275,7 @@ fn out_of_reach(body: &Body, of: Of, property: &Property, value: f64) -> SceneEr
     body.error(of, &format!("has {value} for {}", quote(&property.name)), "give finite numbers below 1e30")
 }
 
-/// What a colour of that type is at its brightest.
+/// The greatest value of a colour of that type.
 fn scale(kind: Kind) -> f64 {
     match kind {
         Kind::F32 | Kind::F64 => 1.0,

@@ -1,11 +1,11 @@
-//! The header of a PLY file: what elements it has, and in what form.
+//! The header of a PLY file: its elements and their form.
 
 use super::super::lines::At;
 use crate::error::SceneError;
 use crate::quote::quote;
 use std::path::Path;
 
-/// How numbers are written.
+/// The form in which numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Text,
@@ -55,7 +55,7 @@ pub(super) struct Property {
     pub(super) list: Option<Kind>,
 }
 
-/// So many things of one kind.
+/// A number of elements of one kind.
 #[derive(Debug)]
 pub(super) struct Element {
     pub(super) name: String,
@@ -69,7 +69,7 @@ pub(super) struct Header {
     pub(super) elements: Vec<Element>,
     /// Names of texture files, with their lines.
     pub(super) textures: Vec<(usize, String)>,
-    /// Where the body begins, and the number of its first line.
+    /// The offset of the body, and the number of its first line.
     pub(super) length: usize,
     pub(super) line: usize,
 }
