@@ -1,10 +1,10 @@
-//! Several streams to one.
+//! Merges several streams into one.
 
 use crate::encode::first;
 use crate::ports::StreamOut;
 use tilewright_hdl::{Module, Signal, bits, block, concat, def, mux, select, stream};
 
-/// Which of the streams that have a word goes first.
+/// The stream that is served when several have a word.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -21,14 +21,15 @@ use tilewright_hdl::{Module, Signal, bits, block, concat, def, mux, select, stre
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Turns {
-    /// The next after the one that went last: each gets its turn within as many words as there are streams.
+    /// Round robin: the next one behind the last one served. Each stream waits for at most one word of each other
+    /// stream.
     RoundRobin,
-    /// The first of them; others may wait for ever.
+    /// Fixed priority: the lowest stream that has a word. The others may wait for ever.
     Priority,
 }
 
 block! {
-    /// Sends the words of several streams, one after another.
+    /// Merges the words of several streams into one stream.
     ///
     /// ```text
     /// into.0 ===>|\
@@ -36,7 +37,8 @@ block! {
     /// into.2 ===>|/
     /// ```
     ///
-    /// Latency 0, a word a clock. A word that is shown stays, though one of a higher priority comes. No `valid` waits for `ready`.
+    /// Latency 0, a word a clock. A word on `out` stays there even if one with a higher priority arrives. No `valid`
+    /// waits for `ready`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +67,7 @@ block! {
 }
 
 impl Arbiter {
-    /// An arbiter of so many senders of so many bits.
+    /// An arbiter of `senders` senders, each of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -76,7 +78,7 @@ impl Arbiter {
     ///
     /// # Panics
     ///
-    /// It would have no senders.
+    /// `senders` is 0.
     #[track_caller]
     pub fn new(senders: u32, width: u32, turns: Turns) -> Arbiter {
         assert!(senders > 0, "an arbiter of 0 senders sends nothing");
@@ -84,7 +86,7 @@ impl Arbiter {
     }
 
     fn build(&self, m: Module, i: ArbiterIn) -> StreamOut {
-        // Bit 0 is sender 0; one bit of each of the others is high at most.
+        // Bit 0 is sender 0; at most one bit is high in each of the others.
         let valid: Vec<Signal> = i.into.iter().rev().map(|stream| stream.valid).collect();
         def!(requests = concat(&valid));
         def!(locked = m.reg(self.senders).reset(0));

@@ -1,4 +1,4 @@
-//! Streams of another width.
+//! Streams of a different width.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, below, bit, bits, block, case, concat, def, mux, stream};
@@ -11,7 +11,8 @@ block! {
     ///                       [part]-|/===> out
     /// ```
     ///
-    /// Latency 0, a part a clock. No `valid` waits for `ready`; `ready` of `into` is that of `out` at the last part.
+    /// Latency 0, a part a clock. No `valid` waits for `ready`. `into.ready` equals `out.ready` at the last part, and
+    /// is low otherwise.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -33,7 +34,7 @@ block! {
 }
 
 impl Narrow {
-    /// To words of so many bits, of which so many parts are a word that comes in.
+    /// Splits each word into `parts` parts of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -45,7 +46,7 @@ impl Narrow {
     ///
     /// # Panics
     ///
-    /// A word would have no parts.
+    /// `parts` or `width` is 0.
     #[track_caller]
     pub fn new(parts: u32, width: u32) -> Narrow {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");
@@ -66,13 +67,14 @@ impl Narrow {
 }
 
 block! {
-    /// Makes a word of several parts, the least significant first.
+    /// Joins several parts into a word, the least significant first.
     ///
     /// ```text
     /// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
     /// ```
     ///
-    /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `ready` of `into` passes that of `out`.
+    /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `out.ready` passes to
+    /// `into.ready`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -96,7 +98,7 @@ block! {
 }
 
 impl Widen {
-    /// To words of so many parts, each a word of so many bits that comes in.
+    /// Joins `parts` parts of `width` bits into each word.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -108,7 +110,7 @@ impl Widen {
     ///
     /// # Panics
     ///
-    /// A word would have no parts.
+    /// `parts` or `width` is 0.
     #[track_caller]
     pub fn new(parts: u32, width: u32) -> Widen {
         assert!(parts > 0 && width > 0, "a word of {parts} parts of {width} bits is nothing");

@@ -11,7 +11,7 @@ block! {
     ///           +1   '-------'  '--> wraps
     /// ```
     ///
-    /// Latency 1 clock to `count`; `wraps` is of the same clock.
+    /// Latency 1 clock to `count`; `wraps` belongs to the same clock.
     ///
     /// ```
     /// use tilewright_blocks::Counter;
@@ -38,7 +38,7 @@ block! {
 }
 
 impl Counter {
-    /// A counter of so many numbers.
+    /// A counter from 0 to `limit - 1`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -51,7 +51,7 @@ impl Counter {
     ///
     /// # Panics
     ///
-    /// There is no number.
+    /// `limit` is 0.
     #[track_caller]
     pub fn new(limit: u64) -> Counter {
         assert!(limit > 0, "a counter of 0 numbers counts nothing");

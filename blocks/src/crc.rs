@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Module, bit, bits, block, concat, def, hex, mux};
 
-/// Which bit of a byte is sent first.
+/// The bit of a byte that is sent first.
 ///
 /// ```
 /// use tilewright_blocks::{BitOrder, Crc};
@@ -13,14 +13,14 @@ use tilewright_hdl::{Module, bit, bits, block, concat, def, hex, mux};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BitOrder {
-    /// The least significant: Ethernet, ZIP, USB. The check is read in that order, too.
+    /// The least significant bit: Ethernet, ZIP, USB. The check is also read in that direction.
     LeastFirst,
-    /// The most significant: XMODEM, SD cards.
+    /// The most significant bit: XMODEM, SD cards.
     MostFirst,
 }
 
 block! {
-    /// Divides a message by a polynomial, a byte a clock, and holds the remainder: a cyclic redundancy check.
+    /// Divides a message by a polynomial, a byte a clock, and keeps the remainder: a cyclic redundancy check.
     ///
     /// ```text
     ///          .---------------------------.
@@ -28,7 +28,7 @@ block! {
     /// data ==>[+]--> 8 steps of division --+-->[ rest ]==> crc
     /// ```
     ///
-    /// Latency 1 clock. What a standard exchanges in the end (`!crc` for Ethernet) is left to who reads it.
+    /// Latency 1 clock. A standard's final inversion (`!crc` for Ethernet) is left to the reader of `crc`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +65,8 @@ block! {
 }
 
 impl Crc {
-    /// A check of so many bits, from 2 to 64, by that polynomial, of which the highest term is left out, and from that remainder on.
+    /// A check of `width` bits, from 2 to 64. `polynomial` leaves out the highest term; `start` is the initial
+    /// remainder.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -78,7 +79,7 @@ impl Crc {
     ///
     /// # Panics
     ///
-    /// There are less bits or more, or the polynomial or the remainder has more.
+    /// `width` is out of range, or the polynomial or the remainder has more bits.
     #[track_caller]
     pub fn new(width: u32, polynomial: u64, start: u64, order: BitOrder) -> Crc {
         assert!((2..=64).contains(&width), "a CRC of {width} bits: it has from 2 to 64");

@@ -1,8 +1,8 @@
-//! Digits: shown, and read as a number.
+//! Decimal digits: displayed, and converted to a number.
 
 use tilewright_hdl::{Module, Signal, below, bit, bits, block, def, hex, row};
 
-/// Which segments each digit has, the lowest bit for the uppermost segment.
+/// The segments of each digit; the lowest bit is the uppermost segment.
 const PATTERNS: [u64; 16] =
     [0x3f, 0x06, 0x5b, 0x4f, 0x66, 0x6d, 0x7d, 0x07, 0x7f, 0x6f, 0x77, 0x7c, 0x39, 0x5e, 0x79, 0x71];
 
@@ -48,7 +48,7 @@ impl SevenSegment {
 }
 
 block! {
-    /// The number that so many decimal digits stand for.
+    /// Converts decimal digits to a number.
     ///
     /// ```text
     ///              .------.      .------.
@@ -57,7 +57,7 @@ block! {
     /// digits[0] ============================'
     /// ```
     ///
-    /// Latency 1 clock with `enable`. Of what is no digit from 0 to 9 it makes no sense.
+    /// Latency 1 clock with `enable`. For a digit above 9 the result has no meaning.
     ///
     /// ```
     /// # use tilewright_blocks::*;
@@ -84,7 +84,7 @@ block! {
 }
 
 impl FromDecimal {
-    /// Of so many digits.
+    /// A converter for `digits` digits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -97,7 +97,7 @@ impl FromDecimal {
     ///
     /// # Panics
     ///
-    /// There are none, or more than 16.
+    /// `digits` is 0 or above 16.
     #[track_caller]
     pub fn new(digits: u32) -> FromDecimal {
         assert!((1..=16).contains(&digits), "a number of {digits} digits: it has from 1 to 16");

@@ -1,11 +1,11 @@
-//! A divider, a bit of the quotient a stage.
+//! A pipelined divider: a bit of the quotient a stage.
 
 use tilewright_hdl::{Module, bits, block, bundle, cat, lit, mux};
 
 bundle! {
-    /// A division under way.
+    /// A division in progress.
     struct Dividing<T> {
-        /// Above the digits of the quotient that are known those of the dividend that are left.
+        /// The quotient's known digits, and above them the dividend's remaining ones.
         digits: T,
         remainder: T,
         divisor: T,
@@ -19,7 +19,8 @@ block! {
     /// operands ===>| compare, subtract |[1]===>| .. |[2]===> .. [width]===> results
     /// ```
     ///
-    /// Latency a clock for each bit, a quotient a clock. By 0 the quotient is all ones, and the remainder the dividend.
+    /// Latency: a clock for each bit; a quotient a clock. For a divisor of 0 the quotient is all ones, and the
+    /// remainder is the dividend.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -47,7 +48,7 @@ block! {
 }
 
 bundle! {
-    /// What a [`Divider`] divides.
+    /// The operands of a [`Divider`].
     ///
     /// ```
     /// # use tilewright_blocks::Operands;
@@ -61,7 +62,7 @@ bundle! {
         pub divisor: T,
     }
 
-    /// What comes of a division.
+    /// The result of a division.
     ///
     /// ```
     /// # use tilewright_blocks::Quotient;
@@ -77,7 +78,7 @@ bundle! {
 }
 
 impl Divider {
-    /// A divider of numbers of so many bits.
+    /// A divider of numbers of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -88,7 +89,7 @@ impl Divider {
     ///
     /// # Panics
     ///
-    /// There are less than two.
+    /// `width` is below 2.
     #[track_caller]
     pub fn new(width: u32) -> Divider {
         assert!(width > 1, "a divider of {width} bits: it has 2 or more");

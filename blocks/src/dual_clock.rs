@@ -15,11 +15,13 @@ block! {
     ///   full? <---------------[ 2 ]-------- gray <-- oldest
     /// ```
     ///
-    /// Each side knows the other's pointer in Gray code, through two registers; as one bit changes at a time, what it sees is where the
-    /// pointer is or was. So the writer may take the queue for fuller than it is, and the reader for emptier, never the other way.
+    /// Each side gets the other's pointer in Gray code, through two registers. As only one bit changes at a time, the
+    /// side sees the pointer's current or an earlier value. So the queue may look fuller to the writer than it is, and
+    /// emptier to the reader, but never the reverse.
     ///
-    /// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the memory; where the edges of
-    /// both clocks meet, hardware may need one more. No path within a clock from any port to another. Both resets come together.
+    /// Latency 3 clocks of the reader after the writer's edge that takes a word: two for the pointer, one for the
+    /// memory. If the edges of both clocks coincide, hardware may need one more. There is no combinational path between
+    /// any two ports. Both resets must be asserted together.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -50,7 +52,7 @@ block! {
 }
 
 impl DualClockFifo {
-    /// A queue of that many words, a power of two from 2 on, of that many bits.
+    /// A queue of `depth` words, a power of two from 2 on, of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +67,7 @@ impl DualClockFifo {
     ///
     /// # Panics
     ///
-    /// The depth is not a power of two, or the clocks are one.
+    /// `depth` is not a power of two, or both clocks are the same.
     #[track_caller]
     pub fn new(depth: u32, width: u32, write: Clock, read: Clock) -> DualClockFifo {
         assert!(
@@ -110,15 +112,15 @@ impl DualClockFifo {
     }
 }
 
-/// Of numbers that follow each other one bit differs.
+/// Consecutive numbers differ in one bit.
 fn gray(number: Signal) -> Signal {
     number ^ (number >> 1)
 }
 
-/// A Gray code, registered on another clock, through two registers of this one for each bit.
+/// A Gray code from another clock, synchronized through two registers of this one for each bit.
 #[track_caller]
 fn cross(m: Module, name: &str, code: Signal) -> Signal {
-    // A loop, as a closure would be the caller that messages name.
+    // A loop, because a closure would be the caller in error messages.
     let mut bits = Vec::new();
     for bit in (0..code.width()).rev() {
         bits.push(m.synchronize(&format!("{name}{bit}"), code.bit(bit)));

@@ -1,8 +1,8 @@
-//! One-hot codes and priorities: functions of signals, and blocks of them.
+//! One-hot codes and priorities: as functions of signals, and as blocks.
 
 use tilewright_hdl::{Integer, Module, Signal, below, bit, bits, block, concat, lit};
 
-/// The first of the bits that are high, from the least significant on: alone, or nothing if there is none.
+/// Isolates the first high bit, from the least significant on; the result is 0 if no bit is high.
 ///
 /// ```
 /// # use tilewright_blocks::first;
@@ -34,7 +34,7 @@ pub fn first(requests: Signal) -> Signal {
     requests & (!requests + 1)
 }
 
-/// The place of the first of the bits that are high, and 0 if there is none: a priority encoder.
+/// The index of the first high bit, or 0 if there is none: a priority encoder.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -49,7 +49,7 @@ pub fn first_index(requests: Signal) -> Signal {
     index_of(first(requests))
 }
 
-/// The place of the one bit that is high, and 0 if there is none. If several are high, it is of no use.
+/// The index of the one high bit, or 0 if there is none. If several are high, the result has no meaning.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -70,7 +70,8 @@ pub fn index_of(one_hot: Signal) -> Signal {
     concat(&digits)
 }
 
-/// So many bits, of which the one at place `index` is high: a decoder. None is if the index is as large as that, or larger.
+/// A word of `bits` bits in which the bit at place `index` is high: a decoder. If `index` is out of range, no bit is
+/// high.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -93,7 +94,7 @@ pub fn one_hot(index: Signal, count: impl Integer) -> Signal {
 }
 
 block! {
-    /// A decoder: of so many lines, the one whose number comes in is high.
+    /// A decoder: sets the line whose number comes in.
     ///
     /// ```text
     ///            .---.---> bit 0
@@ -125,7 +126,7 @@ block! {
 }
 
 impl Decoder {
-    /// A decoder of so many lines.
+    /// A decoder with `lines` lines.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -136,7 +137,7 @@ impl Decoder {
     ///
     /// # Panics
     ///
-    /// There are less than two, between which there is nothing to choose.
+    /// `lines` is below 2, so there is nothing to choose.
     #[track_caller]
     pub fn new(lines: u32) -> Decoder {
         check("a decoder", lines);
@@ -151,7 +152,7 @@ impl Decoder {
 }
 
 block! {
-    /// An encoder: the number of the one line that is high.
+    /// An encoder: gives the number of the one line that is high.
     ///
     /// ```text
     /// bit 0 ----.----.
@@ -183,7 +184,7 @@ block! {
 }
 
 impl Encoder {
-    /// An encoder of so many lines.
+    /// An encoder with `lines` lines.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -194,7 +195,7 @@ impl Encoder {
     ///
     /// # Panics
     ///
-    /// There are less than two, between which there is nothing to tell.
+    /// `lines` is below 2, so there is nothing to distinguish.
     #[track_caller]
     pub fn new(lines: u32) -> Encoder {
         check("an encoder", lines);
@@ -208,7 +209,7 @@ impl Encoder {
 }
 
 block! {
-    /// A priority encoder: which of the lines that are high is the first, the lowest one.
+    /// A priority encoder: finds the first line that is high, from the lowest on.
     ///
     /// ```text
     ///                .-------.            .----.
@@ -246,7 +247,7 @@ block! {
 }
 
 impl PriorityEncoder {
-    /// A priority encoder of so many lines.
+    /// A priority encoder with `lines` lines.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -257,7 +258,7 @@ impl PriorityEncoder {
     ///
     /// # Panics
     ///
-    /// There are less than two, between which there is nothing to tell.
+    /// `lines` is below 2, so there is nothing to distinguish.
     #[track_caller]
     pub fn new(lines: u32) -> PriorityEncoder {
         check("a priority encoder", lines);
@@ -274,7 +275,7 @@ impl PriorityEncoder {
     }
 }
 
-/// Whether such a block has lines to tell from each other.
+/// Whether such a block has enough lines.
 #[track_caller]
 fn check(what: &str, lines: u32) {
     assert!(lines > 1, "{what} of {lines} lines: it has 2 or more");

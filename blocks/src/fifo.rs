@@ -7,16 +7,18 @@
 //!          free ^   used   ^ oldest
 //! ```
 //!
-//! It has a word a clock where there are 2 words or more, 3 in a block RAM, and `out` shows the oldest word before it is taken (first word falls through).
-//! Latency 1 clock in registers or distributed memory, 2 in a block RAM, whose read takes one. No path within a clock from any port to another.
+//! Throughput is a word a clock if the depth is at least 2 words, or 3 in a block RAM. `out` shows the oldest word
+//! before it is taken (first word falls through). Latency is 1 clock in registers or distributed memory, and 2 in a
+//! block RAM, whose read takes one. There is no combinational path between any two ports.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, def, mux, stream, up_to};
 
-/// So many words in registers move on when one is taken; more are kept where they came in, as a choice among them is less than moving all.
+/// Up to this many words are kept in registers that shift when one is taken. More words stay where they came in,
+/// because choosing one then costs less than moving all.
 const MOST_SHIFTED: u32 = 2;
 
-/// What the words of a [`Fifo`] are kept in.
+/// The storage of a [`Fifo`]'s words.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -30,17 +32,18 @@ const MOST_SHIFTED: u32 = 2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Storage {
-    /// Registers if there are one or two, else the distributed memory of an FPGA: read in the same clock.
+    /// Registers for one or two words, otherwise an FPGA's distributed memory, which is read in the same clock.
     Registers,
     /// A block RAM, which is read at an edge.
     BlockRam,
 }
 
 block! {
-    /// A queue: gives its words in the order in which it took them, and shows the oldest before it is taken.
+    /// A queue: sends words in the sequence in which they came, and shows the oldest before it is taken.
     ///
-    /// It holds up to `depth` words; see [the table](crate) for what it costs. One module serves all records of as many bits, so inside of it waves
-    /// and Verilog show a record as one `payload`, whose fields have their names again where it comes out.
+    /// It stores up to `depth` words; see [the table](crate) for its cost. One module serves all records of the same
+    /// number of bits. So inside it, waves and Verilog show a record as one `payload`; its fields get their names back
+    /// at the output.
     ///
     /// ```text
     ///             .---------------.
@@ -75,7 +78,7 @@ block! {
 }
 
 impl Fifo {
-    /// A queue of that many words, which need not be a power of two, of that many bits.
+    /// A queue of `depth` words, which need not be a power of two, each of `width` bits.
     ///
     /// ```
     /// use tilewright_blocks::{Fifo, Storage};
@@ -86,7 +89,7 @@ impl Fifo {
     ///
     /// # Panics
     ///
-    /// It would hold nothing.
+    /// `depth` is 0.
     #[track_caller]
     pub fn new(depth: u32, width: u32, storage: Storage) -> Fifo {
         assert!(depth > 0 && width > 0, "a FIFO of {depth} words of {width} bits holds nothing");
@@ -108,7 +111,8 @@ impl Fifo {
         StreamOut { out }
     }
 
-    /// The words in registers, the oldest in the first: each moves on when that is taken. What is shown needs no choice.
+    /// The words in registers, the oldest in the first: each moves on when that is taken. So the output needs no
+    /// multiplexer.
     fn shifted(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
         let words: Vec<Reg> = (0..self.depth).map(|place| m.reg(&format!("word{place}"), self.width)).collect();
         let (out, sent) = m.offer(used.ne(0), *words[0]);
@@ -134,7 +138,7 @@ impl Fifo {
         let (out, sent) = match self.storage {
             Storage::Registers => m.offer(used.ne(0), words.read_async(oldest)),
             Storage::BlockRam => {
-                // What is written at this edge is not read at it: `used` does not count it yet.
+                // A word written at this edge is not read at it: `used` does not count it yet.
                 def!(shown = m.reg(bit()).reset(0));
                 let (out, sent) = m.offer(shown, ());
                 def!(filled = mux(sent, used.ne(1), used.ne(0)));

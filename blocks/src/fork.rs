@@ -4,7 +4,7 @@ use crate::ports::StreamIn;
 use tilewright_hdl::{Module, bit, bits, block, lit, stream};
 
 block! {
-    /// Gives each word to all of its receivers, each when it is ready for it; those that have it wait for the others.
+    /// Gives each word to all of its receivers, each when it is ready; receivers that have it wait for the others.
     ///
     /// ```text
     ///          .---> out.0
@@ -12,7 +12,7 @@ block! {
     ///          '---> out.2
     /// ```
     ///
-    /// Latency 0. No `valid` waits for any `ready`; `ready` of `into` is one function of those of all receivers.
+    /// Latency 0. No `valid` waits for any `ready`; `into.ready` is one function of all receivers' `ready`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -43,7 +43,7 @@ block! {
 }
 
 impl Fork {
-    /// A fork to so many receivers of so many bits.
+    /// A fork to `receivers` receivers of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,7 +54,7 @@ impl Fork {
     ///
     /// # Panics
     ///
-    /// It would have no receivers.
+    /// `receivers` is 0.
     #[track_caller]
     pub fn new(receivers: u32, width: u32) -> Fork {
         assert!(receivers > 0, "a fork to 0 receivers takes nothing");

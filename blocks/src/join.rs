@@ -1,11 +1,11 @@
-//! Two streams to one.
+//! Joins two streams into one.
 
 use crate::ports::StreamOut;
 use crate::streams::StreamBlocks;
 use tilewright_hdl::{Module, bits, block, cat, stream};
 
 block! {
-    /// Makes one word of a word of each of two streams, which go together: that of `left` above that of `right`.
+    /// Joins a word of each of two streams into one word: that of `left` above that of `right`.
     ///
     /// ```text
     /// left ====>|
@@ -13,8 +13,8 @@ block! {
     /// right ===>|
     /// ```
     ///
-    /// Latency 0. No `valid` waits for `ready`; the `ready` of each is high where the word of both is taken. What else is to be made of two
-    /// words, or of two records, [`StreamBlocks::join`] is told.
+    /// Latency 0. No `valid` waits for `ready`; each input's `ready` is high when both words are taken.
+    /// [`StreamBlocks::join`] combines two words, or two records, by a function of your own.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -43,7 +43,7 @@ block! {
 }
 
 impl Join {
-    /// A join of words of so many bits.
+    /// A join of words of `left` and `right` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,7 +54,7 @@ impl Join {
     ///
     /// # Panics
     ///
-    /// One has words of no bits.
+    /// A width is 0.
     #[track_caller]
     pub fn new(left: u32, right: u32) -> Join {
         assert!(left > 0 && right > 0, "a join of words of {left} and {right} bits: each has 1 or more");

@@ -2,7 +2,8 @@
 
 use tilewright_hdl::{Module, binary, bit, bits, block, cat, def};
 
-/// For each width from 2 on the bits, counted from 1, whose parity is shifted in, so that all numbers but 0 come.
+/// For each width from 2 on, the taps: the bits, counted from 1, whose parity is shifted in so that all numbers but 0
+/// occur.
 const TAPS: [&[u32]; 31] = [
     &[2, 1],
     &[3, 2],
@@ -38,14 +39,14 @@ const TAPS: [&[u32]; 31] = [
 ];
 
 block! {
-    /// Goes through all numbers of its width but 0, from 1 on, in an order that looks like chance.
+    /// Generates a pseudo-random sequence of all numbers of its width but 0, starting at 1.
     ///
     /// ```text
     ///      .--------------- parity <--.
     ///      '-->[ ][ ][ ][ ][ ][ ][ ]--+--> number
     /// ```
     ///
-    /// Latency 1 clock; the period is 2 to the width, less one.
+    /// Latency 1 clock; the period is 2^width - 1.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -70,7 +71,7 @@ block! {
 }
 
 impl Lfsr {
-    /// Numbers of so many bits, from 2 to 32.
+    /// Numbers of `width` bits, from 2 to 32.
     ///
     /// ```
     /// use tilewright_blocks::Lfsr;
@@ -79,14 +80,14 @@ impl Lfsr {
     ///
     /// # Panics
     ///
-    /// There are less or more.
+    /// `width` is out of range.
     #[track_caller]
     pub fn new(width: u32) -> Lfsr {
         assert!((2..=32).contains(&width), "an LFSR of {width} bits: it has from 2 to 32");
         Lfsr { width }
     }
 
-    /// The bits whose parity is shifted in, counted from 1.
+    /// The taps: the bits whose parity is shifted in, counted from 1.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -100,7 +101,7 @@ impl Lfsr {
     }
 
     fn build(&self, m: Module, i: LfsrIn) -> LfsrOut {
-        // 0 follows 0: it does not begin with that, even where nobody resets it.
+        // 0 is followed by 0, so the register must not start there, even if it is never reset.
         def!(number = m.reg(self.width).initial(1).reset(1));
         let taps = self.taps().iter().fold(0, |taps, tap| taps | 1 << (tap - 1));
         number.when(i.enable, cat![number.trunc(self.width - 1), (number & binary(taps)).parity()]);

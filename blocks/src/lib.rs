@@ -1,6 +1,7 @@
-//! Blocks that every design needs, for whatever a [`Stream`](tilewright_hdl::Stream) carries.
+//! Blocks that every design needs, for streams of any payload ([`Stream`](tilewright_hdl::Stream)).
 //!
-//! Those of streams are used by [`StreamBlocks`], whose methods take a stream of any signal or record and give one:
+//! Use the blocks of streams through [`StreamBlocks`]: its methods take a stream of any signal or record and return
+//! one:
 //!
 //! ```
 //! use tilewright_blocks::{Slice, StreamBlocks, Turns};
@@ -35,8 +36,8 @@
 //! # Ok::<(), Problems>(())
 //! ```
 //!
-//! In the examples `m` is the module of a block that is run, and `example.values("count")` is what `count` is just before each of the
-//! first edges.
+//! In the examples `m` is the module of a block that is run. `example.values("count")` lists the values of `count` just
+//! before each of the first edges.
 //!
 //! | block | what it does | latency | no path within a clock |
 //! |---|---|---|---|
@@ -49,22 +50,22 @@
 //! | [`RegisterSlice`], [`Slice::Both`] | cuts both: a skid buffer | 1 | any |
 //! | [`Fork`] | one stream to several receivers | 0 | from a `ready` to a `valid` |
 //! | [`StreamBlocks::join`], [`Join`] | two streams to one | 0 | from a `ready` to a `valid` |
-//! | [`StreamBlocks::split_by`], [`Split`] | one stream to several receivers, to each its words | 0 | from a `ready` to a `valid` |
-//! | [`Arbiter`] | several streams to one, by turns or by priority | 0 | from `ready` to `valid` |
-//! | [`Narrow`] | parts of words | 0 | from `ready` to `valid` |
-//! | [`Widen`] | words of parts | 1 from the last | from `into` to `out` |
+//! | [`StreamBlocks::split_by`], [`Split`] | one stream to one of several receivers | 0 | from a `ready` to a `valid` |
+//! | [`Arbiter`] | several streams to one, round robin or by priority | 0 | from `ready` to `valid` |
+//! | [`Narrow`] | splits words into parts | 0 | from `ready` to `valid` |
+//! | [`Widen`] | joins parts into words | 1 from the last | from `into` to `out` |
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
 //! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from what is written to what is read |
 //! | [`Multiplier`], [`Shifter`] | pipelines with an enable | a clock for each stage | any |
-//! | [`MultiplyAccumulate`] | sums of products, of which each is added to any sum | 2 | any |
-//! | [`Minimum`], [`PipelinedMinimum`] | the least of many numbers, and which it is | 0, a clock for each level | -, any |
+//! | [`MultiplyAccumulate`] | several sums of products | 2 | any |
+//! | [`Minimum`], [`PipelinedMinimum`] | the least of many numbers, and its index | 0, a clock for each level | -, any |
 //! | [`BoxFilter`] | the sums of three by three cells, as a function [`window_sums`] | 1 | any |
-//! | [`Rotator`], [`FromDecimal`], [`SevenSegment`] | a word rotated, decimal digits as a number, a digit to be shown | 1 | any |
+//! | [`Rotator`], [`FromDecimal`], [`SevenSegment`] | a rotated word, decimal digits as a number, a digit on a display | 1 | any |
 //! | [`Crc`], [`Quadrature`] | a check of a message, the position of a knob | 1, 2 | any |
-//! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable in each so many clocks | 1 | any |
-//! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | what their names say | 1 | from inputs to outputs, but for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
+//! | [`PowerOnReset`], [`Ticks`] | a reset after power-on, an enable once in each period | 1 | any |
+//! | [`Counter`], [`UpDownCounter`], [`ShiftRegister`], [`Lfsr`] | counters, a shift register, a pseudo-random sequence | 1 | from inputs to outputs, except for [`Counter`]'s `wraps` and [`UpDownCounter`]'s `next` |
 //! | [`Decoder`], [`Encoder`], [`PriorityEncoder`] | one-hot codes, as functions [`one_hot`], [`index_of`], [`first`] and [`first_index`] | 0 | |
 
 mod arbiter;

@@ -4,7 +4,7 @@ use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, bit, bits, block, def, mux, stream, up_to};
 
 block! {
-    /// A stack: gives the newest of the words that it holds, but keeps to the one that it shows until that is taken.
+    /// A stack: sends the newest of its words, but a word once shown stays until it is taken.
     ///
     /// ```text
     ///             .---------------.
@@ -13,11 +13,12 @@ block! {
     ///               used ^
     /// ```
     ///
-    /// It has a word a clock, and holds one word beside those `depth`: the one that it shows. Latency 1 clock, in registers or distributed
-    /// memory. No path within a clock from any port to another.
+    /// Throughput is a word a clock. The stack stores `depth` words and the one that it shows. Latency is 1 clock, in
+    /// registers or distributed memory. There is no combinational path between any two ports.
     ///
-    /// A stream keeps to what it shows, so what comes in while a word is shown goes out after that. Where a tree is walked, whose nodes come
-    /// back in place of their parent, it takes turns between two branches, and has to hold twice the nodes of one.
+    /// A word on a stream may not change, so words pushed while one is shown come out after it. This matters if a tree
+    /// is walked and children come back in place of their parent. The walk then alternates between two branches, and
+    /// the stack has to store twice the nodes of one.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -40,7 +41,7 @@ block! {
 }
 
 impl Lifo {
-    /// A stack of that many words, and the one that it shows, of that many bits.
+    /// A stack of `depth` words, and the one that it shows, each of `width` bits.
     ///
     /// ```
     /// use tilewright_blocks::Lifo;
@@ -51,7 +52,7 @@ impl Lifo {
     ///
     /// # Panics
     ///
-    /// It would hold nothing.
+    /// `depth` is 0.
     #[track_caller]
     pub fn new(depth: u32, width: u32) -> Lifo {
         assert!(depth > 0 && width > 0, "a stack of {depth} words of {width} bits holds nothing");

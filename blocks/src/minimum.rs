@@ -3,10 +3,10 @@
 use tilewright_hdl::{Module, Signal, below, bit, bits, block, bundle, constants, mux, row, tree};
 
 bundle! {
-    /// A number, and which one it is.
+    /// A number, and its index.
     struct Candidate<T> { word: T, index: T }
 
-    /// Whether a stage holds something.
+    /// Whether a stage has valid numbers.
     struct Held<T> { valid: T }
 }
 
@@ -17,7 +17,7 @@ fn candidates(words: Signal) -> Candidate {
     Candidate { word: words, index: constants(below(lanes).of(row(lanes)), u64::from) }
 }
 
-/// Of equal ones the left one, whose index is lower.
+/// Of equal numbers the left one, whose index is lower.
 fn lesser(left: Candidate, right: Candidate) -> Candidate {
     mux(right.word.lt(left.word), right, left)
 }
@@ -28,7 +28,7 @@ fn check(words: u32, width: u32) {
 }
 
 block! {
-    /// The least of so many numbers, and which one it is; of equal ones the first.
+    /// Finds the least of several numbers and its index; of equal ones the first.
     ///
     /// ```text
     /// words[0] ==>|<|
@@ -64,7 +64,7 @@ block! {
 }
 
 impl Minimum {
-    /// The least of so many words of so many bits.
+    /// The least of `words` words of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -75,7 +75,7 @@ impl Minimum {
     ///
     /// # Panics
     ///
-    /// There are less than two words, or they have no bits.
+    /// `words` is below 2, or `width` is 0.
     #[track_caller]
     pub fn new(words: u32, width: u32) -> Minimum {
         check(words, width);
@@ -90,7 +90,8 @@ impl Minimum {
 }
 
 block! {
-    /// The least of so many numbers, and which one it is, with a register behind each comparison; of equal ones the first.
+    /// Finds the least of several numbers and its index, with a register behind each comparison; of equal ones the
+    /// first.
     ///
     /// ```text
     /// words[0] ==>|<|
@@ -100,7 +101,8 @@ block! {
     ///    valid ----------[1]-----[2]-> found
     /// ```
     ///
-    /// Latency as many clocks as an index has bits, a minimum a clock. A reset clears `found` in all stages, and nothing else.
+    /// Latency: as many clocks as an index has bits; a minimum a clock. A reset clears `found` in all stages, and
+    /// nothing else.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -137,7 +139,7 @@ block! {
 }
 
 impl PipelinedMinimum {
-    /// The least of so many words of so many bits.
+    /// The least of `words` words of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -150,7 +152,7 @@ impl PipelinedMinimum {
     ///
     /// # Panics
     ///
-    /// There are less than two words, or they have no bits.
+    /// `words` is below 2, or `width` is 0.
     #[track_caller]
     pub fn new(words: u32, width: u32) -> PipelinedMinimum {
         check(words, width);

@@ -1,19 +1,19 @@
-//! A multiplier in stages.
+//! A pipelined multiplier.
 
 use tilewright_hdl::{Module, bit, bits, block, bundle, lit};
 
 bundle! {
-    /// A sum so far, and what is left to add up.
+    /// The sum so far, and the digits still to add.
     struct Partial<T> {
         sum: T,
         left: T,
-        /// The digits that are left, the next one lowest.
+        /// The remaining digits, the next one lowest.
         digits: T,
     }
 }
 
 block! {
-    /// Multiplies two numbers, some digits of the right one a stage.
+    /// Multiplies two numbers, with some digits of the right one in each stage.
     ///
     /// ```text
     ///  left ==>.---.   .---.       .---.
@@ -21,7 +21,7 @@ block! {
     ///          '---'   '---'       '---'
     /// ```
     ///
-    /// Latency as many clocks as it has stages, a product a clock with `enable`.
+    /// Latency: a clock for each stage; a product a clock with `enable`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -51,7 +51,7 @@ block! {
 }
 
 impl Multiplier {
-    /// A multiplier of factors of so many bits, in so many stages, into which the bits can be shared out.
+    /// A multiplier of factors of `width` bits, in `stages` stages; `stages` must divide `width`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -64,7 +64,7 @@ impl Multiplier {
     ///
     /// # Panics
     ///
-    /// They cannot.
+    /// `stages` does not divide `width`.
     #[track_caller]
     pub fn new(width: u32, stages: u32) -> Multiplier {
         assert!(

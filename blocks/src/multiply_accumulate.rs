@@ -3,15 +3,15 @@
 use tilewright_hdl::{Module, ReadUnderWrite, below, bit, bits, block, bundle, def, mux};
 
 bundle! {
-    /// What is added to a sum.
+    /// The summand of a sum.
     struct Term<T> { valid: T, to: T, restart: T, value: T }
 
-    /// A sum to which it was added.
+    /// A sum after an addition.
     struct Sum<T> { valid: T, to: T, value: T }
 }
 
 block! {
-    /// Adds products to so many sums, to any of them in any clock, in two stages.
+    /// Adds products to one of several sums, any of them in any clock, in two stages.
     ///
     /// ```text
     ///                .---.                .---.
@@ -24,8 +24,8 @@ block! {
     ///             '==================================' newest
     /// ```
     ///
-    /// Latency 2 clocks, a product a clock. A sum that is being written is not read yet: who adds to it in the next clock gets it from the
-    /// last stage. A sum begins with `restart`; it is kept modulo 2 to its width.
+    /// Latency 2 clocks, a product a clock. A sum that is still being written is forwarded from the last stage, so the
+    /// next clock may add to it again. `restart` begins a sum; sums are modulo 2^width.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -70,7 +70,7 @@ block! {
 }
 
 impl MultiplyAccumulate {
-    /// So many sums of `width` bits, of products of two factors of `factor` bits.
+    /// `sums` sums of `width` bits, of products of two factors of `factor` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -81,7 +81,7 @@ impl MultiplyAccumulate {
     ///
     /// # Panics
     ///
-    /// There are less than two sums, factors of no bits, or sums in which a product has no room.
+    /// `sums` is below 2, a factor has no bits, or a product does not fit a sum.
     #[track_caller]
     pub fn new(sums: u32, factor: u32, width: u32) -> MultiplyAccumulate {
         assert!(
@@ -102,7 +102,7 @@ impl MultiplyAccumulate {
         let start = Term { valid: i.valid, to: i.to, restart: i.restart, value: product };
         let term = m.stages(1, None, start.cleared(|term| term.valid), |_, term| term);
 
-        // What the second stage holds is not in the memory yet where that is read.
+        // The second stage's result is not yet in the memory when that is read.
         let is_written = newest.valid & newest.to.eq(term.to);
         let before = mux(is_written, newest.value, held);
         let sum = Sum { valid: term.valid, to: term.to, value: mux(term.restart, 0, before) + term.value };

@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, Stream, bundle};
 
 bundle! {
-    /// A stream in. The payload is a word, of which [`StreamBlocks`](crate::StreamBlocks) makes a record.
+    /// A stream in. The payload is a word; [`StreamBlocks`](crate::StreamBlocks) makes a record of it.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -16,7 +16,7 @@ bundle! {
     /// # });
     /// ```
     pub struct StreamIn<T> {
-        /// What comes in.
+        /// The input words.
         pub into: Stream<T, T>,
     }
 
@@ -34,13 +34,13 @@ bundle! {
     /// assert_eq!(example.values("taken"), [0, 1, 1, 1]); // latency 1 clock
     /// ```
     pub struct StreamOut<T> {
-        /// What goes out.
+        /// The output words.
         pub out: Stream<T, T>,
     }
 }
 
-/// States of a stream whose `valid` comes from registers that a word is not taken back. That it stays the same word is for tests to see
-/// (`holds` of a testbench): to state it, every word would be kept a second time.
+/// Asserts that a word of a stream whose `valid` comes from registers is not withdrawn. Tests check that it stays the
+/// same word (`holds` of a testbench): an assertion would have to store every word a second time.
 pub(crate) fn state_that_it_stays(m: Module, out: &Stream) {
     let waits = m.past(out.valid & !out.ready);
     m.assert(waits.implies(out.valid), "a word that is shown is not taken back");
@@ -53,7 +53,7 @@ mod tests {
     use tilewright_sim::Simulation;
 
     block! {
-        /// Shows what it is told to, whether it was taken or not.
+        /// Shows the given words, whether they were taken or not.
         struct Careless;
         in CarelessIn { valid: bit(), word: bits(4) }
         out CarelessOut { out: stream(bits(4)) }
@@ -68,7 +68,7 @@ mod tests {
         }
     }
 
-    /// Whether the rule holds while these words are shown and are taken.
+    /// Whether the rule is true while these words are shown and taken.
     fn holds(shown: [(u64, u64, u64); 3]) -> bool {
         let mut sim = Simulation::of(&Careless).unwrap();
         sim.reset();

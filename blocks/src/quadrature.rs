@@ -31,8 +31,9 @@ block! {
     /// b ___/  \__/  \_            b /  \__/  \__
     /// ```
     ///
-    /// Latency 1 clock to `turn`, 2 clocks to `position`. Each change of a line is a step; where both change at once, none is
-    /// counted. It begins with the lines as they are in the first clock after a reset. The lines come from synchronizers, if they are from outside.
+    /// Latency 1 clock to `turn`, 2 clocks to `position`. Each change of one line is a step; if both change at once,
+    /// none is counted. The reference is the state of the lines in the first clock after a reset. Lines from outside
+    /// the design need synchronizers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -64,7 +65,7 @@ block! {
 }
 
 impl Quadrature {
-    /// A position of so many bits.
+    /// A position of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -75,7 +76,7 @@ impl Quadrature {
     ///
     /// # Panics
     ///
-    /// There are less than two: a sign, and a number.
+    /// `width` is below 2: a sign and a number.
     #[track_caller]
     pub fn new(width: u32) -> Quadrature {
         assert!(width > 1, "a position of {width} bits: it has 2 or more");

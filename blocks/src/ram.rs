@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Clock, Module, ReadUnderWrite, below, bits, block, row};
 
-/// What such a memory holds at all.
+/// The smallest such memory.
 #[track_caller]
 fn check(depth: u32, bytes: u32) {
     assert!(depth > 1 && bytes > 0, "a memory of {depth} words of {bytes} bytes: it has 2 words of 1 byte or more");
@@ -17,7 +17,7 @@ block! {
     ///      data ==>'---------------'
     /// ```
     ///
-    /// Latency 1 clock. `word` is what was there before the write of the same edge.
+    /// Latency 1 clock. `word` is the contents before the write of the same edge.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -51,7 +51,7 @@ block! {
 }
 
 impl Ram {
-    /// A memory of so many words of so many bytes.
+    /// A memory of `depth` words of `bytes` bytes.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -64,7 +64,7 @@ impl Ram {
     ///
     /// # Panics
     ///
-    /// It has less than two words, or words of no byte.
+    /// `depth` is below 2, or `bytes` is 0.
     #[track_caller]
     pub fn new(depth: u32, bytes: u32) -> Ram {
         check(depth, bytes);
@@ -94,8 +94,8 @@ block! {
     ///             '---------------|---------'
     /// ```
     ///
-    /// Latency 1 clock of the reader. What is read of a word that is written at the same time may be anything: who reads has to know which words
-    /// are done, as [`DualClockFifo`](crate::DualClockFifo) does by its pointers.
+    /// Latency 1 clock of the reader. Reading a word while it is written may return anything. So the reader has to know
+    /// which words are complete, as [`DualClockFifo`](crate::DualClockFifo) does by its pointers.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -136,7 +136,7 @@ block! {
 }
 
 impl DualClockRam {
-    /// A memory of so many words of so many bytes, between these clocks.
+    /// A memory of `depth` words of `bytes` bytes, between these clocks.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -149,7 +149,7 @@ impl DualClockRam {
     ///
     /// # Panics
     ///
-    /// It has less than two words, or words of no byte, or the clocks are one.
+    /// `depth` is below 2, `bytes` is 0, or both clocks are the same.
     #[track_caller]
     pub fn new(depth: u32, bytes: u32, write: Clock, read: Clock) -> DualClockRam {
         check(depth, bytes);

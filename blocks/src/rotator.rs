@@ -11,7 +11,7 @@ block! {
     ///          '-----'   '-----'   '-----'
     /// ```
     ///
-    /// Latency 1 clock with `enable`. What is to be moved to the right by so many places goes to the left by the others.
+    /// Latency 1 clock with `enable`. To rotate to the right by n places, rotate to the left by `width - n`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -42,7 +42,7 @@ block! {
 }
 
 impl Rotator {
-    /// A rotator of words of so many bits.
+    /// A rotator of words of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -53,7 +53,7 @@ impl Rotator {
     ///
     /// # Panics
     ///
-    /// There are less than two, which have no places to go.
+    /// `width` is below 2, so there is nothing to rotate.
     #[track_caller]
     pub fn new(width: u32) -> Rotator {
         assert!(width > 1, "a rotator of {width} bits has nothing to rotate: it has 2 or more");

@@ -42,7 +42,7 @@ block! {
 }
 
 impl ShiftRegister {
-    /// A shift register of so many bits.
+    /// A shift register of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -53,7 +53,7 @@ impl ShiftRegister {
     ///
     /// # Panics
     ///
-    /// It has less than two, and nothing to shift.
+    /// `width` is below 2, so there is nothing to shift.
     #[track_caller]
     pub fn new(width: u32) -> ShiftRegister {
         assert!(width > 1, "a shift register of {width} bits has nothing to shift: it has 2 or more");

@@ -1,9 +1,9 @@
-//! A shifter in stages.
+//! A pipelined shifter.
 
 use tilewright_hdl::{Module, Signal, below, bit, bits, block, bundle, codes, mux, one_of};
 
 codes! {
-    /// What a [`Shifter`] does.
+    /// The direction of a [`Shifter`].
     ///
     /// ```
     /// use tilewright_blocks::Shifting;
@@ -22,12 +22,12 @@ codes! {
 }
 
 bundle! {
-    /// What is shifted, and what is left of it to do.
+    /// A word in progress, and the remaining shift.
     struct Shifted<T> { word: T, places: T, kind: T }
 }
 
 block! {
-    /// Shifts a word by any number of places, in as many stages as that number has bits.
+    /// Shifts a word by any number of places, with a stage for each bit of that number.
     ///
     /// ```text
     ///          .-----.   .-----.   .-----.
@@ -35,7 +35,7 @@ block! {
     ///          '-----'   '-----'   '-----'
     /// ```
     ///
-    /// Latency as many clocks, a word a clock with `enable`.
+    /// Latency: a clock for each stage; a word a clock with `enable`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -67,7 +67,7 @@ block! {
 }
 
 impl Shifter {
-    /// A shifter of words of so many bits.
+    /// A shifter of words of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -78,7 +78,7 @@ impl Shifter {
     ///
     /// # Panics
     ///
-    /// There are less than two, which have no places to go.
+    /// `width` is below 2, so there is nothing to shift.
     #[track_caller]
     pub fn new(width: u32) -> Shifter {
         assert!(width > 1, "a shifter of {width} bits has nothing to shift: it has 2 or more");

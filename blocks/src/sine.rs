@@ -3,7 +3,7 @@
 use crate::ports::StreamIn;
 use tilewright_hdl::{Module, Signal, bits, block, bundle, cat, hex, lit, mux, stream};
 
-/// The angles whose tangents are 1, 1/2, 1/4 .., in parts of a circle of 2 to the 32.
+/// The angles whose tangents are 1, 1/2, 1/4 .., in units of 2^-32 of a circle.
 const ANGLES: [u64; 24] = [
     0x2000_0000,
     0x12e4_051e,
@@ -31,22 +31,22 @@ const ANGLES: [u64; 24] = [
     0x0000_0051,
 ];
 
-/// By what a vector is shorter before it is turned by all of them, in parts of 2 to the 32.
+/// The factor by which rotation by all of them lengthens a vector, inverted, in units of 2^-32.
 const SHORTER: u64 = 0x9b74_eda8;
 
-/// Bits below those of the results, for what each turn rounds.
+/// Extra bits below those of the results, for the rounding of each rotation.
 const GUARD: u32 = 5;
 
 bundle! {
-    /// A vector that is being turned.
+    /// A vector that is being rotated.
     struct Turning<T> {
         x: T,
         y: T,
-        /// By what it is still to be turned.
+        /// The remaining angle.
         angle: T,
     }
 
-    /// What a [`SineCosine`] gives.
+    /// The results of a [`SineCosine`].
     ///
     /// ```
     /// # use tilewright_blocks::OnCircle;
@@ -62,15 +62,15 @@ bundle! {
 }
 
 block! {
-    /// Gives the cosine and the sine of angles, by turning a vector by smaller and smaller angles: a CORDIC.
+    /// Computes the cosine and the sine of angles, by rotating a vector by smaller and smaller angles: a CORDIC.
     ///
     /// ```text
     /// angle ===>| by 1/8 circle |[1]===>| by atan 1/2 |[2]===>| by atan 1/4 |[3]===> .. points
     /// ```
     ///
-    /// An angle counts parts of a circle, of which there are 2 to `width`; 1 is a quarter of that range, so that of 16 bits
-    /// `0x2000` is an eighth of a circle, and its sine 0.7071 * 16384 = 11585, give or take 2.
-    /// Latency `width` clocks, a point a clock.
+    /// The full circle is 2^`width`. The value 1 is represented as a quarter of that range. So with 16 bits the angle
+    /// `0x2000` is an eighth of a circle, and its sine is 0.7071 * 16384 = 11585, give or take 2. Latency `width`
+    /// clocks, a point a clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -88,13 +88,13 @@ block! {
     latency(self) = format!("{} clocks", self.width);
     in(self) = StreamIn { into: stream(bits(self.width)) };
     out(self) SineCosineOut {
-        /// The points of the circle, 1 a quarter of their range.
+        /// The points of the circle; 1 is a quarter of their range.
         points: stream(OnCircle { cosine: bits(self.width).signed(), sine: bits(self.width).signed() }),
     }
 }
 
 impl SineCosine {
-    /// Of angles and results of so many bits, from 4 to 24.
+    /// Angles and results of `width` bits, from 4 to 24.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -105,7 +105,7 @@ impl SineCosine {
     ///
     /// # Panics
     ///
-    /// There are less or more.
+    /// `width` is out of range.
     #[track_caller]
     pub fn new(width: u32) -> SineCosine {
         assert!((4..=24).contains(&width), "a sine of {width} bits: it has from 4 to 24");
@@ -116,7 +116,8 @@ impl SineCosine {
         let wide = self.width + GUARD;
         let rounded = |number: u64, places: u32| (number >> (places - 1)).div_ceil(2);
         let angle = *i.into;
-        // Turns of less than a quarter get everywhere from the right half of the circle; from the left one by way of the opposite point.
+        // Rotations by less than a quarter reach everything from the right half of the circle; for the left half, start
+        // at the opposite point.
         let is_left = angle.msb() ^ angle.bit(self.width - 2);
         let one = lit(wide, rounded(SHORTER, 34 - wide)).signed();
         let start = Turning {

@@ -3,7 +3,7 @@
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, bit, bits, block, def, mux, stream};
 
-/// Which paths a [`RegisterSlice`] cuts.
+/// The paths that a [`RegisterSlice`] cuts.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -28,7 +28,7 @@ pub enum Slice {
     ///   ready <---------- ready
     /// ```
     Forward,
-    /// `ready` comes from a register; `valid` and the payload pass, or wait beside. Latency 0.
+    /// `ready` comes from a register; `valid` and the payload pass, or wait in a second register. Latency 0.
     ///
     /// ```text
     /// into ===+===========>|\
@@ -36,7 +36,7 @@ pub enum Slice {
     ///   ready <---[full]
     /// ```
     Backward,
-    /// All come from registers: a skid buffer, of two words. Latency 1 clock.
+    /// All come from registers: a skid buffer of two words. Latency 1 clock.
     ///
     /// ```text
     /// into ===+============>|\
@@ -47,9 +47,9 @@ pub enum Slice {
 }
 
 block! {
-    /// Puts registers on one direction of a stream, or on both, and lets a word pass each clock.
+    /// Puts registers on one direction of a stream, or on both, and passes a word each clock.
     ///
-    /// They cut long paths; see [`Slice`] for the three kinds and their latencies.
+    /// They cut long paths; [`Slice`] has the three kinds and their latencies.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -66,7 +66,7 @@ block! {
     pub struct RegisterSlice {
         /// The width of the payload.
         pub width: u32,
-        /// Which paths it cuts.
+        /// The paths that it cuts.
         pub cuts: Slice,
     }
     latency(self) = match self.cuts {

@@ -1,10 +1,10 @@
-//! One stream to several receivers, to each its words.
+//! One stream to one of several receivers.
 
 use crate::encode::one_hot;
 use tilewright_hdl::{Data, Module, Signal, Stream, below, bits, block, lit};
 
 block! {
-    /// Sends each word to that of its receivers whose number comes with it.
+    /// Sends each word to the receiver whose number comes with it.
     ///
     /// ```text
     ///             .===> out.0
@@ -12,8 +12,8 @@ block! {
     ///          to--'===> out.2
     /// ```
     ///
-    /// Latency 0. No `valid` waits for `ready`; `ready` of `into` is that of the receiver whose number the word has, and low while there is no
-    /// word. What number a word has may also be a function of the word: [`StreamBlocks::split_by`](crate::StreamBlocks::split_by).
+    /// Latency 0. No `valid` waits for `ready`. `into.ready` is that of the word's receiver, and low while there is no
+    /// word. The number may also be a function of the word: [`StreamBlocks::split_by`](crate::StreamBlocks::split_by).
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -51,7 +51,7 @@ block! {
 }
 
 impl Split {
-    /// A split to so many receivers of so many bits.
+    /// A split to `receivers` receivers of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -62,7 +62,7 @@ impl Split {
     ///
     /// # Panics
     ///
-    /// It would have no receivers.
+    /// `receivers` is 0.
     #[track_caller]
     pub fn new(receivers: u32, width: u32) -> Split {
         assert!(receivers > 0, "a split to 0 receivers takes nothing");
@@ -79,13 +79,13 @@ impl Split {
     }
 }
 
-/// What holds of a word that has a receiver.
+/// The assertion about a word's receiver.
 pub(crate) fn goes_to_one_of(receivers: u32) -> String {
     format!("a word goes to one of {receivers} receivers")
 }
 
-/// The stream to so many receivers, of which each word goes to that of number `to`; and that a word has a receiver, if a number may be that
-/// of none.
+/// Splits a stream: each word goes to the receiver with number `to`. If a number may have no receiver, an assertion
+/// checks it.
 #[track_caller]
 pub(crate) fn split<P: Data>(
     m: Module,
@@ -95,7 +95,7 @@ pub(crate) fn split<P: Data>(
 ) -> (Vec<Stream<P>>, Option<Signal>) {
     let chosen = one_hot(to, receivers);
     let mut ready = lit(1, 0);
-    // A loop, as a closure would be the caller that messages name.
+    // A loop, because a closure would be the caller in error messages.
     let mut streams = Vec::new();
     for number in 0..receivers {
         let (out, sent) = m.offer(stream.valid & chosen.bit(number), stream.payload.clone());

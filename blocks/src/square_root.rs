@@ -1,18 +1,18 @@
-//! Square roots, a bit a stage.
+//! Pipelined square roots: a bit of the root a stage.
 
 use crate::ports::StreamIn;
 use tilewright_hdl::{Module, bits, block, bundle, cat, lit, mux, stream};
 
 bundle! {
-    /// A root being drawn.
+    /// A root in progress.
     struct Drawing<T> {
-        /// The digits of the square that are left, the next two on top.
+        /// The remaining digits of the square, the next two on top.
         digits: T,
         remainder: T,
         root: T,
     }
 
-    /// What a [`SquareRoot`] gives.
+    /// The results of a [`SquareRoot`].
     ///
     /// ```
     /// # use tilewright_blocks::Root;
@@ -28,13 +28,13 @@ bundle! {
 }
 
 block! {
-    /// Draws square roots, with a stage for each bit of the root.
+    /// Computes square roots, with a stage for each bit of the root.
     ///
     /// ```text
     /// into ===>| compare, subtract |[1]===>| .. |[2]===> .. [width]===> roots
     /// ```
     ///
-    /// Latency a clock for each bit, a root a clock.
+    /// Latency: a clock for each bit; a root a clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -57,7 +57,7 @@ block! {
 }
 
 impl SquareRoot {
-    /// Roots of so many bits, of squares of twice as many.
+    /// Roots of `width` bits, for squares of twice as many.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -68,7 +68,7 @@ impl SquareRoot {
     ///
     /// # Panics
     ///
-    /// There are less than two.
+    /// `width` is below 2.
     #[track_caller]
     pub fn new(width: u32) -> SquareRoot {
         assert!(width > 1, "a square root of {width} bits: it has 2 or more");

@@ -1,15 +1,15 @@
-//! What works before there is a reset: registers that begin with their power-on values.
+//! Blocks that work before there is a reset: their registers start with power-on values.
 
 use tilewright_hdl::{Module, below, bit, block, def, mux, up_to};
 
 block! {
-    /// Holds the reset of everything else for some clocks after power-on, and when it is asked to.
+    /// Asserts the reset of everything else for some clocks after power-on, and on request.
     ///
     /// ```text
     /// again -->[ left ]--> reset       clocks, clocks - 1 .. 1, 0
     /// ```
     ///
-    /// Latency 1 clock. It has no reset itself: its counter begins with what an FPGA loads.
+    /// Latency 1 clock. It has no reset itself: its counter starts with the value that an FPGA loads.
     ///
     /// ```
     /// use tilewright_blocks::PowerOnReset;
@@ -37,7 +37,7 @@ block! {
 }
 
 impl PowerOnReset {
-    /// A reset of so many clocks.
+    /// A reset of `clocks` clocks.
     ///
     /// ```
     /// use tilewright_blocks::PowerOnReset;
@@ -48,7 +48,7 @@ impl PowerOnReset {
     ///
     /// # Panics
     ///
-    /// There is none.
+    /// `clocks` is 0.
     #[track_caller]
     pub fn new(clocks: u64) -> PowerOnReset {
         assert!(clocks > 0, "a reset of 0 clocks resets nothing");
@@ -64,13 +64,13 @@ impl PowerOnReset {
 }
 
 block! {
-    /// Is high for one clock of so many: the enable of what works more slowly than its clock.
+    /// Is high for one clock of each period: the enable of logic that works more slowly than its clock.
     ///
     /// ```text
     /// restart -->[ count ]--> tick     0, 1 .. every - 1, 0
     /// ```
     ///
-    /// The first tick is in the first clock after power-on or `restart`. It needs no reset.
+    /// The first tick is in the first clock after power-on or `restart`. The block needs no reset.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -95,7 +95,7 @@ block! {
 }
 
 impl Ticks {
-    /// A tick in one of so many clocks.
+    /// A tick in one of `every` clocks.
     ///
     /// ```
     /// use tilewright_blocks::Ticks;
@@ -105,7 +105,7 @@ impl Ticks {
     ///
     /// # Panics
     ///
-    /// There are less than two clocks.
+    /// `every` is below 2.
     #[track_caller]
     pub fn new(every: u64) -> Ticks {
         assert!(every > 1, "a tick in each {every} clocks is none: it is one of 2 or more");

@@ -1,4 +1,4 @@
-//! The blocks of streams as methods of a module, for streams of anything.
+//! The blocks of streams as methods of a module, for streams of any payload.
 
 use crate::arbiter::{Arbiter, ArbiterIn, Turns};
 use crate::convert::{Narrow, Widen};
@@ -11,8 +11,9 @@ use crate::slice::{RegisterSlice, Slice};
 use crate::split::{goes_to_one_of, split};
 use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 
-/// Streams through blocks: each method makes an instance of that name, which carries the fields of a record side by side. One module serves
-/// all records of as many bits, so inside of it waves and Verilog show one `payload`. See [the crate](crate) for an example.
+/// Streams through blocks: each method makes an instance with that name, which carries the fields of a record side by
+/// side. One module serves all records of the same number of bits. So inside it, waves and Verilog show one `payload`.
+/// See [the crate](crate) for an example.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -27,7 +28,7 @@ use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 /// # });
 /// ```
 pub trait StreamBlocks {
-    /// The stream through a queue of that many words in registers: [`Fifo`].
+    /// The stream through a queue of `depth` words in registers: [`Fifo`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -44,7 +45,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
-    /// The stream through a queue of that many words in a block RAM: [`Fifo`].
+    /// The stream through a queue of `depth` words in a block RAM: [`Fifo`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -61,7 +62,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn block_ram_fifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
-    /// The stream through a stack of that many words, and the one that it shows: [`Lifo`].
+    /// The stream through a stack of `depth` words, and the one that it shows: [`Lifo`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -78,7 +79,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
 
-    /// The stream from one clock to another, through a queue of that many words: [`DualClockFifo`].
+    /// The stream from one clock to another, through a queue of `depth` words: [`DualClockFifo`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -115,7 +116,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn slice<P: Data>(self, name: &str, cuts: Slice, stream: Stream<P>) -> Stream<P>;
 
-    /// The stream to `N` receivers, each of which gets all of it: [`Fork`].
+    /// The stream to `N` receivers, each of which gets every word: [`Fork`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -130,8 +131,8 @@ pub trait StreamBlocks {
     #[track_caller]
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
 
-    /// The stream to `N` receivers, of which each word goes to one: to that whose number `to` makes of it. It is a gate, and no instance;
-    /// [`Split`](crate::Split) is a block of it.
+    /// The stream to one of `N` receivers for each word: `to` computes its number from the word. It is a gate, not an
+    /// instance; [`Split`](crate::Split) is the same as a block.
     ///
     /// ```text
     ///              .===> 0
@@ -139,8 +140,8 @@ pub trait StreamBlocks {
     ///          to--'===> 2
     /// ```
     ///
-    /// Latency 0. `valid` waits for no `ready`; `ready` of the stream is that of the receiver whose number its word has. A number that
-    /// no receiver has is a mistake of the design, and fails an assertion.
+    /// Latency 0. `valid` waits for no `ready`; the stream's `ready` is that of the word's receiver. A number without a
+    /// receiver is a mistake of the design, and fails an assertion.
     ///
     /// ```
     /// # use tilewright_blocks::*;
@@ -177,7 +178,8 @@ pub trait StreamBlocks {
     #[track_caller]
     fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P>;
 
-    /// The stream of what `both` makes of a word of each, which go together. It is a gate, and no instance; [`Join`](crate::Join) is a block of it.
+    /// Joins a word of each stream by the function `both`. It is a gate, not an instance; [`Join`](crate::Join) is a
+    /// block for it.
     ///
     /// ```text
     /// left ====>|
@@ -185,7 +187,7 @@ pub trait StreamBlocks {
     /// right ===>|
     /// ```
     ///
-    /// Latency 0. `valid` waits for no `ready`; the `ready` of each is high where the word of both is taken.
+    /// Latency 0. `valid` waits for no `ready`; each stream's `ready` is high when both words are taken.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -211,7 +213,8 @@ pub trait StreamBlocks {
         both: impl FnOnce(P, Q) -> R,
     ) -> Stream<R>;
 
-    /// The stream in so many parts of each word, the least significant first: [`Narrow`]. Its words have to have so many parts.
+    /// The stream with each word in `parts` parts, the least significant first: [`Narrow`]. A word's width must be a
+    /// multiple of `parts`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -225,7 +228,7 @@ pub trait StreamBlocks {
     #[track_caller]
     fn narrow(self, name: &str, parts: u32, stream: Stream) -> Stream;
 
-    /// The stream of words, of which each has so many parts, the least significant first: [`Widen`].
+    /// The stream with each word joined from `parts` parts, the least significant first: [`Widen`].
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -283,7 +286,7 @@ impl StreamBlocks for Module {
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N] {
         let into = stream.packed();
         let out = self.instance(name, &Fork::new(N as u32, into.width()), StreamIn { into }).out;
-        // A loop, as a closure would be the caller that messages name.
+        // A loop, because a closure would be the caller in error messages.
         let mut streams = Vec::with_capacity(N);
         for out in out {
             streams.push(out.unpacked(&stream.payload));
@@ -294,7 +297,7 @@ impl StreamBlocks for Module {
 
     fn split_by<P: Data, const N: usize>(self, stream: Stream<P>, to: impl FnOnce(&P) -> Signal) -> [Stream<P>; N] {
         let (streams, has_receiver) = split(self, &stream, to(&stream.payload), N as u32);
-        // The number is what the module around makes of the word, so that one is wrong where it is that of no receiver.
+        // The surrounding module computes the number from the word, so a number without a receiver is its mistake.
         if let Some(has_receiver) = has_receiver {
             self.assert(has_receiver, &goes_to_one_of(N as u32));
         }

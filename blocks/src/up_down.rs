@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, arms, below, bit, block, def, select};
 
 block! {
-    /// Counts up and down, around from the last number to 0 and from 0 to the last number.
+    /// Counts up and down, and wraps in both directions between 0 and the last number.
     ///
     /// ```text
     ///             .-------.
@@ -15,7 +15,8 @@ block! {
     ///                 '================='
     /// ```
     ///
-    /// Latency 1 clock; `next` is within the clock what `count` will be after it, as the address of a memory has to be that is read at an edge.
+    /// Latency 1 clock. `next` is the value of `count` after this clock's edge, for the address of a memory that is
+    /// read at that edge.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -52,7 +53,7 @@ block! {
 }
 
 impl UpDownCounter {
-    /// A counter of so many numbers, from 0 on.
+    /// A counter from 0 to `limit - 1`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -63,7 +64,7 @@ impl UpDownCounter {
     ///
     /// # Panics
     ///
-    /// There are less than two numbers.
+    /// `limit` is below 2.
     #[track_caller]
     pub fn new(limit: u64) -> UpDownCounter {
         assert!(limit > 1, "a counter of {limit} numbers has no two directions: it has 2 or more");

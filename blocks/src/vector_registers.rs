@@ -3,7 +3,7 @@
 use tilewright_hdl::{Module, ReadUnderWrite, below, bits, block, def, row};
 
 block! {
-    /// The registers of a vector processor: two are read in a clock, and of a third those lanes are written that a mask names.
+    /// The registers of a vector processor: each clock reads two, and writes the masked lanes of a third.
     ///
     /// ```text
     ///   left ==>.------------------.==> left_value
@@ -12,7 +12,7 @@ block! {
     ///   mask ==>'------------------'<== value
     /// ```
     ///
-    /// Latency 0 to read, 1 clock to write: a register that is written is read as it was.
+    /// Latency 0 to read, 1 clock to write: a read returns the register's value before the write.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -54,7 +54,7 @@ block! {
 }
 
 impl VectorRegisters {
-    /// So many registers, of so many lanes of so many bits.
+    /// `count` registers, each with `lanes` lanes of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -65,7 +65,7 @@ impl VectorRegisters {
     ///
     /// # Panics
     ///
-    /// There are less than two, or they hold nothing.
+    /// A parameter is too small: `count` below 2, or no lanes or bits.
     #[track_caller]
     pub fn new(count: u32, lanes: u32, width: u32) -> VectorRegisters {
         assert!(

@@ -2,10 +2,11 @@
 
 use tilewright_hdl::{Module, Signal, bit, bits, block, grid};
 
-/// For each lane of a grid the sum of the three by three lanes around it, with zeros beyond the edges. It is 4 bits wider than a lane, so
-/// that nothing is lost.
+/// For each lane of a grid the sum of the three by three lanes around it, with zeros beyond the edges. The sum is 4
+/// bits wider than a lane, so it never overflows.
 ///
-/// A cellular automaton is such a sum and a rule: here Conway's, in which a cell lives on with two or three neighbours, and is born of three.
+/// A cellular automaton is such a sum and a rule. This one is Conway's: a cell survives with two or three neighbours,
+/// and is born with three.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -69,7 +70,7 @@ block! {
 }
 
 impl BoxFilter {
-    /// A filter of so many rows and columns of cells of so many bits.
+    /// A filter of `rows` rows and `columns` columns of cells of `width` bits.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -80,7 +81,7 @@ impl BoxFilter {
     ///
     /// # Panics
     ///
-    /// There are less than two rows or columns, or cells of no bits.
+    /// `rows` or `columns` is below 2, or `width` is 0.
     #[track_caller]
     pub fn new(rows: u32, columns: u32, width: u32) -> BoxFilter {
         assert!(

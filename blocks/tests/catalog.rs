@@ -55,7 +55,7 @@ fn every_block_says_what_it_is_and_its_latency_in_clocks() {
     }
 }
 
-/// The words that go over a stream in an entry's scenario, each as often as it does.
+/// The words that pass on a stream in an entry's scenario, including repetitions.
 fn words(name: &str, stream: &str) -> Vec<u64> {
     let entry = find(name);
     let values = entry.values([]).unwrap();

@@ -1,4 +1,4 @@
-//! The blocks against what their pages say.
+//! The blocks against their documentation.
 
 mod catalog;
 mod formal;

@@ -1,4 +1,4 @@
-//! Mistakes with the methods of `StreamBlocks` are told at the line that makes them.
+//! Mistakes with the methods of `StreamBlocks` are reported at the line that makes them.
 
 use tilewright_blocks::*;
 use tilewright_hdl::*;

@@ -1,4 +1,4 @@
-//! The Verilog of every block, at small and at uneven sizes: no linter complains, and Icarus does what the simulator does.
+//! The Verilog of every block, at small and at uneven sizes: no linter complains, and Icarus agrees with the simulator.
 
 use crate::formal;
 use tilewright_blocks::catalog::ENTRIES;
@@ -107,7 +107,7 @@ fn allowed(module: &ir::Module, input: &Input, number: u64) -> u64 {
     }
 }
 
-/// Inputs as chance has them; both simulators start every memory with zeros.
+/// Random inputs; both simulators start every memory with zeros.
 #[test]
 fn icarus_repeats_every_block() {
     let mut chance = 1u64;
@@ -124,7 +124,7 @@ fn icarus_repeats_every_block() {
                 let port = sim.port(&input.name).unwrap();
                 sim.set(port, allowed(design.top(), input, chance >> 8));
             }
-            // What is read of a word that another clock writes may be anything.
+            // A read of a word that another clock writes may return anything.
             if let (Ok(to), Ok(from)) = (sim.peek("to"), sim.port("from")) {
                 let depth = u64::from(design.top().memories[0].depth);
                 sim.set(from, (to.to_u64().unwrap() + 1) % depth);

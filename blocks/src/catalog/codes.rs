@@ -11,7 +11,7 @@ const LINES: Parameter = Parameter { name: "lines", default: 5, min: 2, max: 64,
 
 pub(super) const DECODER: Entry = Entry {
     name: "decoder",
-    summary: "makes a one-hot code of a number",
+    summary: "converts a number to a one-hot code",
     parameters: &[LINES],
     design: |values| Ok(elaborate(&decoder(values))?),
     scenario: |values| Ok(every_number(&decoder(values), values.get("lines"))),
@@ -19,7 +19,7 @@ pub(super) const DECODER: Entry = Entry {
 
 pub(super) const ENCODER: Entry = Entry {
     name: "encoder",
-    summary: "makes a number of a one-hot code",
+    summary: "converts a one-hot code to a number",
     parameters: &[LINES],
     design: |values| Ok(elaborate(&encoder(values))?),
     scenario: |values| Ok(every_line(&encoder(values), values.get("lines"))),
@@ -27,7 +27,7 @@ pub(super) const ENCODER: Entry = Entry {
 
 pub(super) const PRIORITY_ENCODER: Entry = Entry {
     name: "priority-encoder",
-    summary: "says which of the lines that are high is the first",
+    summary: "finds the first line that is high",
     parameters: &[LINES],
     design: |values| Ok(elaborate(&priority_encoder(values))?),
     scenario: |values| Ok(more_and_more(&priority_encoder(values), values.get("lines"))),
@@ -43,7 +43,7 @@ pub(super) const SEVEN_SEGMENT: Entry = Entry {
 
 pub(super) const FROM_DECIMAL: Entry = Entry {
     name: "from-decimal",
-    summary: "makes a number of decimal digits",
+    summary: "converts decimal digits to a number",
     parameters: &[Parameter { name: "digits", default: 3, min: 1, max: 16, meaning: "how many digits it has" }],
     design: |values| Ok(elaborate(&from_decimal(values))?),
     scenario: |values| Ok(some_numbers(&from_decimal(values), values.get_u32("digits"))),
@@ -85,7 +85,7 @@ fn more_and_more(encoder: &PriorityEncoder, lines: u64) -> Scenario {
         let from_there_on = (u64::MAX >> (64 - lines)) >> line << line;
         script.clock(&PriorityEncoderIn { requests: from_there_on });
     }
-    script.finish("the last line is high, and then more and more of those before it")
+    script.finish("the last line is high, and then more and more lines before it")
 }
 
 fn every_digit() -> Scenario {
@@ -108,5 +108,5 @@ fn some_numbers(decimal: &FromDecimal, digits: u32) -> Scenario {
         script.clock(&FromDecimalIn { enable: 1, digits: number & all });
     }
     script.hold(&FromDecimalIn { enable: 0, digits: 5 }, 2);
-    script.finish("three numbers, the second with all digits 9; then it holds the last")
+    script.finish("three numbers, the second with all digits 9; then the last result stays")
 }

@@ -1,4 +1,4 @@
-//! The entries of what computes with many numbers at once.
+//! The entries of blocks that work on many numbers at once.
 
 use crate::{BoxFilter, BoxFilterIn, Minimum, MinimumIn, PipelinedMinimum, PipelinedMinimumIn};
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
@@ -27,7 +27,7 @@ pub(super) const PIPELINED_MINIMUM: Entry = Entry {
 
 pub(super) const BOX_FILTER: Entry = Entry {
     name: "box-filter",
-    summary: "sums up the three by three cells around each of a grid",
+    summary: "sums the three by three cells around each cell of a grid",
     parameters: &[
         Parameter { name: "rows", default: 2, min: 2, max: 64, meaning: "rows of the grid" },
         Parameter { name: "columns", default: 4, min: 2, max: 64, meaning: "columns of the grid" },
@@ -37,7 +37,7 @@ pub(super) const BOX_FILTER: Entry = Entry {
     scenario: |values| Ok(corners_and_all(&box_filter(values), values)),
 };
 
-/// Numbers of up to 15 side by side, the first lowest, as many of them as there are and as have room in 64 bits; the others are 0.
+/// Numbers of up to 15 packed into a word, the first lowest; as many as fit into 64 bits, the others 0.
 fn list(values: &Values) -> impl Fn(&[u64]) -> u64 {
     let (words, width) = (values.get_u32("words"), values.get_u32("width"));
     move |numbers| {
@@ -88,6 +88,5 @@ fn corners_and_all(filter: &BoxFilter, values: &Values) -> Scenario {
         script.clock(&BoxFilterIn { enable: 1, cells });
     }
     script.hold(&BoxFilterIn { enable: 0, cells: 0 }, 2);
-    script
-        .finish("a cell in the corner, one beside it, and one in each of the first places; then the last sums are held")
+    script.finish("a cell in the corner, one beside it, and one in each of the first places; then the last sums stay")
 }

@@ -25,7 +25,7 @@ pub(super) const DUAL_CLOCK_RAM: Entry = Entry {
 
 pub(super) const VECTOR_REGISTERS: Entry = Entry {
     name: "vector-registers",
-    summary: "registers of several lanes, which are written under a mask",
+    summary: "registers of several lanes, written under a mask",
     parameters: &[
         Parameter { name: "count", default: 6, min: 4, max: 256, meaning: "registers" },
         Parameter { name: "lanes", default: 3, min: 1, max: 4, meaning: "lanes of each" },

@@ -9,7 +9,7 @@ mod streams;
 
 use tilewright_hdl::catalog::Entry;
 
-/// Every block: those of streams, then the others.
+/// Every block: first those of streams, then the others.
 ///
 /// ```
 /// use tilewright_blocks::catalog::ENTRIES;

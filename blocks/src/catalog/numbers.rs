@@ -1,4 +1,4 @@
-//! The entries of what computes with numbers.
+//! The entries of arithmetic blocks.
 
 use crate::{
     BitOrder, Crc, CrcIn, Divider, DividerIn, Multiplier, MultiplierIn, MultiplyAccumulate, MultiplyAccumulateIn,
@@ -55,7 +55,7 @@ pub(super) const DIVIDER: Entry = Entry {
 
 pub(super) const SQUARE_ROOT: Entry = Entry {
     name: "square-root",
-    summary: "draws the square roots of a stream",
+    summary: "computes the square roots of a stream",
     parameters: &[Parameter { name: "width", default: 3, min: 2, max: 32, meaning: "bits of a root, and stages" }],
     design: |values| Ok(elaborate(&square_root(values))?),
     scenario: |values| Ok(some_roots(&square_root(values), values.get("width"))),
@@ -63,7 +63,7 @@ pub(super) const SQUARE_ROOT: Entry = Entry {
 
 pub(super) const SINE_COSINE: Entry = Entry {
     name: "sine-cosine",
-    summary: "gives the points of a circle at the angles of a stream",
+    summary: "computes the cosine and the sine of the angles of a stream",
     parameters: &[Parameter { name: "width", default: 8, min: 4, max: 24, meaning: "bits of an angle, and stages" }],
     design: |values| Ok(elaborate(&sine_cosine(values))?),
     scenario: |values| Ok(the_quarters(&sine_cosine(values), values.get("width"))),
@@ -71,7 +71,7 @@ pub(super) const SINE_COSINE: Entry = Entry {
 
 pub(super) const CRC: Entry = Entry {
     name: "crc",
-    summary: "makes the CRC-32 of Ethernet of a message",
+    summary: "computes the Ethernet CRC-32 of a message",
     parameters: &[],
     design: |_| Ok(elaborate(&crc())?),
     scenario: |_| Ok(a_message(&crc())),
@@ -89,7 +89,7 @@ fn some_products(multiplier: &Multiplier) -> Scenario {
     }
     script.hold(&MultiplierIn { enable: 0, left: 2, right: 2 }, 2);
     script.hold(&MultiplierIn { enable: 1, left: 0, right: 0 }, 4);
-    script.finish("three products, one after another, with a pause in which all stages hold")
+    script.finish("three products, one after another, with a pause in which all stages keep their values")
 }
 
 fn multiply_accumulate(values: &Values) -> MultiplyAccumulate {
@@ -107,7 +107,7 @@ fn one_sum_and_two(accumulate: &MultiplyAccumulate) -> Scenario {
         script.clock(&term(to, restart, left, 10));
     }
     script.hold(&MultiplyAccumulateIn { valid: 0, to: 0, restart: 0, left: 0, right: 0 }, 3);
-    script.finish("three products are added to a sum, one after another, and then products to two sums by turns")
+    script.finish("three products are added to one sum, and then products to two sums alternately")
 }
 
 fn rotator(values: &Values) -> Rotator {
@@ -120,7 +120,7 @@ fn around(rotator: &Rotator, width: u64) -> Scenario {
         script.clock(&RotatorIn { enable: 1, word: 0b1101, places });
     }
     script.hold(&RotatorIn { enable: 0, word: 0, places: 0 }, 2);
-    script.finish("13 is rotated by 0 places, by 1, and so on, once around; then the last result is held")
+    script.finish("13 is rotated by 0 places, by 1, and so on, once around; then the last result stays")
 }
 
 fn shifter(values: &Values) -> Shifter {
@@ -157,7 +157,7 @@ fn square_root(values: &Values) -> SquareRoot {
     SquareRoot::new(values.get_u32("width"))
 }
 
-/// These words one after another, and then nothing until all are through.
+/// These words one after another, and then nothing until all have passed.
 fn each<B: tilewright_hdl::Block<In = StreamIn>>(script: &mut Script<B>, words: [u64; 4], clocks: u64) {
     for word in words {
         script.clock(&StreamIn { into: Stream::of(1, word) });

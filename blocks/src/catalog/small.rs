@@ -17,7 +17,7 @@ pub(super) const COUNTER: Entry = Entry {
 
 pub(super) const UP_DOWN_COUNTER: Entry = Entry {
     name: "up-down-counter",
-    summary: "counts up and down, around at both ends",
+    summary: "counts up and down, and wraps at both ends",
     parameters: &[Parameter { name: "limit", default: 5, min: 2, max: 1 << 32, meaning: "how many numbers there are" }],
     design: |values| Ok(elaborate(&up_down_counter(values))?),
     scenario: |values| Ok(around_both_ends(&up_down_counter(values))),
@@ -33,7 +33,7 @@ pub(super) const SHIFT_REGISTER: Entry = Entry {
 
 pub(super) const LFSR: Entry = Entry {
     name: "lfsr",
-    summary: "goes through all numbers but 0 in an order that looks like chance",
+    summary: "generates a pseudo-random sequence of all numbers but 0",
     parameters: &[Parameter { name: "width", default: 4, min: 2, max: 32, meaning: "bits of a number" }],
     design: |values| Ok(elaborate(&lfsr(values))?),
     scenario: |values| Ok(some_numbers(&lfsr(values))),
@@ -49,7 +49,7 @@ pub(super) const QUADRATURE: Entry = Entry {
 
 pub(super) const POWER_ON_RESET: Entry = Entry {
     name: "power-on-reset",
-    summary: "holds the reset of everything else for some clocks",
+    summary: "asserts the reset of everything else for some clocks",
     parameters: &[Parameter { name: "clocks", default: 3, min: 1, max: 1 << 32, meaning: "how long it does" }],
     design: |values| Ok(elaborate(&power_on_reset(values))?),
     scenario: |values| Ok(two_resets(&power_on_reset(values))),
@@ -57,7 +57,7 @@ pub(super) const POWER_ON_RESET: Entry = Entry {
 
 pub(super) const TICKS: Entry = Entry {
     name: "ticks",
-    summary: "is high for one clock of so many",
+    summary: "is high for one clock of each period",
     parameters: &[Parameter { name: "every", default: 3, min: 2, max: 1 << 32, meaning: "of how many clocks" }],
     design: |values| Ok(elaborate(&ticks(values))?),
     scenario: |values| Ok(ticks_and_a_restart(&ticks(values))),
@@ -115,7 +115,7 @@ fn some_numbers(lfsr: &Lfsr) -> Scenario {
     script.hold(&LfsrIn { enable: 1 }, 8);
     script.hold(&LfsrIn { enable: 0 }, 2);
     script.hold(&LfsrIn { enable: 1 }, 8);
-    script.finish("sixteen numbers, with a pause among them; of 4 bits the last is the first again")
+    script.finish("sixteen numbers, with a pause; with 4 bits the last equals the first")
 }
 
 fn quadrature(values: &Values) -> Quadrature {
@@ -140,7 +140,7 @@ fn two_resets(reset: &PowerOnReset) -> Scenario {
     script.hold(&PowerOnResetIn { again: 0 }, 5);
     script.clock(&PowerOnResetIn { again: 1 });
     script.hold(&PowerOnResetIn { again: 0 }, 5);
-    script.finish("the reset after power-on, and one that is asked for")
+    script.finish("the reset after power-on, and one on request")
 }
 
 fn ticks(values: &Values) -> Ticks {

@@ -1,6 +1,7 @@
 //! The entries of blocks of streams.
 //!
-//! A scenario does not look at what the block answers, so where a word has to wait it is held for as long as it is known to.
+//! A scenario ignores the block's outputs. So it keeps a waiting word on its inputs for as many clocks as the block
+//! needs.
 
 use crate::{
     Addressed, Arbiter, ArbiterIn, DualClockFifo, Fifo, Fork, Join, JoinIn, Lifo, Narrow, RegisterSlice, Slice, Split,
@@ -87,7 +88,7 @@ pub(super) const FORK: Entry = Entry {
 
 pub(super) const JOIN: Entry = Entry {
     name: "join",
-    summary: "makes one word of a word of each of two streams",
+    summary: "joins a word of each of two streams into one word",
     parameters: &[
         Parameter { name: "left", default: 8, min: 4, max: 512, meaning: "bits of a word of the left stream" },
         Parameter { name: "right", default: 4, min: 4, max: 512, meaning: "bits of a word of the right stream" },
@@ -111,7 +112,7 @@ const SENDERS: Parameter = Parameter { name: "senders", default: 3, min: 2, max:
 
 pub(super) const ROUND_ROBIN_ARBITER: Entry = Entry {
     name: "round-robin-arbiter",
-    summary: "sends the words of several streams by turns",
+    summary: "merges several streams into one, round robin",
     parameters: &[SENDERS, WIDTH],
     design: |values| Ok(elaborate(&arbiter(values, Turns::RoundRobin))?),
     scenario: |values| Ok(all_at_once(&arbiter(values, Turns::RoundRobin), values.get("senders"))),
@@ -119,7 +120,7 @@ pub(super) const ROUND_ROBIN_ARBITER: Entry = Entry {
 
 pub(super) const PRIORITY_ARBITER: Entry = Entry {
     name: "priority-arbiter",
-    summary: "sends the words of several streams, the first that has one first",
+    summary: "merges several streams into one, the lowest stream first",
     parameters: &[SENDERS, WIDTH],
     design: |values| Ok(elaborate(&arbiter(values, Turns::Priority))?),
     scenario: |values| Ok(all_at_once(&arbiter(values, Turns::Priority), values.get("senders"))),
@@ -138,7 +139,7 @@ pub(super) const NARROW: Entry = Entry {
 
 pub(super) const WIDEN: Entry = Entry {
     name: "widen",
-    summary: "makes a word of several parts",
+    summary: "joins several parts into a word",
     parameters: &[PARTS, PART],
     design: |values| Ok(elaborate(&widen(values))?),
     scenario: |values| Ok(parts_of_two_words(&widen(values), values.get("parts"))),
@@ -211,7 +212,7 @@ fn a_stall(slice: &RegisterSlice) -> Scenario {
     script.hold(&word(Some(4)), 1 + u64::from(has_room));
     script.clock(&word(Some(5)));
     script.hold(&word(None), 3);
-    script.finish("words pass; the receiver pauses, a word waits, and all go on in order")
+    script.finish("words pass; the receiver pauses, a word waits, and all continue in sequence")
 }
 
 fn fork(values: &Values) -> Fork {
@@ -250,7 +251,7 @@ fn one_waits_for_the_other(join: &Join) -> Scenario {
     script.ready("out", true);
     script.clock(&words(Some(3), Some(7)));
     script.hold(&words(None, None), 2);
-    script.finish("a word of the left stream waits for one of the right, one of the right for the left, and both for the receiver")
+    script.finish("a word of the left stream waits for the right one, a word of the right for the left, and both for the receiver")
 }
 
 fn split(values: &Values) -> Split {
@@ -269,7 +270,7 @@ fn to_each_in_turn(split: &Split, receivers: u64) -> Scenario {
     script.ready("out.0", true);
     script.clock(&word(1, 0, 9));
     script.hold(&word(0, 0, 0), 2);
-    script.finish("a word goes to each receiver; one more waits for the first of them, as long as that is not ready")
+    script.finish("a word goes to each receiver; another one waits while the first receiver is not ready")
 }
 
 fn arbiter(values: &Values, turns: Turns) -> Arbiter {
@@ -320,5 +321,5 @@ fn parts_of_two_words(widen: &Widen, parts: u64) -> Scenario {
     script.ready("out", true);
     script.hold(&word(Some(9)), parts);
     script.hold(&word(None), 2);
-    script.finish("parts make a word, which waits for the receiver; then the parts of the next follow")
+    script.finish("parts are joined into a word, which waits for the receiver; then the next parts follow")
 }

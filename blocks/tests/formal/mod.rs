@@ -1,4 +1,5 @@
-//! Whether some input breaks an assertion: Yosys looks for one, of those of which the assumptions hold, in the clocks after a reset.
+//! Searches with Yosys for inputs that violate an assertion in the clocks after a reset, among inputs that satisfy the
+//! assumptions.
 
 use std::fs;
 use std::process::Command;
@@ -6,12 +7,12 @@ use tilewright_gen::verilog;
 use tilewright_hdl::Design;
 use tilewright_hdl::ir::Directive;
 
-/// Whether Yosys is.
+/// Whether Yosys is installed.
 pub fn is_there() -> bool {
     Command::new("yosys").arg("-V").output().is_ok()
 }
 
-/// What Yosys finds within so many clocks; nothing where there is no Yosys, or nothing to break.
+/// Yosys's counterexample within `clocks` clocks; none if there is no Yosys, or nothing to violate.
 pub fn broken(design: &Design, clocks: u32) -> Option<String> {
     let is_assertion = |directive| directive == Directive::Assert;
     let states = design.modules().iter().any(|module| module.properties.iter().any(|it| is_assertion(it.directive)));

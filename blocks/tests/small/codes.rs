@@ -51,7 +51,7 @@ fn codes_of_every_word() {
     }
 }
 
-/// Each number that there is, and each that there is not.
+/// Each number that exists, and each that does not.
 #[test]
 fn a_decoder() {
     let mut sim = Simulation::of(&Decoder::new(5)).unwrap();
@@ -98,7 +98,7 @@ proptest! {
         prop_assert_eq!(encoder.read_u64().index, number);
 
         let mut priority = Simulation::of(&PriorityEncoder::new(lines)).unwrap();
-        // Few lines are high, so that the first is anywhere.
+        // Few lines are high, so that the first may be anywhere.
         let requests = requests & requests.rotate_left(17) & requests.rotate_left(31) & ((1 << lines) - 1);
         priority.drive(PriorityEncoderIn { requests });
         let lowest = (0..lines).find(|line| requests >> line & 1 == 1);

@@ -128,7 +128,7 @@ fn power(mut exponent: u64, modulus: u64, degree: u32) -> u64 {
     result
 }
 
-/// The order of x modulo the taps' polynomial is the period: it divides no smaller part of 2 to the width, less one.
+/// The period is the multiplicative order of x modulo the taps' polynomial: 2^width - 1, and no proper divisor of it.
 #[test]
 fn the_taps_of_every_width_give_the_longest_period() {
     for width in 3..=32u32 {

@@ -1,11 +1,11 @@
-//! What computes with many numbers at once.
+//! Blocks that work on many numbers at once.
 
 use proptest::prelude::*;
 use std::collections::VecDeque;
 use tilewright_blocks::*;
 use tilewright_sim::Simulation;
 
-/// The least of the numbers, and the first place where it is.
+/// The least of the numbers, and its first position.
 fn least(words: &[u64]) -> (u64, u64) {
     let word = *words.iter().min().unwrap();
     (word, words.iter().position(|other| *other == word).unwrap() as u64)
@@ -45,7 +45,7 @@ fn a_reset_of_all_stages() {
     }
 }
 
-/// Beyond the corners and edges there is nothing, and without `enable` the sums stay.
+/// Beyond the corners and edges there are zeros, and without `enable` the sums stay.
 #[test]
 fn a_filter_of_three_by_three() {
     let mut sim = Simulation::of(&BoxFilter::new(3, 3, 4)).unwrap();

@@ -32,7 +32,7 @@ proptest! {
         for (address, write, data) in steps {
             let (address, all) = (address % u64::from(depth), (1 << bytes) - 1);
             let data = data & (u64::MAX >> (64 - 8 * bytes));
-            // Only a word that was written as a whole is known.
+            // Only a word that was written completely is known.
             let write = if words[address as usize].is_none() { all } else { write & all };
             sim.drive(RamIn { address, write, data });
             sim.step();

@@ -1,4 +1,4 @@
-//! The blocks without streams, each against what its page says.
+//! The blocks without streams, each against its documentation.
 
 mod codes;
 mod counters;

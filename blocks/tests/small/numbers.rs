@@ -6,7 +6,7 @@ use tilewright_blocks::*;
 use tilewright_hdl::Codes;
 use tilewright_sim::Simulation;
 
-/// What a word is, shifted.
+/// The shifted word.
 fn shifted(word: u64, places: u32, kind: Shifting, width: u32) -> u64 {
     let most = u64::MAX >> (64 - width);
     let signed = (word << (64 - width)) as i64 >> (64 - width);
@@ -95,7 +95,7 @@ proptest! {
         }
     }
 
-    /// Few sums, so that one is often added to in two clocks that follow each other.
+    /// Few sums, so that consecutive clocks often add to the same one.
     #[test]
     fn products_are_added_to_sums(
         (sums, factor, room) in (2u64..5, 1u32..6, 0u32..4),
@@ -108,7 +108,7 @@ proptest! {
         let (mut model, mut inside) = (vec![None; sums as usize], VecDeque::from([None]));
         for (valid, to, restart, left, right) in steps {
             let (to, [left, right]) = (to % sums, [left, right].map(|factor_bits| factor_bits & ((1 << factor) - 1)));
-            // Nothing is known of a sum that was never begun.
+            // Nothing is known about a sum that was never begun.
             let restart = restart || model[to as usize].is_none();
             sim.drive(MultiplyAccumulateIn { valid: valid.into(), to, restart: restart.into(), left, right });
             sim.step();
@@ -124,7 +124,8 @@ proptest! {
         }
     }
 
-    /// The position follows an angle that goes by a quarter of a step, or stays, or jumps by two, which no decoder can tell.
+    /// The position follows an angle that moves by a quarter of a step, or stays, or jumps by two, which no decoder can
+    /// see.
     #[test]
     fn a_knob_is_followed(
         width in 2u32..10, start in 0i64..4, moves in prop::collection::vec(-1i64..=2, 1..80), seed in any::<u64>(),
@@ -132,7 +133,7 @@ proptest! {
         let mut sim = Simulation::of(&Quadrature::new(width)).unwrap().seeded(seed);
         sim.reset();
         let (mut angle, mut position, mut before) = (start, 0i64, 0);
-        // It rests anywhere, and nobody has turned it in the first clock.
+        // It rests anywhere, and does not move in the first clock.
         for quarter in [0].into_iter().chain(moves) {
             angle += quarter;
             let [a, b] = [[0, 0], [1, 0], [1, 1], [0, 1]][angle.rem_euclid(4) as usize];
@@ -150,7 +151,7 @@ proptest! {
         }
     }
 
-    /// A message, then its check, leave the same remainder for every message; so does the division by hand.
+    /// A message followed by its check leaves the same remainder for every message; so does long division.
     #[test]
     fn a_check_is_the_remainder(
         width in 2u32..65, polynomial in any::<u64>(), start in any::<u64>(), least_first: bool,
@@ -188,7 +189,7 @@ fn a_rotator() {
     assert_eq!(rotated, [0b10110, 0b01101, 0b01101, 0b01011]);
 }
 
-/// A product to a sum whose last one is one, two and three clocks before.
+/// A product to a sum that was last changed one, two and three clocks before.
 #[test]
 fn products_in_two_stages() {
     let mut sim = Simulation::of(&MultiplyAccumulate::new(2, 3, 8)).unwrap().seeded(7);

@@ -1,4 +1,4 @@
-//! What begins with its power-on values.
+//! Blocks that start with their power-on values.
 
 use proptest::prelude::*;
 use tilewright_blocks::*;
@@ -32,7 +32,7 @@ proptest! {
     }
 }
 
-/// On an FPGA there may be nobody who resets it.
+/// On an FPGA the block may never be reset.
 #[test]
 fn a_sequence_begins_without_a_reset() {
     let mut sim = Simulation::of(&Lfsr::new(8)).unwrap().seeded(5);

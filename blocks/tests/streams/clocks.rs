@@ -4,8 +4,8 @@ use tilewright_blocks::{StreamIn, StreamOut};
 use tilewright_hdl::Block;
 use tilewright_sim::Simulation;
 
-/// What goes in and what is seen in a clock: a word at the sender or none, whether the receiver is ready; whether the block takes
-/// the word, and the word that it shows.
+/// A clock's inputs and outputs: the sender's word or none, and the receiver's `ready`; whether the block takes the
+/// word, and the word that it shows.
 pub type Row = (Option<u64>, u64, u64, Option<u64>);
 
 /// Plays the rows and compares.

@@ -7,7 +7,8 @@ use tilewright_blocks::{DualClockFifo, StreamIn, StreamOut};
 use tilewright_hdl::{Clock, Period};
 use tilewright_sim::{Port, Simulation};
 
-/// The clocks of the writer and of the reader, by their periods in picoseconds. Those of one name have one period in a design, not in all.
+/// The clocks of the writer and of the reader, by their periods in picoseconds. A clock's name has one period within a
+/// design; other designs may use another.
 const fn clocks(write: u64, read: u64) -> (Clock, Clock) {
     (Clock::new("write", Period::ps(write)), Clock::new("read", Period::ps(read)))
 }
@@ -120,7 +121,7 @@ fn a_full_queue_takes_nothing() {
     assert_eq!(taken, 4);
 }
 
-/// Wherever both sides are, they are empty and free together again.
+/// Wherever both sides are, they become empty and ready together.
 #[test]
 fn a_reset_empties_the_queue() {
     for ((write, read), words, taken) in CLOCKS

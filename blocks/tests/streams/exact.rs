@@ -142,7 +142,7 @@ fn a_reset_empties_slices_and_queues() {
     }
 }
 
-/// In each clock: who has a word, whether the receiver is ready, who is taken.
+/// In each clock: the senders with a word, the receiver's `ready`, the sender that is served.
 fn arbiter(turns: Turns, rows: &[([u64; 3], u64, Option<u64>)]) {
     let mut sim = Simulation::of(&Arbiter::new(3, 8, turns)).unwrap().seeded(7);
     sim.reset();
@@ -183,7 +183,7 @@ fn turns() {
     );
 }
 
-/// Wherever the turns are, and whatever registers hold at power-on.
+/// Wherever the round robin is, and whatever registers contain at power-on.
 #[test]
 fn a_reset_begins_the_turns_again() {
     for (seed, words, ready) in

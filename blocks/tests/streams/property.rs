@@ -1,5 +1,5 @@
-//! The one property of all blocks of streams: whatever stalls there are, a word that is shown stays until it is taken, no `valid` waits for
-//! a `ready`, and what the page of the block says is cut is cut. What went through is given back, to be compared with what should have.
+//! The one property of all blocks of streams, under any stalls: a word once shown stays until it is taken, no `valid`
+//! waits for a `ready`, and the paths documented as cut are cut. The words received are returned for comparison.
 
 use tilewright_hdl::{Bundle, Clock, Stream};
 use tilewright_sim::{Pauses, Port, Simulation, Testbench, monitor};
@@ -21,7 +21,7 @@ impl End {
     }
 }
 
-/// How often both sides pause, in percent of the clocks, and what draws them.
+/// How often both sides pause, in percent of the clocks, and the seed of the pauses.
 #[derive(Debug, Clone, Copy)]
 pub struct Stalls {
     pub senders: u64,
@@ -29,10 +29,10 @@ pub struct Stalls {
     pub seed: u64,
 }
 
-/// The paths within a clock that the block says it does not have, besides those from a `ready` to a `valid`, which none has.
+/// The combinational paths that the block excludes, besides those from a `ready` to a `valid`, which no block has.
 #[derive(Debug, Clone, Copy)]
 pub struct Cuts {
-    /// From what comes in to what goes out.
+    /// From the input words to the output words.
     pub forward: bool,
     /// From the receivers' `ready` to that for the senders.
     pub backward: bool,
@@ -43,12 +43,12 @@ pub const FORWARD: Cuts = Cuts { forward: true, backward: false };
 pub const BACKWARD: Cuts = Cuts { forward: false, backward: true };
 pub const BOTH: Cuts = Cuts { forward: true, backward: true };
 
-/// Sends each sender's words through the block, which has been reset, and gives what each receiver took: so many words as `counts` says,
-/// after which no more may come.
+/// Sends each sender's words through the block, which has been reset, and returns what each receiver took: as many
+/// words as `counts` says, after which no more may come.
 ///
 /// # Panics
 ///
-/// The block does what no stream may, or is stuck.
+/// The block violates the stream protocol, or is stuck.
 pub fn through<I: Bundle, O: Bundle>(
     sim: &mut Simulation<I, O>,
     (into, out): (&[End], &[End]),
@@ -80,7 +80,7 @@ pub fn through<I: Bundle, O: Bundle>(
     t.run((senders, receivers, monitor(holds), monitor(has_no_path(&t, into, out, cuts)))).1
 }
 
-/// Watches at every instant what would follow if an input were turned over, and must not.
+/// At every instant, checks that outputs that must not depend on an input do not change when it is inverted.
 async fn has_no_path(t: &Testbench<'_>, into: &[End], out: &[End], cuts: Cuts) {
     let shown = || out.iter().map(|end| t.shown(&end.stream)).collect::<Vec<_>>();
     let accepted = || into.iter().map(|end| t.get_u64(end.stream.ready)).collect::<Vec<_>>();

@@ -1,11 +1,11 @@
-//! The property finds what it is to find.
+//! The property finds faults.
 
 use crate::streams::property::{BACKWARD, Cuts, End, FORWARD, NONE, Stalls, through};
 use tilewright_blocks::{RegisterSlice, Slice, StreamIn, StreamOut};
 use tilewright_hdl::*;
 use tilewright_sim::Simulation;
 
-/// What a bad block does.
+/// The fault of a bad block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Fault {
     /// It shows whatever comes in, with the number of the clock.
@@ -83,7 +83,7 @@ bundle! {
     struct WaitsOut<T> { valid: T, payload: T }
 }
 
-/// Shows its word only to a receiver that is ready; of a stream the language would not take that.
+/// Shows its word only to a receiver that is ready; for a stream the language would reject that.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Waits;
 

@@ -10,7 +10,8 @@ use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
 
 bundle! {
-    /// A square of the screen, `1 << level` pixels wide, and the greatest value in it of each edge function of a triangle.
+    /// A square of the screen, `1 << level` pixels wide, and the greatest value in it of each edge function of a
+    /// triangle.
     struct Window<T> { x: T, y: T, level: T, edges: T }
 
     struct WindowsIn<T> { windows: Stream<Window<T>, T> }
@@ -20,7 +21,7 @@ bundle! {
 /// Windows of 8 x 8 pixels are divided three times.
 const LEVELS: u32 = 3;
 
-/// The edge functions are `a x + b y + c`; inside of the triangle none is negative. This is `(a, b)` of each.
+/// The edge functions are `a x + b y + c`; inside the triangle none is negative. This is `(a, b)` of each.
 const SLOPES: [(i64, i64); 3] = [(1, 0), (0, 1), (-1, -1)];
 
 fn window() -> Window<Width> {
@@ -74,7 +75,7 @@ impl Test {
 }
 
 block! {
-    /// Divides windows so many times, with a stage for each.
+    /// Divides windows a number of times, with a stage for each.
     struct Pipe {
         levels: u32,
     }
@@ -114,7 +115,7 @@ impl Stack {
 }
 
 block! {
-    /// The quarters side by side, each divided by stages of its own.
+    /// Divides the quarters side by side, each by stages of its own.
     struct Tree;
     in = WindowsIn { windows: stream(window()) };
     out = WindowsOut { leaves: stream(window()) };
@@ -130,12 +131,13 @@ impl Tree {
     }
 }
 
-/// The pixels of the triangle in a window of that size, in no order; of one pixel the edge functions have one value.
+/// The pixels of the triangle in a window of that size, in any sequence; at one pixel the edge functions have one
+/// value.
 fn pixels(edges: [i64; 3]) -> Vec<(u64, u64)> {
     let inside = |x: i64, y: i64| {
         let last = (1 << LEVELS) - 1;
         let at = |(edge, (a, b)): (i64, (i64, i64))| {
-            // `edge` is the greatest value in the window: that in the corner to which the function rises.
+            // `edge` is the greatest value in the window, at the corner towards which the function rises.
             let corner = |slope: i64| if slope > 0 { last } else { 0 };
             edge + a * (x - corner(a)) + b * (y - corner(b))
         };
@@ -147,7 +149,7 @@ fn pixels(edges: [i64; 3]) -> Vec<(u64, u64)> {
     pixels
 }
 
-/// What a form makes of triangles, and how many clocks it takes.
+/// A form's results for triangles, and the number of clocks that it takes.
 fn divided<B: Block<In = WindowsIn, Out = WindowsOut>>(
     form: &B,
     triangles: &[[i64; 3]],
@@ -184,7 +186,8 @@ fn drive(
     (received, clocks)
 }
 
-/// What a stack needs where all of each window is covered: of two branches, as it takes turns, three siblings on each level but the last.
+/// The depth that a stack needs if each window is covered completely: for two branches, as it alternates, three
+/// siblings on each level but the last.
 const DEPTH: u32 = 2 * 3 * (LEVELS - 1) + 1;
 
 proptest! {
@@ -205,7 +208,7 @@ proptest! {
 
 const NO_STALLS: Stalls = Stalls { senders: 0, receivers: 0, seed: 1 };
 
-/// Eight windows that are covered as a whole.
+/// Eight windows that are covered completely.
 fn whole<B: Block<In = WindowsIn, Out = WindowsOut>>(form: &B) -> u64 {
     divided(form, &[[127; 3]; 8], NO_STALLS).1
 }

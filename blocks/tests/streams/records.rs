@@ -12,7 +12,7 @@ bundle! {
     struct SpanOut<T> { moved: Stream<Span<T>, T>, steps: Stream<T, T>, ends: Stream<(), T> }
 }
 
-/// Through a queue, a fork and slices; what comes out is moved by its step, which has a sign.
+/// Through a queue, a fork and slices; the output is moved by its step, which has a sign.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Spans;
 
@@ -42,7 +42,7 @@ fn records_go_through() {
     sim.reset();
     let (spans, moved, steps, ends) = (sim.i.spans, sim.o.moved, sim.o.steps, sim.o.ends);
     let t = sim.testbench();
-    // A number with a sign goes in and out as its 8 bits.
+    // A signed number goes in and out as its 8 bits.
     let span = |x: u64| Span { x, step: 255 - x, shade: x % 2 };
     let ((), (), (), ends) = t.run((
         t.send_all(spans, (0..5).map(span), Pauses::percent(20, 1)),

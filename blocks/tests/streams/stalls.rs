@@ -15,7 +15,7 @@ fn words(below: u64) -> impl Strategy<Value = Vec<u64>> {
     prop::collection::vec(0..below, 0..60)
 }
 
-/// What a block makes of the senders' words.
+/// The block's expected output for the senders' words.
 fn result<B: Block>(
     block: &B,
     into: impl Fn(&<B::In as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
@@ -32,7 +32,7 @@ fn result<B: Block>(
     through(&mut sim, (&into, &out), words, counts, stalls, cuts)
 }
 
-/// What a block of one stream in and one out makes of the words, of which so many come out.
+/// The expected output words of a block with one stream in and one out, and their number.
 pub fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
     block: &B,
     words: &[u64],
@@ -144,7 +144,7 @@ proptest! {
     #[test]
     fn arbiters(fair: bool, sent in prop::collection::vec(words(256), 1..6), stalls in stalls()) {
         let turns = if fair { Turns::RoundRobin } else { Turns::Priority };
-        // A word says who sends it.
+        // A word encodes its sender.
         let from = |sender: usize, words: &Vec<u64>| words.iter().map(|word| (sender as u64) << 8 | word).collect();
         let sent: Vec<Vec<u64>> = sent.iter().enumerate().map(|(sender, words)| from(sender, words)).collect();
         let count = sent.iter().map(Vec::len).sum();
@@ -156,7 +156,7 @@ proptest! {
 
     #[test]
     fn narrower_words(parts in 1u32..6, words in words(1 << 3), stalls in stalls()) {
-        // Each part tells its word and its place.
+        // Each part encodes its word and its position.
         let all: u64 = (0..parts).map(|place| u64::from(place) << (6 * place)).sum();
         let repeated = |word: u64| (0..parts).map(|place| word << (6 * place + 3)).sum::<u64>();
         let sent: Vec<u64> = words.iter().map(|word| all | repeated(*word)).collect();
