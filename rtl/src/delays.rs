@@ -1,8 +1,9 @@
-//! Signals, and what they were some clocks ago: one register behind another.
+//! Delay lines: a signal and its delayed copies, one register after another.
 
 use crate::prelude::*;
 
-/// The signal, and the same some clocks later each, up to so many; `name1` is the first register. They have no reset.
+/// The signal and its copies delayed by 1, 2, .. `clocks` clocks. `name1` is the first register. The registers have no
+/// reset.
 #[track_caller]
 pub(crate) fn delays(m: Module, name: &str, clocks: u32, signal: Signal) -> Vec<Signal> {
     let mut delays = vec![signal];
@@ -12,7 +13,7 @@ pub(crate) fn delays(m: Module, name: &str, clocks: u32, signal: Signal) -> Vec<
     delays
 }
 
-/// As [`delays`] of a mark, which a reset clears: it does not come before it is sent.
+/// Like [`delays`], for a flag. A reset clears the registers, so no flag comes out that was not sent.
 #[track_caller]
 pub(crate) fn mark_delays(m: Module, name: &str, clocks: u32, mark: Signal) -> Vec<Signal> {
     let mut delays = vec![mark];

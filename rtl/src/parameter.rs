@@ -1,11 +1,11 @@
-//! What the machines' blocks are built for, and what is wrong with it if it cannot be built.
+//! Parameters of the machines' blocks, and the error for a value that cannot be built.
 
 use std::fmt;
 
 use tilewright_hdl::OutOfRange;
 use tilewright_hdl::catalog::CatalogError;
 
-/// A parameter for which there is no hardware; one sentence that says why, and what would do.
+/// A parameter value for which there is no hardware; one sentence says why, and which values work.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ParameterError(pub String);
 

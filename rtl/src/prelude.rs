@@ -1,4 +1,4 @@
-//! What the blocks' descriptions are written in: the language, and the words that the machines share.
+//! The vocabulary of the blocks' descriptions: the language, and the words that the machines share.
 
 pub use tilewright_hdl::*;
 

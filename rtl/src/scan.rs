@@ -1,4 +1,4 @@
-//! What the global frame buffer unit tells the chain of local frame buffers and merging units.
+//! Signals from the global frame buffer unit to the chain of local frame buffers and merging units.
 
 use tilewright_hdl::bundle;
 

@@ -10,7 +10,7 @@ use tilewright_hdl::Bits;
 /// The width of the word in bits: a depth of 24 above a colour of 24.
 pub const WORD: u32 = 48;
 
-/// The word of a pixel where nothing was drawn: the greatest, which every other one replaces.
+/// The word of a pixel where nothing was drawn: the greatest word, which every other replaces.
 pub fn empty() -> Bits {
     Bits::ones(WORD)
 }

@@ -8,7 +8,7 @@ use tilewright_sim::Simulation;
 /// A step shorter than any clock's period, in picoseconds.
 const STEP: u64 = 5000;
 
-/// Plays an entry's scenario; gives the values that a signal takes one after the other.
+/// Plays an entry's scenario; returns the successive values of a signal.
 fn play(entry: &Entry, set: &[(&str, u64)], signal: Option<&str>) -> Vec<u64> {
     let values = entry.values(set.iter().copied()).unwrap();
     let scenario = entry.scenario(&values).unwrap();
@@ -86,7 +86,7 @@ fn the_bus_and_the_sums_show_what_their_scenarios_say() {
     assert_eq!(shown("broadcast-bus", &[("processors", 1), ("queue", 2), ("clocks", 1)], "empty[0]"), [1, 0, 1]);
     for (width, height) in [(16, 8), (9, 5), (2, 2)] {
         let set = [("width", width), ("height", height)];
-        // The average of two colours that were black before, and in the meantime half of the first.
+        // The average of two colours that were black before; in the meantime, half of the first.
         assert_eq!(shown("accumulation", &set, "colour"), [0, 0x081018, 0x203040]);
     }
 }
@@ -95,11 +95,11 @@ fn the_bus_and_the_sums_show_what_their_scenarios_say() {
 fn the_global_frame_buffer_shows_what_its_scenario_says() {
     for set in [&[][..], &[("width", 40), ("height", 24), ("units", 16)]] {
         let shown = play(find("gfb-unit").unwrap(), set, Some("view_read_word"));
-        // The pixel that is written is the third, of each of the frames.
+        // The host writes the third pixel of each frame.
         assert_eq!(shown, [0, 21, 63, 21, 42, 63, 42]);
         // Two passes, in each of which the host has changed a pixel, and their average.
         let mut shown = play(find("accumulating-gfb-unit").unwrap(), set, Some("pixel_rgb"));
-        // In the blanking there is nothing.
+        // There is nothing in the blanking.
         shown.retain(|rgb| *rgb != 0);
         shown.dedup();
         assert!(shown.starts_with(&[21, 63, 21, 42, 63, 42]) && shown.ends_with(&[32, 63, 32]), "{shown:?}");
@@ -121,9 +121,9 @@ fn the_machine_shows_what_its_scenario_says() {
 fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
     let shown = |name, set: &[_], signal| play(find(name).unwrap(), set, Some(signal));
     assert_eq!(shown("pixel-processor", &[], "flag"), [0, 1]);
-    // At column 3 of line 0 there is 3, and right behind it -2.
+    // At column 3 of line 0 the value is 3, and right behind it -2.
     assert_eq!(shown("linear-tree", &[], "value[0][3]")[..4], [0, 1, 0, 1]);
-    // There is 9, and right behind it -2.
+    // The value is 9, and right behind it -2.
     assert_eq!(shown("quadratic-tree", &[], "value[0][3]")[..6], [0, 1, 0, 1, 0, 1]);
     for side in [8, 16] {
         for (queue, region) in [(16, 3), (1, 3)] {
@@ -136,7 +136,7 @@ fn the_renderer_and_its_parts_show_what_their_scenarios_say() {
             assert_eq!(shown("quadratic-renderer", &[("side", side), ("queue", queue)], "planes_region"), [0, region]);
         }
     }
-    // Two curves of the silhouette and the depth, and two of the colours that have one.
+    // Two curves for the silhouette and the depth, and two for the colours that have one.
     assert_eq!(shown("quadratic-renderer", &[], "u_controller.curve_waits"), [0, 1, 0, 1, 0, 1, 0, 1, 0]);
     assert_eq!(shown("image-generation-controller", &[("quadratic", 1)], "curve_0_d"), [0]);
     assert_eq!(shown("pixel-planes-5", &[("quadratic", 1)], "plane_goes")[..3], [0, 1, 0]);
@@ -157,7 +157,7 @@ fn the_node_and_its_parts_show_what_their_scenarios_say() {
         assert_eq!(shown("pixelflow", &[("nodes", nodes)], "off_0_valid"), [0, 1, 0]);
         assert_eq!(shown("pixelflow", &[("nodes", nodes)], "go_0"), [0, 1, 0]);
     }
-    // Of equal nodes the last one has at each pixel the lesser of two bytes.
+    // All nodes are equal; at each pixel the last one gets the lesser of two bytes.
     let least = shown("network", &[("nodes", 4)], "nodes_3_bytes[0]");
     assert_eq!(least[..4], [0, 0x10, 0x30, 0x40], "{least:x?}");
     assert_eq!(shown("texture-unit", &[], "done"), [0, 1, 0]);
@@ -169,7 +169,7 @@ fn the_node_and_its_parts_show_what_their_scenarios_say() {
     assert_eq!(shown("command-dma", &[], "left"), [0, 4, 3, 2, 1, 0, 1, 0]);
     assert_eq!(shown("network-sequencer", &[], "done"), [0, 1, 0]);
     assert_eq!(shown("array-controller", &[], "banks_under_way"), [0, 1, 0]);
-    // At column 3 there is 0x345, and right behind it -2.
+    // At column 3 the value is 0x345, and right behind it -2.
     assert_eq!(shown("linear-evaluator", &[], "value[0][3]")[..5], [0, 0x45, 0x03, 0xfe, 0xff]);
     assert_eq!(shown("pixelflow-pixel", &[], "flag"), [0, 1]);
     assert_eq!(shown("pixelflow-pixel", &[("depth", 2)], "writes_register"), [0, 1, 0]);

@@ -1,4 +1,4 @@
-//! Figure 6 of the paper: the events of the swap control in their order.
+//! Figure 6 of the paper: the events of the swap control in sequence.
 
 use std::ops::ControlFlow;
 
@@ -6,7 +6,8 @@ use tilewright_rtl::catalog::find;
 use tilewright_rtl::swap::SwapState;
 use tilewright_sim::Simulation;
 
-/// What `wave vc1-swap` shows, but for the rows of what the programs do. Events 1 to 8 are the numbers of the paper's figure.
+/// The output of `wave vc1-swap`, without the rows of the programs' actions. Events 1 to 8 are numbered as in the
+/// paper's figure.
 #[test]
 fn the_wave_of_the_swap_control_is_figure_6() {
     let entry = find("vc1-swap").unwrap();
@@ -189,7 +190,7 @@ fn read_lane(sim: &mut Simulation, name: &str, lane: u32) -> u64 {
     sim.peek(&format!("{name}[{lane}]")).unwrap().to_u64().unwrap()
 }
 
-/// The events of Figure 6 by their numbers, each once, in the order in which they come first.
+/// The events of Figure 6 by number, each once, in the sequence of their first occurrence.
 fn events(set: &[(&str, u64)]) -> Vec<&'static str> {
     let entry = find("vc1-swap").unwrap();
     let values = entry.values(set.iter().copied()).unwrap();

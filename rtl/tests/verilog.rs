@@ -1,5 +1,5 @@
-//! The Verilog of every block, each module a file of `golden`, to be read as one reads hand-written Verilog: of each entry at its default
-//! parameters, and of the blocks in it. What it has from `tilewright-blocks` is not ours to compare.
+//! The Verilog of every block, one file of `golden` for each module, to be read like hand-written Verilog: each entry
+//! at its default parameters, with the blocks in it. Modules of `tilewright-blocks` are compared in that crate.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -50,7 +50,7 @@ fn every_block_has_a_golden_file() {
     assert!(blocks > 40, "only {blocks} blocks are found");
 }
 
-/// Of those with assertions, the ones of which Yosys soon says that they hold, and those whose assumptions were assertions.
+/// Entries with assertions that Yosys proves quickly, and entries whose assumptions used to be assertions.
 const STATED: [&str; 7] = [
     "broadcast-bus",
     "patch-table",
@@ -70,7 +70,7 @@ fn no_input_that_is_assumed_breaks_an_assertion() {
     }
 }
 
-/// The files of a folder of the package, and of those in it, by their paths in the package.
+/// The files of a folder of the package and of its subfolders, by their paths in the package.
 fn files_of(folder: &str) -> Vec<PathBuf> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut found = Vec::new();

@@ -11,23 +11,24 @@
 //!
 //! # Protocol
 //!
-//! A packet is a sequence of words of one sender; `last` marks its end. The senders take turns, a packet each, beginning behind the one that had the
-//! last turn. So a packet waits for at most n others. While a sender pauses within its packet, the bus waits for it.
+//! A packet is a sequence of words from one sender; `last` ends it. The bus serves the senders round robin, one packet
+//! at a time, starting behind the sender it served last. So a packet waits for at most n others. While a sender pauses
+//! within its packet, the bus waits for it.
 //!
-//! A word is on the bus for `word_clocks` clocks. Then it enters the receive queues of all processors at once, the sender's own among them.
-//! While a queue is full, the word stays on the bus, so the slowest processor sets the pace of all. A processor has to receive while it sends:
-//! its own full queue would hold its own packet.
+//! A word occupies the bus for `word_clocks` clocks. It then enters the receive queues of all processors at once,
+//! including the sender's own. If a queue is full, the word stays on the bus, so the slowest processor sets the pace of
+//! all. A processor must receive while it sends: its own full queue would block its own packet.
 //!
 //! # Latency and throughput
 //!
-//! A word that is taken from its sender in clock 0 is shown to the processors in clock `word_clocks + 1`. The bus takes the next word, of
-//! whichever packet, in clock `word_clocks`. With 6 clocks of 25 ns it brings 26.7 Mbyte/s.
+//! A word taken from its sender in clock 0 appears at the processors in clock `word_clocks + 1`. The bus takes the next
+//! word, of the same packet or another, in clock `word_clocks`. With 6 clocks of 25 ns the bus carries 26.7 Mbyte/s.
 //!
-//! # When all has been received
+//! # Detecting that everything has arrived
 //!
-//! A word that has left its sender is on the bus, where `idle` is low, or in a queue, where `empty` is low. No clock lies between the two. So when
-//! `idle` and a processor's `empty` are both high, that processor has received all packets that were sent. Words that senders still
-//! offer do not count: a sender knows of those itself.
+//! A word that has left its sender is either on the bus, where `idle` is low, or in a queue, where `empty` is low.
+//! There is no clock between the two. So when `idle` and a processor's `empty` are both high, that processor has
+//! received every packet sent. Words that senders still offer do not count; each sender knows about its own.
 
 use tilewright_blocks::{Fifo, Storage, StreamIn};
 
@@ -38,7 +39,7 @@ bundle! {
     pub struct BusWord<T> {
         /// A word of the packet.
         pub word: T,
-        /// The packet ends with this word.
+        /// This word ends the packet.
         pub last: T,
     }
 }
@@ -46,11 +47,11 @@ bundle! {
 block! {
     /// Brings packets from the host or any processor to all processors, word by word.
     pub struct BroadcastBus {
-        /// How many processors there are.
+        /// The number of processors.
         pub processors: u32,
-        /// The words that the receive queue of each holds.
+        /// The capacity of each receive queue, in words.
         pub queue: u32,
-        /// Clocks that a word is on the bus.
+        /// The number of clocks that a word occupies the bus.
         pub word_clocks: u32,
     }
     ranges {
@@ -82,12 +83,12 @@ impl BusWord<Width> {
 }
 
 impl BroadcastBus {
-    /// The words that a receive queue of the VC-1 holds here; the paper does not say.
+    /// The capacity of a VC-1 receive queue in words. The paper does not give it; this is our choice.
     pub const QUEUE: u32 = 64;
-    /// The clocks of a processor that a word of the VC-1 takes: 26.7 of 27 Mbyte/s (VC1-NET).
+    /// The processor clocks that a word takes in the VC-1: 26.7 of 27 Mbyte/s (VC1-NET).
     pub const WORD_CLOCKS: u32 = 6;
 
-    /// That of a VC-1 of so many processors.
+    /// The bus of a VC-1 with `processors` processors.
     pub fn vc1(processors: u32) -> BroadcastBus {
         BroadcastBus { processors, queue: BroadcastBus::QUEUE, word_clocks: BroadcastBus::WORD_CLOCKS }
     }
@@ -97,7 +98,7 @@ impl BroadcastBus {
         let senders = processors + 1;
         def!(number = constants(below(senders).of(row(senders)), |sender| sender));
 
-        // Whose turn it is: within a packet its sender's, else that of the next one behind the last.
+        // The sender to serve: within a packet its sender, otherwise the next sender behind the last one.
         let offered = stack(i.senders);
         def!(open = m.reg(bit()).reset(0));
         def!(sender = m.reg(below(senders)).reset(processors));
@@ -113,14 +114,14 @@ impl BroadcastBus {
         sender.when(takes, next);
         open.when(takes, !next_word.last);
 
-        // The bus, where a word is from the edge at which it is taken until the one at which it goes to the queues.
+        // The bus: a word stays here from the edge at which it is taken to the edge at which it enters the queues.
         def!(word = m.pipe_when(takes, next_word));
         on_bus.when(takes, 1).when(*delivers, 0);
         def!(clocks_left = m.reg(below(word_clocks)));
         clocks_left.when(takes, word_clocks - 1).when(clocks_left.ne(0), clocks_left - 1);
         def!(arrived = on_bus & clocks_left.eq(0));
 
-        // The queues, which all get the same words, and lose them at their processors' pace.
+        // The queues: all get the same words, and each processor empties its own at its own pace.
         let each = row(processors);
         let (copies, entered) = m.offer(delivers.of(each), cat![word.word, word.last].of(each));
         def!(room = copies.ready.and_all());
@@ -131,7 +132,8 @@ impl BroadcastBus {
         def!(leaves = queues.valid & queues.ready);
         let received = queues.lanes().iter().map(|queue| queue.unpacked(&word)).collect();
 
-        // No word is lost, doubled or changed: what was taken and not yet received is on the bus or in the queue. Nothing else needs these counters.
+        // No word is lost, duplicated or changed: a word taken and not yet received is on the bus or in the queue.
+        // These counters serve the assertions alone.
         let stays = on_bus & m.stable(word.word) & m.stable(word.last);
         m.assert(m.past(on_bus & !*delivers).implies(stays), "a word stays on the bus until it goes to the queues");
         m.assert(entered.and_all().eq(entered.or_all()), "a word goes to all queues or to none");
@@ -144,7 +146,7 @@ impl BroadcastBus {
         m.assert(queued.le(queue), "what was taken and not yet received has room in the queue");
         m.assert(empty.eq(queued.eq(0)), "a processor whose queue is empty has received all that left the bus");
 
-        // No word comes between those of another packet, and every packet gets its turn.
+        // No word interrupts another packet, and every packet is served.
         m.assert((taken.taken & *open).implies(number.eq(*sender)), "no word comes between those of another packet");
         m.assert(m.past(takes).implies(open.eq(!word.last)), "a packet is open until its last word");
         def!(others = m.reg(up_to(senders).of(row(senders))).reset(0));

@@ -9,7 +9,7 @@ use crate::clocks::PE;
 
 pub(super) const BROADCAST_BUS: Entry = Entry {
     name: "broadcast-bus",
-    summary: "brings packets from the host or any processor to all processors",
+    summary: "carries packets from the host or any processor to all processors",
     parameters: &[PROCESSORS, RECEIVE_QUEUE, WORD_CLOCKS],
     design: |values| Ok(elaborate_at(&broadcast_bus(values), PE.period)?),
     scenario: |values| Ok(two_packets(&broadcast_bus(values))),

@@ -16,7 +16,7 @@ const OVERHEAD: Parameter =
 
 pub(super) const GFB_UNIT: Entry = Entry {
     name: "gfb-unit",
-    summary: "leads the scan, feeds the merger, keeps the frame and shows it",
+    summary: "paces the scan, feeds the merger, stores the frame and displays it",
     parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD, PIXEL_CLOCK],
     design: |values| Ok(elaborate(&gfb_unit(values, false)?)?),
     scenario: |values| Ok(two_frames(&gfb_unit(values, false)?)),
@@ -32,7 +32,7 @@ pub(super) const ACCUMULATING_GFB_UNIT: Entry = Entry {
 
 pub(super) const MULTIPASS_CONTROL: Entry = Entry {
     name: "multipass-control",
-    summary: "says when a pass is added up, when the average is shown, and when the banks may change",
+    summary: "decides when a pass is added up, when the average is shown, and when the banks may change",
     parameters: &[],
     design: |_| Ok(elaborate_at(&MultipassControl, MERGE.period)?),
     scenario: |_| Ok(two_pictures()),
@@ -40,7 +40,7 @@ pub(super) const MULTIPASS_CONTROL: Entry = Entry {
 
 pub(super) const GFB_SEQUENCER: Entry = Entry {
     name: "gfb-sequencer",
-    summary: "leads the merger: the scan, and what enters and leaves the chain",
+    summary: "paces the merger: the scan, and the pixels that enter and leave the chain",
     parameters: &[WIDTH, HEIGHT, UNITS, OVERHEAD],
     design: |values| Ok(elaborate_at(&sequencer(values)?, MERGE.period)?),
     scenario: |values| Ok(rounds(&sequencer(values)?)),
@@ -56,7 +56,7 @@ pub(super) const CRT_READ_OUT: Entry = Entry {
 
 pub(super) const ACCUMULATION: Entry = Entry {
     name: "accumulation",
-    summary: "adds up the pictures of several passes, and shows their average",
+    summary: "adds up the pictures of several passes and shows their average",
     parameters: &[WIDTH, HEIGHT, PIXEL_CLOCK],
     design: |values| Ok(elaborate(&accumulation(values)?)?),
     scenario: |values| Ok(two_sums(&accumulation(values)?)),
@@ -81,7 +81,7 @@ fn two_frames(gfb: &GfbUnit) -> Scenario {
         GfbUnitIn { swap: 0, host, merged }
     };
     let idle = |merged| with(no_access, merged);
-    // A swap comes in a blanking of the display, which begins with one.
+    // A swap comes in the display's blanking, and the display begins with one.
     let [line, refresh] = [gfb.read_out().line_clocks(), gfb.read_out().refresh_clocks()]
         .map(|clocks| clocks * gfb.display.period.picoseconds() / MERGE.period.picoseconds());
     let until_dark = |clock: u64| if clock % refresh < 40 * line { 0 } else { refresh - clock % refresh + 4 };
@@ -94,11 +94,11 @@ fn two_frames(gfb: &GfbUnit) -> Scenario {
         let merges = sequencer.stored_clocks() + 4;
         let merges = merges + until_dark(clock + merges);
         script.hold(&idle(merged), merges);
-        // What the host writes in the clock of the swap is in the frame before.
+        // A host write in the clock of the swap goes to the previous frame.
         script.clock(&GfbUnitIn { swap: 1, ..with(access(1, 1, 99), merged) });
         script.clock(&with(access(2, 1, 63), merged));
         (0..4).for_each(|pixel| script.clock(&with(access(pixel, 0, 0), merged)));
-        // What entered before the swap comes out of the chain as it is.
+        // Pixels that entered before the swap leave the chain unchanged.
         script.hold(&idle(merged), stale);
         clock += merges + 6 + stale;
     }
@@ -107,7 +107,7 @@ fn two_frames(gfb: &GfbUnit) -> Scenario {
         return script
             .finish("a picture of two passes, each of several rounds of merging; then its average is on display");
     }
-    script.finish("two frames: rounds of merging, a swap of the banks in a blanking; then the host writes a pixel, and looks at the first four")
+    script.finish("two frames: rounds of merging, a swap of the banks in a blanking; then the host writes a pixel, and reads the first four")
 }
 
 fn two_pictures() -> Scenario {
@@ -120,7 +120,7 @@ fn two_pictures() -> Scenario {
             script.hold(&MultipassControlIn { busy: 1, ..idle }, 6);
             script.hold(&idle, 2);
         }
-        // The average, until the blanking after the one in which it begins.
+        // The average is shown until the blanking after the one in which it began.
         script.hold(&MultipassControlIn { blanking: 1, ..idle }, 2);
         script.hold(&idle, 4);
     }
@@ -147,7 +147,7 @@ fn read_out(values: &Values) -> Result<CrtReadOut, CatalogError> {
 fn a_refresh(crt: &CrtReadOut, values: &Values) -> Scenario {
     let mut script = Script::new(crt, display(values).period);
     script.hold(&CrtReadOutIn { word: 0xffffff_102030 }, crt.refresh_clocks() + 8);
-    script.finish("the vertical blanking, and a refresh behind it")
+    script.finish("the vertical blanking, and the refresh after it")
 }
 
 fn accumulation(values: &Values) -> Result<Accumulation, CatalogError> {
@@ -167,5 +167,5 @@ fn two_sums(accumulation: &Accumulation) -> Scenario {
     for read_address in [1, last] {
         script.hold(&AccumulationIn { read_address, ..idle }, 2);
     }
-    script.finish("two passes, of a picture of one colour each, and a look at some pixels, which have the average")
+    script.finish("two passes, each a picture in one colour; some pixels are read, which have the average")
 }

@@ -14,7 +14,7 @@ use crate::scan::ScanControl;
 
 pub(super) const LFB_UNIT: Entry = Entry {
     name: "lfb-unit",
-    summary: "a virtual local frame buffer: a full screen in a part of the memory",
+    summary: "a virtual local frame buffer: a full screen in less memory",
     parameters: &[WIDTH, HEIGHT, PATCH, PAGES],
     design: |values| Ok(elaborate(&lfb_unit(values)?)?),
     scenario: |values| Ok(draw_swap_and_send(&lfb_unit(values)?)),
@@ -49,7 +49,7 @@ pub(super) const IMAGE_MEMORY: Entry = Entry {
 
 pub(super) const SCAN_COUNTER: Entry = Entry {
     name: "scan-counter",
-    summary: "says which pixel is sent to the merger next",
+    summary: "selects the pixel that is sent to the merger next",
     parameters: &[
         WIDTH,
         HEIGHT,
@@ -88,7 +88,7 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
         scan: ScanLookUp { enable: 1, patch: 3, buffer: 0 },
     };
     script.clock(&idle);
-    // Each look-up is held until it is accepted: at once, then in the last clock of the one before.
+    // Each look-up is held until it is accepted: the first at once, the next in the last clock of its predecessor.
     for (patch, clocks) in [(3, 1), (3, 4), (1, 3), (3, 4)] {
         script.hold(&PatchTableIn { look_up: Stream::of(1, Wanted { patch }), ..idle }, clocks);
     }
@@ -118,7 +118,7 @@ fn draw_thrice_and_send(memory: &ImageMemory) -> Scenario {
     let swapped = ImageMemoryIn { front: 1, ..idle };
     script.hold(&swapped, 3);
     script.hold(&ImageMemoryIn { send: SendPixel { enable: 1, ..idle.send }, ..swapped }, 10);
-    script.finish("of three words drawn on a pixel the smallest stays; when it is sent it is cleared")
+    script.finish("three words are drawn on a pixel, and the smallest stays; sending it clears the pixel")
 }
 
 fn scan_counter(values: &Values) -> Result<ScanCounter, CatalogError> {
@@ -155,9 +155,9 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
         scan: ScanControl { restart: 0, enable: 0 },
         preset: ScanCounter::preset(screen, 0),
     };
-    // The scan's control is of the merge clock, a bit more than three clocks of the processor long.
+    // The merge clock drives the scan's control; its period is a bit more than three processor clocks.
     script.hold(&LfbUnitIn { scan: ScanControl { restart: 1, enable: 0 }, ..idle }, 4);
-    // Two patches, each of which is a miss at first. A request is held until it is accepted.
+    // Two patches, each a miss on its first access. A request is held until it is accepted.
     for (x, word, clocks) in [(0, 70, 1), (1, 50, 4), (edge, 60, 3), (edge, 40, 4)] {
         script.hold(&LfbUnitIn { request: Stream::of(1, Request { x, y: 0, word }), ..idle }, clocks);
     }

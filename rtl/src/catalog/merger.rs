@@ -43,5 +43,5 @@ fn a_marked_pixel(merger: &ImageMerger) -> Scenario {
     inputs.left = EMPTY;
     script.clock(&inputs);
     script.wait(4 * merger.units + 2);
-    script.finish("a marked pixel enters at the left and comes out 4 clocks a unit later")
+    script.finish("a flagged pixel enters at the left and comes out 4 clocks a unit later")
 }

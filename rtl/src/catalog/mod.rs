@@ -1,4 +1,5 @@
-//! Every block by name, with its parameters and a scenario: what the command line lists, prints and shows as a wave.
+//! Every block by name, with its parameters and a scenario. The command line lists them, prints them as Verilog and
+//! shows them as waves.
 
 mod bus;
 mod gfb;
@@ -20,11 +21,11 @@ pub struct Group {
     pub machine: &'static str,
     /// The machine's name in a sentence.
     pub title: &'static str,
-    /// The machine as a whole, then its parts in the order of the data's way through it.
+    /// The whole machine first, then its parts along the path of the data.
     pub entries: &'static [Entry],
 }
 
-/// The blocks by machine.
+/// The blocks, grouped by machine.
 pub const GROUPS: [Group; 4] = [
     Group { machine: "vc1", title: "the VC-1", entries: VC1 },
     Group { machine: "quadtree", title: "the quadtree generator", entries: QUADTREE },
@@ -32,7 +33,7 @@ pub const GROUPS: [Group; 4] = [
     Group { machine: "pixelflow", title: "PixelFlow", entries: PIXELFLOW },
 ];
 
-/// Every block, in the order of [`GROUPS`].
+/// Every block, in the sequence of [`GROUPS`].
 pub const ENTRIES: &[Entry] = &all::<55>();
 
 const VC1: &[Entry] = &[
@@ -102,7 +103,7 @@ const PIXELFLOW: &[Entry] = &[
     pixelflow::COMPOSITOR,
 ];
 
-/// The entries of all groups, of which there have to be `COUNT`.
+/// The entries of all groups; there must be `COUNT` of them.
 const fn all<const COUNT: usize>() -> [Entry; COUNT] {
     let mut all = [VC1[0]; COUNT];
     let (mut group, mut count) = (0, 0);
@@ -119,7 +120,7 @@ const fn all<const COUNT: usize>() -> [Entry; COUNT] {
     all
 }
 
-/// The entry of that name.
+/// The entry with that name.
 pub fn find(name: &str) -> Option<&'static Entry> {
     ENTRIES.iter().find(|entry| entry.name == name)
 }

@@ -67,7 +67,7 @@ pub(super) const PIXEL_PLANES_5: Entry = Entry {
 
 pub(super) const RING: Entry = Entry {
     name: "ring",
-    summary: "brings instructions to renderers, and their planes to the frame buffer, so many bits a clock",
+    summary: "carries instructions to renderers, and their planes to the frame buffer, at a limited rate",
     parameters: &[FEW_RENDERERS, SIDE, RATE],
     design: |values| Ok(elaborate_at(&ring(values)?, PERIOD)?),
     scenario: |values| Ok(by_turns(&ring(values)?, values.get_u32("renderers"))),
@@ -83,7 +83,7 @@ pub(super) const RENDERER: Entry = Entry {
 
 pub(super) const QUADRATIC_RENDERER: Entry = Entry {
     name: "quadratic-renderer",
-    summary: "a renderer that evaluates quadratics, and so draws spheres",
+    summary: "a renderer that evaluates quadratics, so it draws spheres, too",
     parameters: &[Parameter { default: 4, ..SIDE }, INSTRUCTIONS],
     design: |values| Ok(elaborate_at(&renderer(values)?.quadratic(true), PERIOD)?),
     scenario: |values| Ok(a_sphere(&renderer(values)?.quadratic(true))),
@@ -91,7 +91,7 @@ pub(super) const QUADRATIC_RENDERER: Entry = Entry {
 
 pub(super) const IMAGE_GENERATION_CONTROLLER: Entry = Entry {
     name: "image-generation-controller",
-    summary: "takes instructions, and controls the tree and all pixels",
+    summary: "controls the tree and all pixels by an instruction stream",
     parameters: &[SIDE, QUADRATIC],
     design: |values| Ok(elaborate_at(&controller(values)?, PERIOD)?),
     scenario: |values| Ok(one_after_another(&controller(values)?)),
@@ -123,7 +123,7 @@ pub(super) const PIXEL_PROCESSOR: Entry = Entry {
 
 pub(super) const BACKING_STORE: Entry = Entry {
     name: "backing-store",
-    summary: "holds a finished region, and sends it line by line while the next one is drawn",
+    summary: "stores a finished region, and sends it line by line while the next one is drawn",
     parameters: &[SIDE],
     design: |values| Ok(elaborate_at(&backing_store(values)?, PERIOD)?),
     scenario: |values| Ok(a_region(&backing_store(values)?)),
@@ -131,7 +131,7 @@ pub(super) const BACKING_STORE: Entry = Entry {
 
 pub(super) const REGION_ALLOCATOR: Entry = Entry {
     name: "region-allocator",
-    summary: "gives the next region to the first renderer that is free",
+    summary: "gives each region to the first free renderer",
     parameters: &[RENDERERS],
     design: |values| Ok(elaborate_at(&allocator(values), PERIOD)?),
     scenario: |values| Ok(four_free(&allocator(values))),
@@ -139,7 +139,7 @@ pub(super) const REGION_ALLOCATOR: Entry = Entry {
 
 pub(super) const FRAME_BUFFER: Entry = Entry {
     name: "frame-buffer",
-    summary: "puts regions together to a picture",
+    summary: "assembles the picture from regions",
     parameters: &[WIDTH, HEIGHT, SIDE],
     design: |values| Ok(elaborate_at(&frame_buffer(values)?, PERIOD)?),
     scenario: |values| Ok(two_lines(&frame_buffer(values)?)),

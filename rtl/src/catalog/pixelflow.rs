@@ -61,7 +61,7 @@ const BYTE: u32 = 8;
 
 pub(super) const PIXELFLOW: Entry = Entry {
     name: "pixelflow",
-    summary: "PixelFlow behind its geometry processors: nodes on a network that composes, in both directions",
+    summary: "PixelFlow without its geometry processors: nodes on a compositing network with two directions",
     parameters: &[NODES, LINE, LINES, WORDS, SETUP],
     design: |values| Ok(elaborate(&machine(values)?)?),
     scenario: |values| Ok(scenarios::drawn_by_all_and_composed(&machine(values)?)),
@@ -69,7 +69,7 @@ pub(super) const PIXELFLOW: Entry = Entry {
 
 pub(super) const NODE: Entry = Entry {
     name: "pixelflow-node",
-    summary: "PixelFlow's node without its geometry processors: pixels that draw or shade, on a network that composes",
+    summary: "a node of PixelFlow without its geometry processors: pixels that draw or shade, on the compositing network",
     parameters: &[LINE, LINES, WORDS, SETUP],
     design: |values| Ok(elaborate(&node(values)?)?),
     scenario: |values| Ok(scenarios::drawn_and_sent(&node(values)?)),
@@ -85,7 +85,7 @@ pub(super) const COMMAND_DMA: Entry = Entry {
 
 pub(super) const ARRAY_CONTROLLER: Entry = Entry {
     name: "array-controller",
-    summary: "takes instructions, and controls the linear evaluator and all pixels",
+    summary: "controls the linear evaluator and all pixels by an instruction stream",
     parameters: &[LINE, LINES],
     design: |values| Ok(elaborate_at(&controller(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::drawn_and_given(&controller(values)?)),
@@ -109,7 +109,7 @@ pub(super) const PIXEL: Entry = Entry {
 
 pub(super) const TEXTURE_UNIT: Entry = Entry {
     name: "texture-unit",
-    summary: "gives each pixel of a region the texels that it asks for, a pixel a clock",
+    summary: "looks up the texels of each pixel of a region, a pixel a clock",
     parameters: &[CHIPS, PIXELS, TEXELS, TEXTURES],
     design: |values| Ok(elaborate_at(&texture_unit(values), ARRAY.period)?),
     scenario: |values| Ok(scenarios::a_region_of_texels(&texture_unit(values))),
@@ -133,7 +133,7 @@ pub(super) const FRAME_BUFFER: Entry = Entry {
 
 pub(super) const SAMPLES_FRAME_BUFFER: Entry = Entry {
     name: "pixelflow-samples-frame-buffer",
-    summary: "likewise of eight samples a pixel, whose mean it stores",
+    summary: "a frame buffer of eight samples a pixel, which stores their mean",
     parameters: &[LINE, Parameter { default: 8, ..LINES }, WIDTH, HEIGHT],
     design: |values| Ok(elaborate_at(&samples_frame_buffer(values)?, ARRAY.period)?),
     scenario: |values| Ok(scenarios::a_frame_is_shown(&samples_frame_buffer(values)?)),
@@ -149,7 +149,7 @@ pub(super) const NETWORK_SEQUENCER: Entry = Entry {
 
 pub(super) const NETWORK: Entry = Entry {
     name: "network",
-    summary: "connects nodes, in one direction: of each pixel the nearest goes on",
+    summary: "connects nodes in one direction, and passes on the nearest of each pixel",
     parameters: &[NODES, CHIPS, PIXELS],
     design: |values| Ok(elaborate_at(&network(values), TRANSFER)?),
     scenario: |values| Ok(scenarios::from_the_first_to_the_last(&network(values))),
@@ -157,7 +157,7 @@ pub(super) const NETWORK: Entry = Entry {
 
 pub(super) const NETWORK_PORT: Entry = Entry {
     name: "network-port",
-    summary: "connects a node to the network that composes images",
+    summary: "connects a node to the compositing network",
     parameters: &[CHIPS, PIXELS],
     design: |values| Ok(elaborate_at(&network_port(values), TRANSFER)?),
     scenario: |values| Ok(scenarios::composed_and_unloaded(&network_port(values))),

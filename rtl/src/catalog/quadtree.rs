@@ -2,8 +2,9 @@
 
 //! The entries of the sparse-raster quadtree generator and its parts.
 //!
-//! Each scenario has the same polygon, of which a triangle is left where no more than three edges are asked for; on 8x8 pixels it covers
-//! those with x + y <= 6. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
+//! All scenarios share one polygon, cut to a triangle where a block has only three edges. On 8x8 pixels the triangle
+//! covers the pixels with x + y <= 6. A scenario ignores the block's outputs. So it keeps a waiting input for as many
+//! clocks as the block needs.
 
 mod scenarios;
 
@@ -61,7 +62,7 @@ pub(super) const QUADTREE_GENERATOR: Entry = Entry {
 
 pub(super) const VIDEO_PROCESSOR: Entry = Entry {
     name: "video-processor",
-    summary: "draws the pixels of polygons that are its own",
+    summary: "draws a polygon's pixels in its own sparse raster",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL, STACK, TREE, QUEUE],
     design: |values| Ok(elaborate(generator(values)?.processor())?),
     scenario: |values| Ok(draw_and_send(generator(values)?.processor())),
@@ -69,7 +70,7 @@ pub(super) const VIDEO_PROCESSOR: Entry = Entry {
 
 pub(super) const SET_UP: Entry = Entry {
     name: "quadtree-set-up",
-    summary: "makes of a polygon the window of all samples, an edge and a plane a clock",
+    summary: "converts a polygon to the window of all samples, an edge and a plane a clock",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE],
     design: |values| Ok(elaborate(&SetUp { format: format(values)? })?),
     scenario: |values| Ok(two_packets(&SetUp { format: format(values)? })),
@@ -77,7 +78,7 @@ pub(super) const SET_UP: Entry = Entry {
 
 pub(super) const RASTER_PROCESSOR: Entry = Entry {
     name: "raster-processor",
-    summary: "divides windows until they have one sample: a stack, a pipe and a tree one after another",
+    summary: "divides windows down to one sample: a stack, a pipe and a tree one after another",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL, STACK, TREE, QUEUE],
     design: |values| Ok(elaborate(&raster_processor(values)?)?),
     scenario: |values| Ok(find_pixels(&raster_processor(values)?, (format(values)?, test(values)))),
@@ -109,7 +110,7 @@ pub(super) const QUADTREE_TREE: Entry = Entry {
 
 pub(super) const COVERAGE_TEST: Entry = Entry {
     name: "coverage-test",
-    summary: "sends on the quarters of a window that its polygon may cover",
+    summary: "finds the quarters of a window that its polygon may cover",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE, PARALLEL],
     design: |values| Ok(elaborate(&coverage_test(values)?)?),
     scenario: |values| Ok(test_quarters(&coverage_test(values)?)),
@@ -117,7 +118,7 @@ pub(super) const COVERAGE_TEST: Entry = Entry {
 
 pub(super) const QUADTREE_PIXEL: Entry = Entry {
     name: "quadtree-pixel",
-    summary: "makes fragments of windows of one sample",
+    summary: "makes fragments from windows of one sample",
     parameters: &[WIDTH, HEIGHT, COLUMNS, ROWS, EDGES, APERTURE],
     design: |values| Ok(elaborate(&PixelProcessor { format: format(values)? })?),
     scenario: |values| Ok(four_pixels(&PixelProcessor { format: format(values)? })),
@@ -139,7 +140,7 @@ pub(super) const VIDEO_CONTROLLER: Entry = Entry {
     scenario: |values| Ok(a_picture(&VideoController { format: of_triangles(values)? })),
 };
 
-/// For what does not look at polygons.
+/// For blocks that do not look at polygons.
 fn of_triangles(values: &Values) -> Result<Format, ParameterError> {
     let [width, height, columns, rows] = ["width", "height", "columns", "rows"].map(|name| values.get_u32(name));
     Format::new(Screen::new(width, height)?, Matrix::new(columns, rows)?, 3)

@@ -5,7 +5,7 @@ use tilewright_hdl::{Bits, Block, Bundle, Codes, Period, Width};
 use super::{Parameter, Values};
 use crate::gfb::{Display, Multipass, Passes};
 
-/// The word that is behind every other: an empty pixel.
+/// The word that lies behind every other word: an empty pixel.
 pub(super) const EMPTY: u64 = (1 << 48) - 1;
 
 pub(super) const WIDTH: Parameter =
@@ -34,17 +34,17 @@ pub(super) const ACCUMULATION_BUFFER: Parameter =
 pub(super) const UNITS: Parameter =
     Parameter { name: "units", default: 4, min: 1, max: 256, meaning: "merging units in the chain" };
 
-/// A display of that pixel clock.
+/// A display with that pixel clock.
 pub(super) fn display(values: &Values) -> Display {
     Display { period: Period::ps(values.get("pixel-clock")), ..Display::VGA }
 }
 
-/// What the host says of pictures of two passes, where there is an accumulation buffer.
+/// The host's settings for pictures of two passes, where there is an accumulation buffer.
 pub(super) fn two_passes(accumulation: bool) -> Vec<Multipass<u64>> {
     vec![Multipass { accumulates: 1, passes: Passes::Two.code() }; accumulation.into()]
 }
 
-/// Inputs of a block that are all 0.
+/// The inputs of a block, all 0.
 pub(super) fn idle<B: Block>(block: &B) -> <B::In as Bundle>::Of<Bits> {
     B::In::convert_leaves(&block.inputs(), &mut |width: &Width| Bits::zero(width.bits() * width.shape().lanes()))
 }

@@ -19,7 +19,7 @@ const ROUND: Parameter =
 
 pub(super) const VC1_SWAP: Entry = Entry {
     name: "vc1-swap",
-    summary: "all of the VC-1's swap control: when local frame buffers swap, and when the global one does",
+    summary: "the VC-1's whole swap control: decides when local frame buffers, and when the global one, swap",
     parameters: &[PROCESSORS, PATCHES, ROUND],
     design: |values| Ok(elaborate(&swap_control(values)?)?),
     scenario: |values| Ok(figure_6::figure_6(&swap_control(values)?)),
@@ -69,7 +69,7 @@ fn one_after_another(line: &SyncLine) -> Scenario {
         script.clock(&SyncLineIn { ready, bus: 1, host: 1 });
     }
     script.clock(&SyncLineIn { ready: vec![0; line.processors as usize], bus: 1, host: 1 });
-    script.finish("the processing elements let the line go, one after another")
+    script.finish("the processing elements release the line, one after another")
 }
 
 fn lfb_swap(values: &Values) -> Result<LfbSwap, CatalogError> {

@@ -74,14 +74,14 @@ fn a_frame(vc1: &Vc1) -> Scenario {
 
     let mut script = Script::new(vc1, PE.period);
     (0..vc1.processors).for_each(|number| script.ready(&format!("processors_{number}_received"), true));
-    // The command, a word.
+    // A command of one word.
     script.hold(&Vc1In { command: Stream::of(1, BusWord { word: 1, last: 1 }), ..idle.clone() }, 1);
     for patch in 0..vc1.lfb.patches.count().into() {
         script.clock(&all(&|_| ProcessorIn { clear: Stream::of(1, Wanted { patch }), ..processor }));
         script.hold(&idle, 2);
     }
     script.clock(&all(&|number| draw(0, 0, 20 + number)));
-    // Held until it is accepted: the first look-up, of a patch without a page, takes 4 clocks.
+    // Held until it is accepted: the first look-up misses, as its patch has no page, and takes 4 clocks.
     script.hold(&all(&|number| draw(last_x, last_y, 40 - number % 16)), 4);
     script.hold(&idle, 8);
     script.clock(&all(&|_| ProcessorIn { done: 1, ..processor }));

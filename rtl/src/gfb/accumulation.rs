@@ -1,4 +1,5 @@
-//! The accumulation buffer with its merging unit, MUACC: adds up the pictures of several passes, and shows their average (VC1-ACB).
+//! The accumulation buffer with its merging unit, MUACC: adds up the pictures of several passes and shows their average
+//! (VC1-ACB).
 //!
 //! ```text
 //!                   merge clock                  |     CRT clock
@@ -13,69 +14,72 @@
 //! first '                                passes -|----------------'
 //! ```
 //!
-//! A pixel is three sums of 12 bits: of red, green and blue. A pass goes through the picture in raster order, a pixel in each clock of the merger. It puts out
-//! the address, and has the word and the sum of that pixel one clock later. At the end of that clock it stores the new sum. So a pass is `busy` for one
-//! clock more than there are pixels. The `first` pass stores the colours themselves, whatever was there before.
+//! A pixel is three sums of 12 bits, for red, green and blue. A pass goes through the picture in raster order, a
+//! pixel in each clock of the merger. It puts out the address, and gets the pixel's word and sum one clock later. At
+//! the end of that clock it stores the new sum. So a pass is `busy` for one clock more than there are pixels. The
+//! `first` pass stores the colours themselves, whatever was there before.
 //!
-//! In each clock a pass reads one pixel and writes the one before it. One of the two is even and the other one odd, and each kind has a memory of its own. So
-//! each memory needs two ports, one for the pass and one for the display.
+//! In each clock a pass reads one pixel and writes the previous one. One of the two has an even address and the other
+//! an odd one. Even and odd pixels have a memory each. So each memory needs only two ports, one for the pass and one
+//! for the display.
 //!
-//! The display gets a colour one of its clocks after the address: red, green and blue, each `floor((sum + n / 2) / n)` of `n` passes. It may read
-//! at any time. While a pass is under way, some pixels have their new sum and others the old one; of the pixel that is stored in that instant, anything may be
-//! read.
+//! The display gets a colour one of its clocks after the address. Red, green and blue are each
+//! `floor((sum + n / 2) / n)` for `n` passes. The display may read at any time. During a pass, some pixels have their
+//! new sum and others the old one. A read of the pixel being stored at that instant may return anything.
 //!
 //! # Protocol
 //!
-//! | who | does | when |
+//! | party | action | when |
 //! |---|---|---|
 //! | multipass control | starts the `first` pass | not busy |
 //! | multipass control | starts another pass | not busy, and at most 15 times after a `first` one |
-//! | global frame buffer | reads at `address`, and keeps its banks where they are | busy |
-//! | multipass control | says of how many passes the average is | before a picture is shown that is of as many |
+//! | global frame buffer | reads at `address`, and does not swap its banks | busy |
+//! | multipass control | sets the number of passes in the average | before such a picture is shown |
 //!
-//! Of more passes than `passes` says, a component of the average is only right modulo 256; of fewer, the picture is dark.
+//! If more passes are added than `passes` says, each component of the average is right only modulo 256. If fewer are
+//! added, the picture is dark.
 
 use crate::prelude::*;
 
-/// The bits of a colour's component in a picture, and in the sum of 16.
+/// The bits of a colour component: in a picture, and in the sum of 16 passes.
 const COMPONENT: u32 = 8;
 const SUM: u32 = 12;
-/// The components of a colour: red above green above blue.
+/// The components of a colour, from the most significant: red, green, blue.
 const COMPONENTS: u32 = 3;
 
 codes! {
-    /// Of how many passes an average is.
+    /// The number of passes in an average.
     pub enum Passes {
-        /// 2.
+        /// 2 passes.
         Two,
-        /// 4.
+        /// 4 passes.
         Four,
-        /// 8.
+        /// 8 passes.
         Eight,
-        /// 16, the most that can be added up.
+        /// 16 passes, the most that the buffer adds up.
         Sixteen,
     }
 }
 
 impl Passes {
-    /// Those of that count, if there is such a picture.
+    /// The variant for that count, if there is one.
     pub fn of_count(count: u32) -> Option<Passes> {
         Passes::ALL.iter().copied().find(|passes| passes.count() == count)
     }
 
-    /// How many there are.
+    /// The number of passes.
     pub fn count(self) -> u32 {
         1 << self.shift()
     }
 
-    /// The binary logarithm of how many there are.
+    /// The binary logarithm of the number of passes.
     fn shift(self) -> u32 {
         self.code() as u32 + 1
     }
 }
 
 block! {
-    /// Adds up the pictures of several passes, and shows their average.
+    /// Adds up the pictures of several passes and shows their average.
     pub struct Accumulation {
         /// The screen.
         pub screen: Screen,
@@ -107,7 +111,7 @@ block! {
 }
 
 impl Accumulation {
-    /// The clocks of the merger in which a pass is busy.
+    /// The merger clocks for which a pass is busy.
     pub fn pass_clocks(&self) -> u64 {
         u64::from(self.screen.pixels()) + 1
     }
@@ -116,7 +120,7 @@ impl Accumulation {
         let (merge, crt) = (m.on(MERGE), m.on(self.crt));
         let pixels = self.screen.pixels();
 
-        // The pass: a pixel that is read, and the one before, which is stored.
+        // The pass: the pixel being read and the previous one, being stored.
         def!(reads = merge.reg(bit()).reset(0));
         def!(address = merge.reg(below(pixels)).reset(0));
         def!(ends = address.eq(pixels - 1));
@@ -128,7 +132,7 @@ impl Accumulation {
         def!(busy = reads | stores);
         merge.assume(i.start.implies(!busy), "a pass begins when none is under way");
 
-        // Even pixels and odd ones: where one memory is read, the other one is written.
+        // Even and odd pixels: while one memory is read, the other is written.
         let sum = bits(COMPONENTS * SUM);
         def!(sums = m.memory(pixels.div_ceil(2), sum.of(row(2)), ReadUnderWrite::Any));
         def!(parity = constants(bit().of(row(2)), |parity| parity));
@@ -142,7 +146,7 @@ impl Accumulation {
         merge.assert(!(reads_here & stores_here), "a memory is not read and written in one clock");
         def!(old = sums.on(MERGE).read_when(reads_here, place(pixel)));
 
-        // Of each component the sum.
+        // One sum per component.
         def!(replaces = merge.pipe_when(i.start, i.first));
         def!(so_far = mux(replaces, 0, old.pick(stored.bit(0))));
         let colour = i.word.trunc(COMPONENTS * COMPONENT).unpack(row(COMPONENTS));
@@ -164,7 +168,7 @@ impl Accumulation {
         def!(read_odd = crt.pipe(i.read_address.bit(0)));
         def!(read = sums.on(self.crt).read(place(i.read_address)));
         let shown = read.pick(read_odd).unpack(row(COMPONENTS));
-        // The bit below the quotient is the half, which is rounded up.
+        // The bit below the quotient is the half; it rounds up.
         let quotient: Signal = passes.choose(|passes: Passes| shown.part(passes.shift() - 1, COMPONENT + 1));
         let average = quotient.part(1, COMPONENT) + quotient.part(0, 1).zext(COMPONENT);
         AccumulationOut { busy, address: *address, colour: average.pack() }

@@ -9,8 +9,9 @@
 //!   '----------------' H + 45
 //! ```
 //!
-//! Latency: a pixel is put out 1 clock after its address. A refresh takes (W + 160) (H + 45) clocks, VGA's 800 x 525; the paper gives
-//! no timing of its display. It does not say either in which part of the blanking the banks change: [`Blanking`] is the choice.
+//! Latency: a pixel is put out 1 clock after its address. A refresh takes (W + 160) (H + 45) clocks: for VGA 800 x 525.
+//! The paper gives no timing of its display. Nor does it say in which part of the blanking the banks change;
+//! [`Blanking`] makes that a choice.
 
 use crate::clocks::CRT;
 use crate::prelude::*;
@@ -18,15 +19,15 @@ use crate::prelude::*;
 /// Clocks of a line after its last pixel.
 pub const BLANK_COLUMNS: u32 = 160;
 
-/// Lines of a refresh after the last one with pixels.
+/// Blank lines of a refresh, after the last line with pixels.
 pub const BLANK_LINES: u32 = 45;
 
-/// What shows the picture.
+/// The display that shows the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Display {
     /// The period of its pixel clock.
     pub period: Period,
-    /// Where in the vertical blanking the banks may change.
+    /// When in the vertical blanking the banks may change.
     pub blanking: Blanking,
 }
 
@@ -34,11 +35,11 @@ impl Display {
     /// VGA at 60 Hz: 420,000 clocks a refresh.
     pub const VGA: Display = Display { period: CRT.period, blanking: Blanking::AtStart };
 
-    /// One that shows so many refreshes a second of that screen. The period is an even number of picoseconds.
+    /// A display that refreshes that screen `hertz` times a second. The period is an even number of picoseconds.
     ///
     /// # Errors
     ///
-    /// There is no such clock: the rate is no number above 0, or the period would be below 2 ps or above a second.
+    /// No such clock exists: the rate is not a positive number, or the period would be below 2 ps or above a second.
     pub fn of_rate(screen: Screen, hertz: f64, blanking: Blanking) -> Result<Display, ParameterError> {
         let clocks = CrtReadOut { screen, blanking }.refresh_clocks() as f64;
         let picoseconds = 2.0 * (1e12 / hertz / clocks / 2.0).floor();
@@ -58,9 +59,9 @@ impl Display {
 /// The lines of the vertical blanking in which the banks may change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Blanking {
-    /// In the first.
+    /// In the first line.
     AtStart,
-    /// In all but the last two, in which the display learns of it.
+    /// In all lines but the last two, in which the display learns of the change.
     Within,
 }
 
@@ -69,7 +70,7 @@ block! {
     pub struct CrtReadOut {
         /// The screen: W x H pixels.
         pub screen: Screen,
-        /// Where in the vertical blanking the banks may change.
+        /// When in the vertical blanking the banks may change.
         pub blanking: Blanking,
     }
     latency(self) = format!("1 clock; a refresh of {} clocks", self.refresh_clocks());
@@ -96,7 +97,7 @@ block! {
 }
 
 impl CrtReadOut {
-    /// The clocks of a line, with the blanking behind it.
+    /// The clocks of a line, including the blanking behind it.
     pub fn line_clocks(&self) -> u64 {
         u64::from(self.screen.width + BLANK_COLUMNS)
     }
@@ -127,7 +128,7 @@ impl CrtReadOut {
             Blanking::AtStart => y.eq(height),
             Blanking::Within => dark & y.lt(lines - 2),
         };
-        // A register, as it crosses to the merger's clock.
+        // A register, because the signal crosses to the merger's clock.
         def!(window = m.reg(bit()).reset(0));
         window.next(may_change);
         m.assert(window.implies(dark), "the banks change in a blanking");
@@ -159,7 +160,7 @@ mod tests {
         }
     }
 
-    /// Three refreshes: each pixel once, in order, 1 clock after its address, with 160 clocks between lines.
+    /// Three refreshes: each pixel once, in raster order, 1 clock after its address, with 160 clocks between lines.
     #[test]
     fn it_reads_every_pixel_once_in_a_refresh() {
         for (width, height) in [(3, 2), (1, 5), (16, 8)] {
@@ -167,7 +168,7 @@ mod tests {
             let mut sim = Simulation::of(&crt).unwrap().seeded(7);
             sim.reset();
             let (line, lines) = (u64::from(width + 160), u64::from(height + 45));
-            // A refresh begins behind a blanking.
+            // A refresh begins after a blanking.
             sim.step_clock("clk", 45 * line);
             for clock in 0..3 * line * lines {
                 let (x, y) = (clock % line, clock / line % lines);
@@ -196,12 +197,12 @@ mod tests {
             sim.run(clocks);
             sim.reset();
         }
-        // The first pixel comes behind the 45 lines of a blanking.
+        // The first pixel comes after the 45 lines of a blanking.
         sim.run(45 * 164);
         assert_eq!((sim.get_u64(sim.o.dark), sim.get_u64(sim.o.address)), (0, 0));
     }
 
-    /// The lines in which the window is open, a clock later as it is a register.
+    /// The lines in which the window is open, one clock late because it is a register.
     #[test]
     fn the_banks_may_change_in_the_first_line_or_in_all_but_the_last_two() {
         for (blanking, last) in [(Blanking::AtStart, 1), (Blanking::Within, 43)] {

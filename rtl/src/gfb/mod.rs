@@ -1,5 +1,5 @@
-//! The global frame buffer of the VC-1: a full screen with depth, which collects what the local frame buffers send. Behind it,
-//! the accumulation buffer adds up the pictures of several passes.
+//! The global frame buffer of the VC-1: a full screen with depth that collects the pixels of the local frame buffers.
+//! Behind it, the accumulation buffer adds up the pictures of several passes.
 
 mod accumulation;
 mod crt;

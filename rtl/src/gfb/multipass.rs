@@ -6,15 +6,15 @@
 //!            '------------------------------------------------- swap ----------------------------------------------'
 //! ```
 //!
-//! Latency: a sum starts in the clock of the swap that brings its pass on display. The average is shown 1 clock after the first clock in
-//! which the last sum is over and the display is in a blanking.
+//! Latency: a sum starts in the clock of the swap that puts its pass on display. The average is shown 1 clock after the
+//! first clock in which the last sum is complete and the display is in a blanking.
 //!
-//! The host says at the swap to a first pass whether a picture begins, and of how many passes it is. What it says later is for the next
-//! picture. Without accumulation a swap shows a frame, and nothing is added.
+//! At the swap to a first pass, the host says whether a picture begins and how many passes it has. Later settings apply
+//! to the next picture. Without accumulation a swap shows a frame, and nothing is added.
 //!
-//! The banks may not change while a sum is under way. After the last one they may not change before the average has been shown for a
-//! whole refresh: from the blanking in which that begins to the next one. Where merging takes two refreshes, and a sum more than one, a
-//! picture of n passes takes 2 n + 1 refreshes:
+//! The banks may not change while a sum runs. After the last sum they may not change before the average has been on
+//! display for a whole refresh. That refresh runs from the blanking in which the average appears to the next blanking.
+//! If merging takes two refreshes and a sum more than one, a picture of n passes takes 2 n + 1 refreshes:
 //!
 //! ```text
 //! blankings  |    |    |    |    |    |        n = 2
@@ -23,14 +23,14 @@
 //! display    | pass 1  | pass 2  | av | pass 1
 //! ```
 //!
-//! A last sum that is over in the blanking in which it begins brings the average in that blanking, and no refresh shows its pass. Only
-//! a screen much smaller than the paper's has so short a sum.
+//! If the last sum ends in the blanking in which it begins, the average appears in that blanking, and no refresh shows
+//! its pass. Only a screen much smaller than the paper's has such a short sum.
 
 use super::accumulation::Passes;
 use crate::prelude::*;
 
 bundle! {
-    /// What the host says of pictures of several passes.
+    /// The host's settings for pictures of several passes.
     pub struct Multipass<T> {
         /// The next picture is the average of several passes.
         pub accumulates: T,
@@ -40,27 +40,27 @@ bundle! {
 }
 
 impl Multipass<Width> {
-    /// The widths of what the host says.
+    /// The widths of the host's settings.
     pub fn widths() -> Multipass<Width> {
         Multipass { accumulates: bit(), passes: one_of::<Passes>() }
     }
 }
 
 impl Multipass<u64> {
-    /// What the host says of pictures of so many passes.
+    /// The settings for pictures of `passes` passes.
     pub fn pictures_of(passes: Passes) -> Multipass<u64> {
         Multipass { accumulates: 1, passes: passes.code() }
     }
 }
 
 codes! {
-    /// What is on display, and waited for.
+    /// What is on display, and what comes next.
     enum Stage {
         /// A pass, or a frame without accumulation.
         Pass,
-        /// The last pass of a picture, while it is added up, and until a blanking.
+        /// The last pass of a picture, while it is added up and until the next blanking.
         LastSum,
-        /// The average, from this blanking on.
+        /// The average, for its first refresh.
         Turn,
         /// The average, until the next picture.
         Average,
@@ -68,7 +68,7 @@ codes! {
 }
 
 block! {
-    /// Says when a pass is added up, when the average of all is shown, and when the banks may change.
+    /// Decides when a pass is added up, when the average is shown, and when the banks may change.
     pub struct MultipassControl;
     latency = "0 clocks from a swap to its sum; 1 clock from the blanking to the average";
     source = "VC-1, section 3.3, accumulation buffer (VC1-ACB)";

@@ -6,8 +6,9 @@
 //!                        '-----------'
 //! ```
 //!
-//! The scan runs freely: a line of M clocks with `enable`, an overhead of beta without, N lines, and at once the first one again
-//! (VC1-FREE). Rounds follow each other with a period of (M + beta) N clocks. The 4 n clocks of the chain lie in the next round:
+//! The scan runs freely. A line has M clocks with `enable` and an overhead of beta clocks without. After N lines the
+//! next round follows at once (VC1-FREE). So rounds have a period of (M + beta) N clocks. The 4 n clocks of the chain
+//! overlap the next round:
 //!
 //! ```text
 //! Prime 2 | Line M | Overhead beta | .. | Line M | Overhead beta | Line M | Overhead beta ..
@@ -15,14 +16,15 @@
 //!         |<------ from the first pixel that enters to the last one stored, T_m ----->|
 //! ```
 //!
-//! A restart puts the scan to the first pixel: after a reset, and when the global frame buffer swaps. In the 2 clocks before that pixel
-//! enters, the frame buffers read theirs ([`SCAN_LATENCY`]). What is in the chain then is `stale`: it entered before the swap, and is not
-//! stored. In the round after a restart blank pixels enter the chain, in later ones the old contents (VC1-CLR3).
+//! A restart returns the scan to the first pixel. It comes after a reset, and when the global frame buffer swaps. In
+//! the 2 clocks before that pixel enters the chain, the frame buffers read theirs ([`SCAN_LATENCY`]). Pixels in the
+//! chain at the restart are `stale`: they entered before the swap and are not stored. In the round after a restart
+//! blank pixels enter the chain; in later rounds the old contents do (VC1-CLR3).
 
 use crate::merger::STAGES;
 use crate::prelude::*;
 
-/// Clocks with `enable` from a scan counter to the word that its local frame buffer sends.
+/// The clocks with `enable` from a scan counter's pixel to the word that its local frame buffer sends.
 pub const SCAN_LATENCY: u32 = 2;
 
 codes! {
@@ -31,7 +33,7 @@ codes! {
 }
 
 block! {
-    /// Leads the scan over the screen, again and again, through a chain of merging units.
+    /// Scans the screen again and again, and paces a chain of merging units.
     pub struct GfbSequencer {
         /// The screen: M x N pixels.
         pub screen: Screen,
@@ -74,14 +76,15 @@ impl GfbSequencer {
         self.period() + u64::from(self.chain())
     }
 
-    /// The clocks from the first pixel that enters the chain after a restart to the last one stored.
+    /// The clocks from the first pixel that enters the chain after a restart to the last pixel stored.
     ///
-    /// They are T_m, and more where the chain is longer than a line: it holds for an overhead while the last pixels are in it.
+    /// This is T_m unless the chain is longer than a line. Then it is more: the chain stops for an overhead while it
+    /// still contains the last pixels.
     pub fn stored_clocks(&self) -> u64 {
         self.merge_clocks() + u64::from((self.chain() - 1) / self.screen.width * self.overhead)
     }
 
-    /// Clocks with `enable` of a pixel's way through the chain: 4 n.
+    /// The clocks with `enable` that a pixel takes through the chain: 4 n.
     pub fn chain(&self) -> u32 {
         STAGES * self.units
     }
@@ -90,7 +93,7 @@ impl GfbSequencer {
         let Screen { width, height } = self.screen;
         let last = self.screen.pixels() - 1;
 
-        // The parts of the scan. The first restart, right behind a reset, sets its counters.
+        // The parts of the scan. The first restart, right after a reset, sets its counters.
         def!(part = m.fsm(Scan::Restart));
         def!(restarts = i.restart | part.is(Scan::Restart));
         def!(x = m.reg(below(width)));
@@ -118,7 +121,7 @@ impl GfbSequencer {
         feed.when(restarts | round_ends, 0).when(enable, feed + 1);
         def!(blank = m.reg(bit()).reset(1).when(restarts, 1).when(round_ends, 0));
 
-        // Those that have gone through all of it.
+        // The pixels that have passed the whole chain.
         let way = SCAN_LATENCY + self.chain();
         def!(way_left = m.reg(up_to(way)));
         def!(is_stale = way_left.ne(0));

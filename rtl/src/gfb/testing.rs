@@ -1,6 +1,6 @@
-//! What the tests of several rooms share.
+//! Helpers shared by several modules' tests.
 
-/// The colours of a picture that is the average of these passes, in plain software: of each component `floor((sum + n / 2) / n)`.
+/// The colours of the average of these passes, in plain software: each component is `floor((sum + n / 2) / n)`.
 pub(crate) fn average(passes: &[Vec<u64>]) -> Vec<u64> {
     let count = passes.len() as u64;
     let component = |pixel: usize, shift: u32| {

@@ -1,4 +1,4 @@
-//! The global frame buffer unit: leads the scan, feeds the chain, keeps what comes out of it, and shows it (VC1-GFB).
+//! The global frame buffer unit: paces the scan, feeds the chain, stores the chain's output, and displays it (VC1-GFB).
 //!
 //! ```text
 //! swap --> [ sequencer ]--> scan, to every unit of the chain
@@ -19,36 +19,39 @@
 //! Latency: a pixel enters the chain 2 clocks with `enable` after its address. A frame is stored T_m after the restart (VC1-TM), see
 //! [`GfbSequencer::stored_clocks`].
 //!
-//! One bank is filled while the other is on display. `swap` exchanges them and restarts the scan. In the round after it blank
-//! pixels enter the chain, so that the bank's old contents are replaced. In later rounds they enter it themselves, so that the bank is
-//! cumulative (VC1-CLR3). The chain itself chooses the nearer pixel, so what comes out of it is stored as it is.
+//! One bank is filled while the other is on display. `swap` exchanges them and restarts the scan. In the round after a
+//! swap blank pixels enter the chain, so the bank's old contents are replaced. In later rounds the old contents
+//! themselves enter, so the bank is cumulative (VC1-CLR3). The chain chooses the nearer pixel, so the unit stores its
+//! output as it is.
 //!
-//! A pixel that entered the chain before a swap is not stored after it. Nothing is lost: the frame was stored, and so the
-//! pixel is the word that its bank already has, which an assertion holds.
+//! A pixel that entered the chain before a swap is not stored after it. Nothing is lost: the frame was already stored,
+//! so the bank already has that pixel's word. An assertion checks this.
 //!
-//! The display reads with a clock of its own, of any rate. It learns of a swap through a synchronizer, within the vertical blanking.
+//! The display reads with its own clock, at any rate. It learns of a swap through a synchronizer, within the vertical
+//! blanking.
 //!
 //! # The host's port
 //!
-//! A bank has the three ports of a triple-port DRAM: one for the chain, one for the display, and one for the host. So the host waits for
-//! nobody: the unit takes an access in every clock. The word of a read is there 1 clock after the access is taken, while `read_valid` is
-//! high. A read has what was written in the clocks before it.
+//! A bank has the three ports of a triple-port DRAM, for the chain, the display and the host. So the host never waits:
+//! the unit takes an access in every clock. The word of a read is valid 1 clock after the access, while `read_valid` is
+//! high. A read returns the effect of all writes in earlier clocks.
 //!
-//! An access goes to the bank on display (VC1-HOSTP). In the clock of a swap it goes to the bank that is on display until then: a read has
-//! a word of the old frame, and what is written is never shown.
+//! An access goes to the bank on display (VC1-HOSTP). In the clock of a swap this is still the old bank. A read then
+//! returns a word of the old frame, and a write is never shown.
 //!
-//! The refreshes that follow show what is written. Of a pixel that is written as the display reads it, that refresh may show
-//! anything. The next frame has nothing of it, as the bank is filled anew after the next swap.
+//! Subsequent refreshes show a write. If the display reads a pixel in the clock of its write, that refresh may show
+//! anything. The write does not reach the next frame, because the bank is filled afresh after the next swap.
 //!
 //! # Pictures of several passes
 //!
-//! With an accumulation buffer the unit shows the average of several frames, the passes of a picture (VC1-ACB). MUACC adds the bank on
-//! display into the sums, a pixel in each clock, while the next pass is merged into the other bank. It reads through the port of that bank
-//! that the chain has no use for. Until the last sum is over the display shows the passes. From the blanking after that on it shows the
-//! average, for a refresh or more: see [`MultipassControl`], which keeps `blanking` low where the banks may not change.
+//! With an accumulation buffer the unit shows the average of several frames, the passes of a picture (VC1-ACB). MUACC
+//! adds the bank on display to the sums, a pixel in each clock, while the next pass is merged into the other bank. It
+//! reads through the port of that bank that the chain does not use. Until the last sum is complete the display shows
+//! the passes. From the next blanking on it shows the average for at least one refresh. [`MultipassControl`] keeps
+//! `blanking` low while the banks may not change.
 //!
-//! What the host writes into a pass is added if it is written before MUACC reads that pixel: pixel `k` in the clock k + 1 after the swap. While
-//! the average is shown, the host reads and writes the last pass, which is not on display.
+//! MUACC reads pixel `k` in clock k + 1 after the swap. A host write into a pass is added if it comes before that.
+//! While the average is shown, the host reads and writes the last pass, which is not on display.
 
 use super::accumulation::{Accumulation, AccumulationIn};
 use super::crt::{CrtPixel, CrtReadOut, CrtReadOutIn, CrtReadOutOut, Display};
@@ -57,13 +60,13 @@ use super::sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut};
 use crate::prelude::*;
 
 bundle! {
-    /// What the host says to the global frame buffer.
+    /// The host's inputs to the global frame buffer.
     pub struct Host<T> {
         /// Reads and writes of the bank on display, one in every clock.
         pub accesses: Stream<Access<T>, T>,
         /// The word of a blank pixel: the greatest depth above the background's colour.
         pub background: T,
-        /// What a picture is, where there is an accumulation buffer.
+        /// The kind of picture, where there is an accumulation buffer.
         pub multipass: Vec<Multipass<T>>,
     }
 
@@ -79,7 +82,7 @@ bundle! {
 }
 
 bundle! {
-    /// What the accumulation buffer asks for.
+    /// The accumulation buffer's requests.
     struct Adding<T> {
         /// A sum is under way.
         busy: T,
@@ -89,7 +92,8 @@ bundle! {
 }
 
 block! {
-    /// A double-buffered frame buffer with depth: leads the scan, feeds the chain of merging units and keeps what comes out of it.
+    /// A double-buffered frame buffer with depth: paces the scan, feeds the chain of merging units and stores its
+    /// output.
     pub struct GfbUnit {
         /// The screen: M x N pixels.
         pub screen: Screen,
@@ -99,7 +103,7 @@ block! {
         pub overhead: u32,
         /// Whether there is an accumulation buffer.
         pub accumulation: bool,
-        /// What shows it.
+        /// The display.
         pub display: Display,
     }
     ranges(self) {
@@ -139,12 +143,12 @@ block! {
 }
 
 impl GfbUnit {
-    /// What leads its rounds of merging.
+    /// The sequencer of its merging rounds.
     pub fn sequencer(&self) -> GfbSequencer {
         GfbSequencer { screen: self.screen, units: self.units, overhead: self.overhead }
     }
 
-    /// What shows it.
+    /// The read-out to its display.
     pub fn read_out(&self) -> CrtReadOut {
         CrtReadOut { screen: self.screen, blanking: self.display.blanking }
     }
@@ -154,12 +158,12 @@ impl GfbUnit {
         Accumulation { screen: self.screen, crt: self.display.clock() }
     }
 
-    /// The widths of what the accumulation buffer asks for.
+    /// The widths of the accumulation buffer's requests.
     fn adding(&self) -> Adding<Width> {
         Adding { busy: bit(), address: below(self.screen.pixels()) }
     }
 
-    /// The widths of what the host says.
+    /// The widths of the host's inputs.
     fn host(&self) -> Host<Width> {
         let access = Access { address: below(self.screen.pixels()), writes: bit(), word: bits(WORD) };
         let multipass = vec![Multipass::widths(); self.accumulation.into()];
@@ -173,8 +177,8 @@ impl GfbUnit {
         let round = merge.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { restart: i.swap });
         let enable = round.scan.enable;
 
-        // Two banks: the chain has its port of the one that is filled, the host has its port of the one on display. A pixel is stored
-        // long before it is fed again. Only a sum may meet a write, that of the host.
+        // Two banks. The chain uses its port of the bank being filled; the host uses its port of the bank on display. A
+        // pixel is stored long before it is fed again. Only a sum can coincide with a write, that of the host.
         let policy = if self.accumulation { ReadUnderWrite::Old } else { ReadUnderWrite::Any };
         def!(filled_bank = merge.toggle(i.swap));
         def!(is_filled = constants(bit().of(row(2)), |bank| bank).eq(filled_bank));
@@ -187,7 +191,7 @@ impl GfbUnit {
             mux(is_filled, i.merged, access.word),
         );
 
-        // A word is in the bank that it was asked of, also behind a swap.
+        // A word arrives from the bank that was read, even after a swap.
         def!(read_bank = merge.pipe_when(reads, !filled_bank));
         def!(read_words = banks.on(MERGE).read_when(reads & !is_filled, access.address));
         def!(read_valid = merge.reg(bit()).reset(0));
@@ -199,7 +203,7 @@ impl GfbUnit {
             "blank pixels enter the chain in the first round after a swap",
         );
 
-        // Of the bank on display, the chain's port is that of the accumulation buffer.
+        // On the bank on display, the accumulation buffer uses the chain's port.
         let adds = self.accumulation.then(|| merge.wire("adds", self.adding()));
         let (reads_old, old_address) = match &adds {
             Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, round.feed, adds.address)),
@@ -235,7 +239,7 @@ impl GfbUnit {
         GfbUnitOut { view, scan: round.scan, left, blanking, pixel: read_out.pixel }
     }
 
-    /// That what entered the chain before the swap comes out of it unchanged.
+    /// Asserts that whatever entered the chain before the swap leaves it unchanged.
     fn state_what_is_stale(&self, m: Module, (round, swap): (&GfbSequencerOut, Signal), left: Signal, merged: Signal) {
         let (merge, chain) = (m.on(MERGE), self.sequencer().chain());
         def!(entered = m.memory(chain, WORD, ReadUnderWrite::Any));
@@ -268,7 +272,7 @@ impl GfbUnit {
     }
 }
 
-/// What the accumulation buffer gives.
+/// The outputs of the accumulation buffer.
 struct Average {
     adds: Adding,
     /// The display shows `colour`.

@@ -10,15 +10,15 @@
 //! send --------------------'     ^ EMPTY   '-------|-----------> word
 //! ```
 //!
-//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one may come in the last of
-//! them. The first stage takes no less for a page, so nobody has to ask whether one may. The scan gets a word one clock
-//! after its address, a word a clock.
+//! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one may come in the last
+//! of them. The first stage takes at least as long to find a page, so no handshake is needed. The scan gets a word one
+//! clock after its address, a word a clock.
 //!
-//! The word kept is the smaller one, which is the nearer. What the scan has read is cleared at once, so that after a whole
-//! scan the buffer is empty and ready for the processor.
+//! The memory keeps the smaller word, which is the nearer one. A word read by the scan is cleared at once. So after a
+//! whole scan the buffer is empty and ready for the processor.
 //!
-//! Both buffers are one memory, whose lowest address bit tells them apart: a port for the processor, a port for the
-//! scan, which takes the old word and leaves [`empty`] at the same edge.
+//! Both buffers share one memory; the lowest address bit selects the buffer. One port serves the processor. The other
+//! serves the scan: it reads the old word and writes [`empty`] at the same edge.
 
 use crate::prelude::*;
 
@@ -28,11 +28,12 @@ codes! {
 }
 
 block! {
-    /// Holds two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and clears what it sends.
+    /// Stores two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and clears each word that it
+    /// sends.
     pub struct ImageMemory {
         /// The number of pages in a buffer.
         pub pages: u32,
-        /// The number of pixels in a page; of a power of two no word of the memory is left over.
+        /// The number of pixels in a page; with a power of two no word of the memory is wasted.
         pub page_pixels: u32,
     }
     ranges { pages: 2.., page_pixels: 2.. }

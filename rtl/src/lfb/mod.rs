@@ -1,4 +1,4 @@
-//! The local frame buffer of the VC-1: a full screen in the memory of a part of it, by demand paging of patches.
+//! The local frame buffer of the VC-1: a full virtual screen in a smaller memory, by demand paging of patches.
 
 mod image_memory;
 mod page_id_generator;

@@ -7,9 +7,10 @@
 //!                          '--> exhausted   used = pages
 //! ```
 //!
-//! Latency 1 clock from `take` to the next page; a page a clock.
+//! Latency: 1 clock from `take` to the next page; a page a clock.
 //!
-//! Its value is the ID of the next free page; a first access to a patch takes it. It restarts when the buffers are swapped.
+//! Its value is the ID of the next free page; the first access to a patch takes it. It restarts when the buffers are
+//! swapped.
 
 use crate::prelude::*;
 
@@ -31,7 +32,7 @@ block! {
     out(self) PageIdGeneratorOut {
         /// The next free page, unless all are taken.
         page: below(self.pages),
-        /// How many pages are taken.
+        /// The number of pages taken.
         used: up_to(self.pages),
         /// All pages are taken.
         exhausted: bit(),
@@ -92,7 +93,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Against a list of the free pages (VC1-PIG): a take has its first one, a restart makes it whole again.
+        /// Compared with a list of the free pages (VC1-PIG): a take removes its first page, and a restart makes it
+        /// whole again.
         #[test]
         fn it_is_the_first_of_the_free_pages(
             pages in 2..20u32,

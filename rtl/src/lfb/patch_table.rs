@@ -1,4 +1,4 @@
-//! The patch table, with the first stage of the access pipeline (VC1-PT, VC1-ACC).
+//! The patch table, the first stage of the access pipeline (VC1-PT, VC1-ACC).
 //!
 //! ```text
 //! look_up --> patch --.   .-------------.     resident?  yes -------------> page
@@ -8,18 +8,18 @@
 //! scan -----------------------^    '--------> scan_entry
 //! ```
 //!
-//! Latency and throughput: a look-up takes 3 clocks if the patch has a page, else 4; the next one is accepted in the
-//! last of them. A clear takes 3 clocks. The scan looks up a patch for every clock of the merger.
+//! Latency and throughput: a look-up takes 3 clocks if the patch has a page, and otherwise 4. The next one is accepted
+//! in its last clock. A clear takes 3 clocks. The scan looks up a patch in every clock of the merger.
 //!
-//! An entry is a page existence flag and a page ID. A look-up that finds the flag clear takes the next free page from the
-//! page ID generator and writes it into the entry, with the flag set, which costs the fourth clock. The processor clears
-//! the table by software, entry by entry, after each swap (VC1-CLR2).
+//! An entry is a page existence flag and a page ID. A look-up that finds the flag clear takes the next free page from
+//! the page ID generator. It writes the page into the entry and sets the flag, which costs the fourth clock. The
+//! processor's software clears the table, entry by entry, after each swap (VC1-CLR2).
 //!
-//! A miss when all pages are taken is an overflow: the look-up is held until the processor has swapped the buffers and
-//! cleared the table, and says `resume`.
+//! A miss when all pages are taken is an overflow. The look-up then waits until the processor has swapped the buffers,
+//! cleared the table and asserted `resume`.
 //!
-//! Both tables are one memory, whose lowest address bit tells the buffers apart: a port for the processor, a port
-//! for the scan.
+//! Both tables share one memory; the lowest address bit selects the buffer. One port serves the processor, the other
+//! the scan.
 
 use super::page_id_generator::{PageIdGenerator, PageIdGeneratorIn};
 use crate::prelude::*;
@@ -33,7 +33,8 @@ codes! {
 }
 
 block! {
-    /// Gives each patch of the screen a page of image memory on its first access, for the buffer in front and for the one behind.
+    /// Gives each patch of the screen a page of image memory on its first access, separately for the front buffer and
+    /// the back buffer.
     pub struct PatchTable {
         /// The number of patches.
         pub patches: u32,
@@ -41,7 +42,7 @@ block! {
         pub pages: u32,
     }
     ranges { patches: 2.., pages: 2.. }
-    latency = "3 clocks for a patch that has a page, else 4";
+    latency = "3 clocks for a patch with a page, otherwise 4";
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {
         /// A request for the page of a patch.

@@ -1,4 +1,4 @@
-//! The screen divided into patches, and where a pixel lies among them (VC1-PT).
+//! The division of the screen into patches, and the position of a pixel in them (VC1-PT).
 //!
 //! ```text
 //! x  [ column        | low bits ]      patch  = row * columns + column
@@ -11,7 +11,7 @@ use crate::parameter::{ParameterError, Screen};
 use crate::scan::Position;
 
 bundle! {
-    /// Where a pixel lies: its patch, and its place in the patch.
+    /// The position of a pixel: its patch, and its place in the patch.
     pub struct Place<T> {
         /// The number of the patch, row by row from the upper left.
         pub patch: T,
@@ -20,14 +20,14 @@ bundle! {
     }
 }
 
-/// A screen divided into square patches. A page of image memory holds one patch.
+/// A screen divided into square patches. A page of image memory stores one patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Patches {
     screen: Screen,
     edge: u32,
 }
 
-/// Whether patches may have that edge.
+/// Whether patches may have this edge.
 pub(crate) fn check_edge(edge: u32) -> Result<(), ParameterError> {
     if [4, 8, 16].contains(&edge) {
         return Ok(());
@@ -40,7 +40,7 @@ impl Patches {
     ///
     /// # Errors
     ///
-    /// The edge is another one, or the screen is smaller than 2 x 2 patches.
+    /// The edge has another length, or the screen is smaller than 2 x 2 patches.
     pub fn new(screen: Screen, edge: u32) -> Result<Patches, ParameterError> {
         check_edge(edge)?;
         if screen.width <= edge || screen.height <= edge {
@@ -63,7 +63,7 @@ impl Patches {
         self.edge
     }
 
-    /// The number of patches side by side; the last one may stand out to the right.
+    /// The number of patches side by side; the last one may extend beyond the screen's right edge.
     pub fn columns(&self) -> u32 {
         self.screen.width.div_ceil(self.edge)
     }
@@ -88,7 +88,7 @@ impl Patches {
         below(self.pixels())
     }
 
-    /// Where the pixel lies, as hardware.
+    /// The position of the pixel, as hardware.
     pub fn locate(&self, pixel: Position) -> Place {
         let shift = self.edge.ilog2();
         let high = |signal: Signal| signal.slice(shift..signal.width());
@@ -98,7 +98,7 @@ impl Patches {
         Place { patch: first_of_row + column, offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }
     }
 
-    /// Where the pixel lies, in numbers.
+    /// The position of the pixel, in numbers.
     pub fn place(&self, x: u32, y: u32) -> Place<u64> {
         let patch = y / self.edge * self.columns() + x / self.edge;
         let offset = y % self.edge * self.edge + x % self.edge;

@@ -7,13 +7,14 @@
 //! restart -+-- preset.x ---- preset.y
 //! ```
 //!
-//! Latency 1 clock; a pixel for every clock with `enable`.
+//! Latency: 1 clock; a pixel for every clock with `enable`.
 //!
-//! The counter runs freely in raster order, from the upper left to the lower right, and then at once from the start. In
-//! the chain each runs 4 pixels ahead of the succeeding one, the latency of a merging unit, so that all samples
-//! of a pixel meet. A restart therefore puts the counters behind the first near the end of a frame. What they pass until that ends
-//! would be sent, and cleared, for nobody: it meets pixels that entered the chain before the restart. `armed` opens with the first
-//! whole frame, and stays open. From then on any pixels in a row, as many as a frame has, are each pixel once.
+//! The counter runs freely in raster order, from the upper left to the lower right, and then starts again at once.
+//! In the chain each counter runs 4 pixels ahead of the succeeding one. This is the latency of a merging unit, so all
+//! samples of a pixel meet. A restart therefore sets every counter but the first near the end of a frame. The pixels up
+//! to that end would be sent and cleared in vain: they meet pixels that entered the chain before the restart. `armed`
+//! rises with the first whole frame and stays high. From then on, any run of as many pixels as a frame has includes
+//! each pixel exactly once.
 
 use crate::prelude::*;
 
@@ -43,10 +44,10 @@ block! {
 }
 
 impl ScanCounter {
-    /// The preset of the counter at a position of the chain; 0 is the first, fed by the global frame buffer. The chain
-    /// has at most a quarter as many positions as the screen has pixels.
+    /// The preset of the counter at a position of the chain. Position 0 is the first, fed by the global frame buffer.
+    /// The chain has at most a quarter as many positions as the screen has pixels.
     pub fn preset(screen: Screen, position: u32) -> Position<u64> {
-        // So many pixels before the first one, which stand at the end of the frame before.
+        // This many pixels before the first one, at the end of the previous frame.
         let pixel = (-i64::from(LEAD * position)).rem_euclid(screen.pixels().into()) as u64;
         Position { x: pixel % u64::from(screen.width), y: pixel / u64::from(screen.width) }
     }
@@ -169,8 +170,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Against division (VC1-SCAN): the counter at a position of the chain has gone so many pixels on from 4 times its
-        /// position before the frame's end, and is armed from its first whole frame on. A restart takes the preset of its own clock.
+        /// Compared with division (VC1-SCAN). The counter at a position of the chain starts 4 times its position before
+        /// the frame's end, and advances from there. It is armed from its first whole frame on. A restart takes the
+        /// preset of its own clock.
         #[test]
         fn it_counts_a_frame_from_its_preset_on(
             (width, height) in (1..9u32, 1..7u32),
@@ -189,7 +191,7 @@ mod tests {
                 let ScanCounterOut { pixel, armed } = sim.read_u64();
                 let number = (frame - until_first + advanced) % frame;
                 prop_assert_eq!((pixel.x, pixel.y), (number % u64::from(width), number / u64::from(width)));
-                // Without a restart it begins somewhere, and is armed when it comes to the first pixel.
+                // Without a restart the counter begins anywhere, and is armed when it reaches the first pixel.
                 let is_armed = if restarted { advanced >= until_first } else { advanced >= frame };
                 prop_assert_eq!(armed == 1, is_armed);
                 frames += u64::from(is_armed && enable && number == frame - 1);

@@ -15,18 +15,19 @@
 //!        word    '----------------------------------------'
 //! ```
 //!
-//! Latency and throughput: an access every 3 clocks if its patch has a page, every 4 if not (VC1-ACC). A word for
-//! every enabled clock of the merger, 2 of them after the scan counter shows its pixel.
+//! Latency and throughput: an access every 3 clocks if its patch has a page, and otherwise every 4 (VC1-ACC). The
+//! merger gets a word for every enabled clock, 2 of them after the scan counter shows the pixel.
 //!
-//! The unit has two buffers: the processor draws into the front one, while the merger is sent the back one. Each holds
-//! the whole screen virtually, in pages that are given to the patches drawn into. A patch that has no page is sent as
-//! empty, the greatest depth (VC1-MU).
+//! The unit has two buffers: the processor draws into the front one while the back one is sent to the merger. Each
+//! contains the whole screen virtually, in pages that are given to the patches drawn into. A patch without a page is
+//! sent as empty pixels, with the greatest depth (VC1-MU).
 //!
 //! # Swapping
 //!
-//! `swap` exchanges the buffers for the processor at once, and for the merger two of its clocks later. The processor knows of
-//! that two clocks of its own later still; until then its look-ups and clears wait, so that never both are in one buffer.
-//! Whoever swaps has to see that the back buffer has been sent as a whole (VC1-SW3), and to clear the patch table then.
+//! `swap` exchanges the buffers at once for the processor, and two merger clocks later for the merger. The processor
+//! learns of that two of its own clocks later. Until then its look-ups and clears wait, so the two are never in the
+//! same buffer. The swap control has to ensure that the back buffer has been sent completely (VC1-SW3). After the swap
+//! the patch table has to be cleared.
 
 use super::*;
 use crate::gfb::SCAN_LATENCY;
@@ -37,7 +38,7 @@ block! {
     pub struct LfbUnit {
         /// The patches of its screen.
         pub patches: Patches,
-        /// Pages in each of the two buffers.
+        /// The number of pages in each of the two buffers.
         pub pages: u32,
     }
     ranges(self) {
@@ -92,14 +93,14 @@ impl LfbUnit {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
         let enable = i.scan.enable;
 
-        // Which buffer is in front, as the processor knows it and as the merger knows it.
+        // The front buffer, as the processor knows it and as the merger knows it.
         def!(front = pe.toggle(i.swap));
         def!(merge_front = merge.synchronize(front));
         def!(known_front = pe.synchronize(merge_front));
         def!(settled = known_front.eq(front));
         def!(back = !merge_front);
 
-        // The scan: a clock for the patch table, a clock for the image memory.
+        // The scan: one clock for the patch table, one clock for the image memory.
         let counter = ScanCounter { screen: self.patches.screen() };
         let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan: i.scan, preset: i.preset });
         let sought = self.patches.locate(counted.pixel);
@@ -107,7 +108,8 @@ impl LfbUnit {
         def!(sought_offset = merge.pipe_when(enable, sought.offset));
         def!(sought_buffer = merge.pipe_when(enable, back));
 
-        // Each pixel of the back buffer goes by once in so many, from whichever on; the last is sent 2 clocks after the scan.
+        // Any run of as many pixels as a frame has sends each pixel of the back buffer once. The last is sent 2 clocks
+        // after the scan.
         let pixels = self.patches.screen().pixels() + SCAN_LATENCY;
         def!(was_front = merge.reg(bit()).reset(0));
         was_front.next(merge_front);
@@ -118,14 +120,14 @@ impl LfbUnit {
         pixels_left
             .when(swapped, mux(passes, lit(up_to(pixels), pixels - 1), pixels))
             .when(passes & !all_sent, pixels_left - 1);
-        // A register, as it crosses to the processor's clock.
+        // A register, because the signal crosses to the processor's clock.
         def!(sending = merge.reg(bit()).reset(0));
         sending.next(!all_sent | swapped);
         merge.assert(swapped.implies(all_sent), "the buffers are swapped when the back buffer has been sent");
         merge.assume(i.scan.restart.implies(all_sent & !swapped), "the scan restarts when nothing is left to send");
         merge.cover("the buffers are swapped while the scan is within a frame", swapped & passes);
 
-        // The processor's request: its patch is looked up, the rest waits beside.
+        // The processor's request: its patch is looked up while the rest waits beside it.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let look_up = i.request.with(Wanted { patch: wanted.patch });
         def!(accept = i.request.valid & i.request.ready);
@@ -138,14 +140,14 @@ impl LfbUnit {
         def!(wanted_offset = pe.pipe_when(accept, wanted.offset));
         def!(wanted_word = pe.pipe_when(accept, i.request.word));
 
-        // A pixel sought before the buffers were swapped is not sent: its page may belong to another patch by now.
+        // A pixel looked up before the buffers were swapped is not sent: its page may belong to another patch by now.
         def!(resident = sought_armed & table.scan_entry.resident & sought_buffer.eq(back));
         let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word: wanted_word };
         let send = SendPixel { enable, resident, page: table.scan_entry.page, offset: sought_offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
         let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
 
-        // What has been sent is cleared: whatever goes by once more before the next swap is empty.
+        // A pixel that was sent is cleared: if it passes again before the next swap, it is empty.
         def!(again = all_sent & !swapped);
         def!(sought_again = merge.reg(bit()).reset(0).when(enable, again));
         def!(sent_again = merge.reg(bit()).reset(0).when(enable, sought_again));

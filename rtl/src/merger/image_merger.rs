@@ -7,16 +7,16 @@
 //! left --> [merging unit]->[merging unit]-> .. ->[merging unit] --> merged
 //! ```
 //!
-//! Latency 4 n clocks, a pixel every clock. Everything holds where `enable` is low. The sample of unit `i` has to
-//! come 4 i clocks after the left one of the same pixel, which the scan counters' lead takes care of (VC1-SCAN).
+//! Latency: 4 n clocks; a pixel every clock. While `enable` is low, all registers keep their values. Unit `i` must get
+//! its sample 4 i clocks after the left sample of the same pixel; the scan counters' lead ensures this (VC1-SCAN).
 
 use super::unit::{MergingUnit, MergingUnitIn, STAGES};
 use crate::prelude::*;
 
 block! {
-    /// Merges the images of the local frame buffers: of each pixel the nearest sample.
+    /// Merges the images of the local frame buffers: keeps the nearest sample of each pixel.
     pub struct ImageMerger {
-        /// How many merging units.
+        /// The number of merging units.
         pub units: u32,
     }
     ranges { units: 1.. }
@@ -56,7 +56,7 @@ mod tests {
 
     const EMPTY: u64 = (1 << 48) - 1;
 
-    /// A pixel marked at the left end comes out after 4 n clocks, 64 for the VC-1's 16 units.
+    /// A flagged pixel at the left end comes out after 4 n clocks, 64 for the VC-1's 16 units.
     #[test]
     fn a_marked_pixel_takes_4_clocks_a_unit() {
         for units in [1, 2, 3, 16] {
@@ -81,8 +81,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Streams in step with the chain, each unit's 4 pixels after the preceding one's, merge to their minimum, also
-        /// where the chain is held now and then.
+        /// Streams in step with the chain, each unit's 4 pixels behind its predecessor's, merge to their minimum, even
+        /// where the chain pauses.
         #[test]
         fn the_nearest_of_all_comes_out(
             units in 1..6_usize,

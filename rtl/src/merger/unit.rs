@@ -1,4 +1,4 @@
-//! The merging unit: of two pixels, the nearer (VC1-MU).
+//! The merging unit: sends on the nearer of two pixels (VC1-MU).
 //!
 //! ```text
 //!            stage 1     stage 2     stage 3     stage 4
@@ -10,11 +10,11 @@
 //!         compare ->[ ]-> compare ->[ ]-> compare ->[ ]-> compare
 //! ```
 //!
-//! Latency 4 clocks, a pair every clock. Everything holds where `enable` is low.
+//! Latency: 4 clocks; a pair every clock. While `enable` is low, all registers keep their values.
 //!
-//! A pixel is a word of depth above colour, so the nearer one is the smaller word, and equal depths are decided by the
-//! colour, alike in every order of merging (facts E0). A stage compares 12 bits of the words, the highest first, as a
-//! comparison of all 48 would not fit into a clock.
+//! A pixel is a word of depth above colour, so the nearer pixel is the smaller word. If depths are equal the colour
+//! decides, so the result does not depend on the sequence of merging (facts E0). A stage compares 12 bits of the words,
+//! the highest first, because a comparison of all 48 would not fit into a clock.
 
 use crate::prelude::*;
 
@@ -24,7 +24,7 @@ pub const STAGES: u32 = 4;
 const PART: u32 = WORD / STAGES;
 
 block! {
-    /// Sends on the nearer of two pixels: words of depth above colour, the smaller is the nearer.
+    /// Sends on the nearer of two pixels, each a word of depth above colour: the smaller word.
     pub struct MergingUnit;
     source = "VC-1, section 3.3, pipelined image merger (VC1-MU)";
     in MergingUnitIn {
@@ -42,13 +42,13 @@ block! {
 }
 
 bundle! {
-    /// What is known of two pixels in a stage.
+    /// The state of a comparison in a stage.
     struct Race<T> {
         left: T,
         right: T,
         /// They differ in the bits compared so far.
         decided: T,
-        /// If so, the right one is the smaller word.
+        /// If they differ, whether the right one is the smaller word.
         right_is_nearer: T,
     }
 }
@@ -110,7 +110,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Against `min`, with the pipeline held at random.
+        /// Compared with `min`, with random pauses of the pipeline.
         #[test]
         fn it_is_the_minimum(steps in prop::collection::vec((words(), words(), prop::bool::weighted(0.8)), 1..60)) {
             let mut sim = Simulation::of(&MergingUnit).unwrap();

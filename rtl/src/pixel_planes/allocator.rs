@@ -1,4 +1,4 @@
-//! The region allocator: each region goes to the first renderer that is free (PP5-ARCH, facts E3).
+//! The region allocator: gives each region to the first renderer that is free (PP5-ARCH, facts E3).
 //!
 //! ```text
 //!            .-------.    .-----------------------.
@@ -8,11 +8,11 @@
 //! wanted, a bit each renderer -------'
 //! ```
 //!
-//! The host gives the regions in order of decreasing load, so that small ones fill the gaps at the end of a frame. A renderer that is free gets
-//! the next one at once; so whoever is free first is served first, and of those free in one clock the lowest, then the others, a clock
-//! each.
+//! The host lists the regions by decreasing load, so that small ones fill the gaps at the end of a frame. A free
+//! renderer gets the next region at once, so renderers are served in the sequence in which they become free. Of several
+//! that become free in one clock, the lowest is served first, then the others, a clock each.
 //!
-//! Latency none; a region a clock.
+//! Latency: none; a region a clock.
 
 use tilewright_blocks::first;
 
@@ -22,7 +22,7 @@ use crate::prelude::*;
 block! {
     /// Gives the next region to the first renderer that is free.
     pub struct RegionAllocator {
-        /// How many renderers there are.
+        /// The number of renderers.
         pub renderers: u32,
     }
     latency = "none; a region a clock";

@@ -1,4 +1,5 @@
-//! The backing store of a renderer: holds a finished region, and sends it while the next one is drawn (PP5-ARCH, facts E3).
+//! The backing store of a renderer: stores a finished region, and sends it while the next one is drawn (PP5-ARCH, facts
+//! E3).
 //!
 //! ```text
 //!                   48 planes of S x S bits
@@ -7,19 +8,21 @@
 //!  a plane a clock '-----------------------'      of each line    '--------'
 //! ```
 //!
-//! A region comes plane by plane, in 48 clocks, and goes line by line: the 48 planes of a line one after another, the least significant
-//! first, S bits a clock. With S = 128 at 40 MHz that is 5.12 Gbit/s, in 48 S = 6144 clocks a region.
+//! A region arrives plane by plane, in 48 clocks, and leaves line by line. The 48 planes of a line follow one another,
+//! the least significant first, S bits a clock. With S = 128 at 40 MHz that is 5.12 Gbit/s, and 48 S = 6144 clocks a
+//! region.
 //!
-//! Latency and throughput: 2 clocks from the last plane that comes to the first that goes, then one a clock, if each is taken at once.
+//! Latency and throughput: 2 clocks from the last plane in to the first one out. Then one plane leaves in each clock in
+//! which the receiver takes it.
 
 use super::controller::Save;
 use super::{REGION_BITS, fields};
 use crate::prelude::*;
 
 block! {
-    /// Holds a finished region, and sends it line by line while the next one is drawn.
+    /// Stores a finished region, and sends it line by line while the next one is drawn.
     pub struct BackingStore {
-        /// Pixels in a line of a region, and lines; a power of two.
+        /// Pixels in a line of a region, and lines in a region; a power of two.
         pub side: u32,
     }
     latency(self) = format!("2 clocks from the last plane; a region is sent in {} clocks", fields::WORD.bits * self.side);
@@ -55,7 +58,7 @@ bundle! {
 }
 
 impl BitPlane<Width> {
-    /// The widths of its fields in a region of that side.
+    /// The widths of its fields in a region with that side.
     pub fn widths(side: u32) -> BitPlane<Width> {
         BitPlane {
             region: bits(REGION_BITS),
@@ -76,7 +79,7 @@ impl BackingStore {
         bits.write(i.save.plane, i.number, i.word);
         def!(complete = i.save.plane & i.number.eq(last_plane));
 
-        // A plane of a line is read in each clock in which the one before can go.
+        // A plane of a line is read in each clock in which its predecessor can go.
         def!(reading = m.reg(bit()).reset(0));
         def!(plane = m.reg(below(fields::WORD.bits)).reset(0));
         def!(line = m.reg(below(self.side)).reset(0));

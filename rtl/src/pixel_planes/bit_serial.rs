@@ -1,4 +1,4 @@
-//! What the trees are made of: sums of streams of bits, least significant bit first, and their delays and shifts (PP5-ARCH).
+//! Building blocks of the trees: sums, delays and shifts of bit streams, least significant bit first (PP5-ARCH).
 
 use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
@@ -9,19 +9,20 @@ pub(super) fn is_right(nodes: u32) -> Signal {
     constants(bit().of(row(nodes)), |node| node % 2)
 }
 
-/// The beginnings of expressions, at so many places: a clock later at each.
+/// The `first` signal of an expression at each of `places` places; each place is one clock later.
 #[track_caller]
 pub(super) fn beginnings(m: Module, places: u32, first: Signal) -> Vec<Signal> {
     mark_delays(m, "first", places - 1, first)
 }
 
-/// The bit, so many clocks later.
+/// The bit, delayed by `clocks` clocks.
 #[track_caller]
 pub(super) fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal {
     delays(m, name, clocks, bit)[clocks as usize]
 }
 
-/// The sums of two numbers that begin with `first`, a clock later; their names, and those of their carries.
+/// The sum of two numbers whose first bits come with `first`, one clock later. The two names are those of the sum and
+/// of its carry.
 #[track_caller]
 pub(super) fn sum(m: Module, [name, carry]: [&str; 2], first: Signal, number: Signal, adds: Signal) -> Signal {
     let carried = format!("{carry}_in");
@@ -31,8 +32,9 @@ pub(super) fn sum(m: Module, [name, carry]: [&str; 2], first: Signal, number: Si
     m.pipe(name, number ^ adds ^ carried)
 }
 
-/// A number times a power of two, for a sum that begins at the first of two of the beginnings: its first bit comes at the second. Until then
-/// there are zeros, as of a shift. What is sent has more bits than there are clocks between the two; the name is that of what tells that it has come.
+/// A number shifted left, for a sum that starts later. `from` and `to` are places in `first`: the shift is the distance
+/// between them. Before the number's first bit the stream is 0. A number must have more bits than the shift. `name`
+/// names the register that tells whether the number has started.
 #[track_caller]
 pub(super) fn shifted(m: Module, name: &str, first: &[Signal], [from, to]: [u32; 2], number: Signal) -> Signal {
     if from == to {
@@ -44,7 +46,7 @@ pub(super) fn shifted(m: Module, name: &str, first: &[Signal], [from, to]: [u32;
     number & (comes | (has_come & !first))
 }
 
-/// Twice a number that begins with `first`: a clock is a place.
+/// Twice a number that begins with `first`: a delay of one clock doubles it.
 #[track_caller]
 pub(super) fn doubled(m: Module, name: &str, first: Signal, number: Signal) -> Signal {
     m.pipe(name, number) & !first

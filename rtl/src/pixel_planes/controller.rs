@@ -1,4 +1,5 @@
-//! The image generation controller: takes instructions, sends coefficients bit by bit and says to all pixels what to do (PP5-UT, facts E3).
+//! The image generation controller: takes instructions, sends coefficients bit by bit, and controls all pixels (PP5-UT,
+//! facts E3).
 //!
 //! ```text
 //!                  .---------.               .-----------------.  a, b, c, a bit a clock, first
@@ -11,22 +12,27 @@
 //!                                            '-----------------'
 //! ```
 //!
-//! What needs the tree, or changes `enable`, goes to the one slot, what needs only the memory to the other; so the memory still writes what a
-//! primitive leaves while the tree has the next one's edges. One more instruction may wait for the memory, as what a primitive leaves is
-//! often two. Instructions are taken in order, at most one a clock, and begin right behind the one before:
+//! The controller has two slots. Instructions that use the tree or change `enable` go to the tree slot. Instructions
+//! that need only the memory go to the memory slot. So while a primitive's result is still being written to memory, the
+//! tree already works on the next primitive's edges. One more instruction may wait for the memory, because a primitive
+//! often ends with two such writes. Instructions are taken in sequence, at most one a clock, and each begins right
+//! behind its predecessor:
 //!
-//! | an instruction | is taken when |
+//! | instruction | taken when |
 //! |---|---|
-//! | on the tree | the tree slot ends in this clock, and what the memory has to do will before the word, if that needs the memory, too |
-//! | on the memory | nothing waits, or the memory slot ends in this clock; and what the tree slot has needs no memory, or ends, too |
+//! | on the tree | the tree slot ends in this clock; and, if its word also needs the memory, the memory is free by then |
+//! | on the memory | no instruction waits, or the memory slot ends in this clock; and the instruction in the tree slot needs no memory, or also ends |
 //! | any, one at a time | both slots end in this clock |
 //!
-//! Coefficients are loaded at the edge at which an instruction begins, so the array never waits while the queue has an instruction (PP5-UT).
+//! Coefficients are loaded at the edge at which an instruction begins. So the array never waits while the queue has an
+//! instruction (PP5-UT).
 //!
-//! A curve, which takes the tree for a clock, waits in registers of its own for the next expression, and its bits go out with that one's: there are such registers
-//! where the tree is a [quadratic](super::quadratic_tree) one, and the control of pixels is 4 log2 S clocks late.
+//! A curve takes the tree for one clock. It waits in registers of its own, and its bits go out with those of the next
+//! expression. Only a controller for a [quadratic](super::quadratic_tree) tree has these registers; there the control
+//! of the pixels is 4 log2 S clocks late.
 //!
-//! Latency 1 clock from an instruction to its first bits, which go to the tree; the control of pixels is as late as the expression.
+//! Latency: 1 clock from an instruction to its first bits at the tree. The control of the pixels is delayed as long as
+//! the expression.
 
 use self::slot::{Order, Slot};
 use super::instruction::{Instruction, LONGEST, Microcode, Operation};
@@ -41,7 +47,7 @@ mod slot;
 block! {
     /// Takes the instructions of a renderer, and controls its tree and its pixels.
     pub struct ImageGenerationController {
-        /// Pixels in a line of a region, and lines; a power of two.
+        /// Pixels in a line of a region, and lines in a region; a power of two.
         pub side: u32,
         /// Whether it takes [curves](Operation::Curve), for a [quadratic tree](super::quadratic_tree).
         pub quadratic: bool,
@@ -83,12 +89,12 @@ block! {
 }
 
 bundle! {
-    /// What goes to the pixels, and with it to the backing store.
+    /// The control of the pixels, and with it of the backing store.
     struct Sent<T> { control: Control<T>, plane: T }
 }
 
 impl ImageGenerationController {
-    /// Clocks from a coefficient's bit to the expression's at each pixel.
+    /// Clocks from a coefficient's bit to the expression's bit at each pixel.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::controller::ImageGenerationController;
@@ -118,7 +124,7 @@ impl ImageGenerationController {
         let next = i.instructions.take_when(may);
         let order = Order::of(&next, decoded);
 
-        // Where it goes.
+        // The slot that it goes to.
         def!(tree_begins = next.taken & decoded.on_tree);
         def!(for_memory = next.taken & !decoded.on_tree);
         def!(must_wait = for_memory & (waits | !memory.ends));
@@ -136,7 +142,7 @@ impl ImageGenerationController {
         def!(first = m.reg(bit()).reset(0));
         first.next(tree_begins & decoded.source.is(Source::Expression));
 
-        // Both slots control the pixels, one of them their memory.
+        // Both slots control the pixels; one of them controls their memory.
         m.assert(!(tree.on_memory() & tree.is_word & memory.is_word), "of two instructions one has the memory");
         let of_tree = tree.control();
         let of_memory = mux(memory.is_word, memory.control(), of_tree);
@@ -157,7 +163,7 @@ impl ImageGenerationController {
         }
     }
 
-    /// The bits of a curve, with those of the expression after it.
+    /// The bits of a curve, sent with those of the following expression.
     fn curve(&self, m: Module, next: &Taken<Instruction>, is_expression: Signal) -> Vec<Curve> {
         let is_curve = next.operation.is(Operation::Curve);
         if !self.quadratic {
@@ -179,7 +185,7 @@ impl ImageGenerationController {
         vec![Curve { d, e, f }]
     }
 
-    /// The same, as much later as the tree is with an expression.
+    /// The same, delayed as long as the tree takes for an expression.
     fn later(&self, m: Module, sent: Sent) -> Sent {
         (1..=self.lag()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), Sent { control: Control::widths(), plane: bit() }).reset(0);

@@ -1,4 +1,4 @@
-//! What is where in a pixel's 208 bits of memory (facts E3).
+//! The layout of a pixel's 208 bits of memory (facts E3).
 //!
 //! ```text
 //! 0     8     16    24              48    56    64    72              96                       207
@@ -6,35 +6,35 @@
 //! '-------- kept: z || rgb --------'  '---------- new ---------------'
 //! ```
 //!
-//! Words lie with their least significant bit at the lowest address, in the order in which they are worked on: so the visibility word
-//! z || rgb is one field of 48 bits (facts E0), and colours are compared before the depth that is above them.
+//! Words have their least significant bit at the lowest address, which is the sequence in which they are processed. So
+//! the visibility word z || rgb is one field of 48 bits (facts E0). Colours are compared before the depth above them.
 
 /// Bits of a pixel's memory, side by side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Field {
     /// The address of the least significant bit.
     pub address: u32,
-    /// How many they are.
+    /// The number of bits.
     pub bits: u32,
 }
 
-/// The blue channel that is kept.
+/// The stored blue channel.
 pub const BLUE: Field = Field { address: 0, bits: 8 };
-/// The green channel that is kept.
+/// The stored green channel.
 pub const GREEN: Field = Field { address: 8, bits: 8 };
-/// The red channel that is kept.
+/// The stored red channel.
 pub const RED: Field = Field { address: 16, bits: 8 };
-/// All channels that are kept.
+/// All stored channels.
 pub const RGB: Field = Field { address: 0, bits: 24 };
-/// The depth that is kept.
+/// The stored depth.
 pub const DEPTH: Field = Field { address: 24, bits: 24 };
-/// The visibility word that is kept: depth above colour.
+/// The stored visibility word: depth above colour.
 pub const WORD: Field = Field { address: 0, bits: 48 };
-/// Where what is new begins.
+/// The first address of the new values.
 const NEW: u32 = 48;
 
 impl Field {
-    /// The field in which the new value stands, until it is known whether it is kept.
+    /// The field of the new value, until it is known whether it is kept.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::fields::DEPTH;

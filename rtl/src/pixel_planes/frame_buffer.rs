@@ -1,4 +1,4 @@
-//! The frame buffer: puts the regions that renderers send together to a picture (PP5-ARCH, facts E3).
+//! The frame buffer: assembles the picture from the regions that renderers send (PP5-ARCH, facts E3).
 //!
 //! ```text
 //!            .---------------.  48th plane   .------------------.
@@ -7,17 +7,18 @@
 //!            '---------------'               '------------------'
 //! ```
 //!
-//! The 48 planes of a line come one after another, the least significant first, and shift into the words of its S pixels; with the last they are
-//! written. Regions count from the left, then from the top; those at the right and lower edge may reach beyond the screen.
+//! The 48 planes of a line come one after another, the least significant first, and shift into the words of its S
+//! pixels. The last plane writes them. Regions are numbered from the left, then from the top. Those at the right and
+//! lower edges may extend beyond the screen.
 //!
-//! Latency 1 clock from a line's last plane to the memory; a plane a clock. A line that is read comes 1 clock later.
+//! Latency: 1 clock from a line's last plane to the memory; a plane a clock. A line that is read comes 1 clock later.
 
 use super::backing_store::BitPlane;
 use super::{REGION_BITS, fields, side};
 use crate::prelude::*;
 
 block! {
-    /// Puts regions together to a picture.
+    /// Assembles the picture from regions.
     pub struct FrameBuffer {
         /// The picture's size.
         screen: Screen,
@@ -46,11 +47,11 @@ block! {
 }
 
 impl FrameBuffer {
-    /// A frame buffer for a screen in regions of that side, a power of two from 2 to 256.
+    /// A frame buffer for a screen in regions with that side, a power of two from 2 to 256.
     ///
     /// # Errors
     ///
-    /// There is no region of that side, or there are more than have a number.
+    /// There are no regions with that side, or there are more regions than numbers.
     pub fn new(screen: Screen, pixels: u32) -> Result<FrameBuffer, ParameterError> {
         let frame = FrameBuffer { screen, side: side(pixels)? };
         if frame.regions() <= 1 << REGION_BITS {

@@ -1,7 +1,7 @@
 //! The instructions of a renderer, and what each operation means to pixels: the microcode (facts E3).
 //!
-//! An instruction works on a word of `length` bits, a bit a clock. With an expression, `skip` bits of it come first that nobody looks at, such
-//! as a fraction, or all of an edge below its sign:
+//! An instruction works on a word of `length` bits, a bit a clock. If it has an expression, the first `skip` bits of
+//! that are ignored: a fraction, or all bits of an edge below its sign:
 //!
 //! ```text
 //! bits of the expression      0 1 2 3 ..       skip                skip + length - 1
@@ -9,28 +9,28 @@
 //! the memory is taken                             |-----------------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
-//! Expressions are linear, A x + B y + C, but for one that a [`Curve`](Operation::Curve) comes before: then D x² + E x y + F y² is added. A curve takes the tree for a
-//! clock, in a renderer that evaluates quadratics; no other takes it.
+//! Expressions are linear, A x + B y + C, unless a [`Curve`](Operation::Curve) comes right before:
+//! it adds D x² + E x y + F y². A curve takes the tree for a clock. Only a renderer that evaluates quadratics takes curves.
 //!
-//! So the memory is free for the instruction before while an expression's lower bits are on their way, and an expression is never interrupted. A
-//! test looks at a sign, which is a word of one bit.
+//! So the memory is free for the previous instruction while an expression's lower bits are on their way, and an
+//! expression is never interrupted. A test looks at a sign, which is a word of one bit.
 
 use super::linear_tree::Coefficients;
 use super::pixel::{Enabling, Mask, PixelProcessor, Source};
 use crate::prelude::*;
 
 codes! {
-    /// What an instruction does.
+    /// The operation of an instruction.
     pub enum Operation {
         /// All pixels are enabled.
         Enable,
-        /// None is.
+        /// No pixel is enabled.
         Disable,
-        /// Enabled are those where the expression is 0 or more: the first edge.
+        /// The first edge: pixels are enabled where the expression is at least 0.
         TestFirst,
-        /// Enabled stay those where it is 0 or more.
+        /// A further edge: pixels stay enabled where the expression is at least 0.
         Test,
-        /// The same, and the flag is set where the pixel stays enabled: the last edge.
+        /// The last edge: as above, and the flag is set where the pixel stays enabled.
         TestLast,
         /// The flag is set where the pixel is enabled.
         Flag,
@@ -42,9 +42,10 @@ codes! {
         EvaluateFlagged,
         /// The expression is added to a word of memory where the pixel is enabled.
         Add,
-        /// The expression is written at all pixels, and the flag is set where the pixel is enabled and the expression less than a word of memory.
+        /// The expression is written at all pixels. The flag is set where the pixel is enabled and the expression is
+        /// less than a word of memory.
         Compare,
-        /// The same, of a greater word whose lower part was compared before.
+        /// The same for the upper part of a longer word, whose lower part was compared before.
         CompareOn,
         /// The flag is set where a constant is less than a word of memory.
         CompareConstant,
@@ -56,31 +57,32 @@ codes! {
         Copy,
         /// A word of memory is written to another place where the flag is set.
         CopyFlagged,
-        /// A word of 48 bits is sent to the backing store, as that of the region whose number the constant is.
+        /// A word of 48 bits is sent to the backing store for the region whose number is the constant.
         Save,
-        /// The next expression is quadratic: `a`, `b` and `c` of this are its `d`, `e` and `f`. Those after it are linear again.
+        /// The next expression is quadratic: this instruction's `a`, `b` and `c` are its `d`, `e` and `f`. Later
+        /// expressions are linear again.
         Curve,
     }
 }
 
-/// Bits of a coefficient, as many as the contract's depth planes have (facts E0).
+/// The width of a coefficient in bits, as in the contract's depth planes (facts E0).
 pub const COEFFICIENT: u32 = 40;
 
-/// The most bits of a word; fewer are skipped before it.
+/// The most bits of a word; fewer may be skipped before it.
 pub const LONGEST: u32 = 64;
 
 bundle! {
     /// An instruction.
     pub struct Instruction<T> {
-        /// What is done: an [`Operation`].
+        /// The operation: an [`Operation`].
         pub operation: T,
-        /// Bits of the expression that come before the word; 0 without one.
+        /// Bits of the expression before the word; 0 without an expression.
         pub skip: T,
         /// Bits of the word: 1 to [`LONGEST`].
         pub length: T,
-        /// Where the word that is read begins.
+        /// The first address that is read.
         pub read: T,
-        /// Where the word that is written begins.
+        /// The first address that is written.
         pub write: T,
         /// Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are
         /// of the same sign. Of a curve they are `d`, `e` and `f`.
@@ -100,7 +102,7 @@ impl Instruction<u64> {
     ///
     /// # Panics
     ///
-    /// It has no operation.
+    /// The code stands for no operation.
     pub fn microcode(&self) -> Microcode<u64> {
         let is = |operation: &&Operation| operation.code() == self.operation;
         Operation::ALL.iter().find(is).expect("an instruction has an operation").microcode()
@@ -123,27 +125,27 @@ impl Instruction<Width> {
 }
 
 bundle! {
-    /// What an operation means: a word of the microcode.
+    /// The meaning of an operation: a word of the microcode.
     pub struct Microcode<T> {
-        /// It is one of the tree's, or changes `enable`: instructions of this kind follow one another.
+        /// It uses the tree, or changes `enable`: instructions of this kind follow one another.
         pub on_tree: T,
         /// It reads or writes memory or flag, in the clocks of its word.
         pub on_memory: T,
-        /// Where its bits come from: a [`Source`].
+        /// The source of its bits: a [`Source`].
         pub source: T,
         /// They are added to the word that is read.
         pub adds: T,
-        /// Carry and flag begin anew with the word.
+        /// Carry and flag restart with the word.
         pub begins: T,
         /// Which pixels write: a [`Mask`].
         pub mask: T,
         /// The flag tells where the bits are less than the word that is read.
         pub compares: T,
-        /// The flag changes by the comparison only where the pixel is enabled.
+        /// The comparison changes the flag only where the pixel is enabled.
         pub gates: T,
-        /// What the word's last bit does to `enable`: an [`Enabling`].
+        /// The effect of the word's last bit on `enable`: an [`Enabling`].
         pub enabling: T,
-        /// With that bit the flag becomes what `enable` becomes.
+        /// With that bit the flag takes the new value of `enable`.
         pub captures: T,
         /// The word that is read goes to the backing store.
         pub saves: T,
@@ -198,7 +200,7 @@ impl Operation {
     }
 }
 
-/// Of the memory alone.
+/// An operation on the memory alone.
 fn writing(source: Source, mask: Mask) -> Microcode<u64> {
     Microcode {
         on_tree: 0,
@@ -215,17 +217,17 @@ fn writing(source: Source, mask: Mask) -> Microcode<u64> {
     }
 }
 
-/// Of tree and memory side by side.
+/// An operation on tree and memory side by side.
 fn evaluating(mask: Mask) -> Microcode<u64> {
     Microcode { on_tree: 1, ..writing(Source::Expression, mask) }
 }
 
-/// Of `enable` alone.
+/// An operation on `enable` alone.
 fn enabling(source: Source, enabling: Enabling) -> Microcode<u64> {
     Microcode { on_tree: 1, on_memory: 0, enabling: enabling.code(), ..writing(source, Mask::Nobody) }
 }
 
-/// The same, and the flag becomes what `enable` becomes.
+/// The same, and the flag takes the new value of `enable`.
 fn capturing(microcode: Microcode<u64>) -> Microcode<u64> {
     Microcode { on_memory: 1, captures: 1, ..microcode }
 }
@@ -234,7 +236,8 @@ fn capturing(microcode: Microcode<u64>) -> Microcode<u64> {
 mod tests {
     use super::*;
 
-    /// What the controller relies on: instructions on the tree follow one another, and so do those on the memory, but not one of each.
+    /// The controller relies on this: instructions on the tree follow one another, and so do those on the memory, but
+    /// one of each may overlap.
     #[test]
     fn what_two_instructions_share_keeps_them_in_order() {
         for operation in Operation::ALL {

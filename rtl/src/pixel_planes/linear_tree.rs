@@ -10,14 +10,14 @@
 //! a ---[log2 S - 1 clocks]--- to all levels of the x tree; b, log2 S clocks later, to those of the y tree
 //! ```
 //!
-//! A node of the x tree has the sum for a span of columns, at its first one. Its left child passes that on, its right child adds half the span
-//! times A: A, shifted by as many places as the level is above the leaves. A level is a clock later than the one above it, so those
-//! shifts and delays together are the same for all levels, and one line brings a bit of A to all of them. The y tree goes on in the same way
-//! with the lines of each column.
+//! Each node of the x tree stands for a span of columns and has the sum at the span's first column. Its left child
+//! takes that sum. Its right child adds half the span times A, which is A shifted by the level's height above the
+//! leaves. Each level is one clock later than the one above it. So shift and delay add up to the same at every level,
+//! and one line brings a bit of A to all levels. The y tree continues in the same way with the lines of each column.
 //!
-//! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
+//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
 //!
-//! Latency 2 log2 S clocks; a bit of each pixel a clock, and expressions right behind one another.
+//! Latency: 2 log2 S clocks. Each pixel gets a bit a clock, and expressions may follow one another without a gap.
 
 use super::bit_serial::{beginnings, delayed, is_right, shifted, sum};
 use crate::prelude::*;
@@ -55,7 +55,7 @@ impl LinearTree {
         self.side.trailing_zeros()
     }
 
-    /// Clocks from a coefficient's bit to the expression's: a clock a level.
+    /// Clocks from a coefficient's bit to the expression's bit: a clock a level.
     pub fn latency(&self) -> u32 {
         2 * self.levels()
     }
@@ -82,14 +82,15 @@ impl LinearTree {
 /// A coefficient on its way to the levels of a tree.
 struct Axis<'a> {
     name: &'static str,
-    /// Its bits, so late that they have the lowest level's weight, and with them that of all others.
+    /// Its bits, delayed until they have the weight of the lowest level, and so of every level.
     coefficient: Signal,
     /// Whether a new expression begins, at each level.
     first: &'a [Signal],
 }
 
 impl Axis<'_> {
-    /// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
+    /// The sums of a level's nodes, a clock later: a left child takes its parent's, and a right child adds the
+    /// coefficient.
     fn children(&self, m: Module, level: u32, parents: Signal, is_right: Signal) -> Signal {
         let named = |what: &str| format!("{}_{what}{level}", self.name);
         let lowest = self.first.len() as u32 - 1;

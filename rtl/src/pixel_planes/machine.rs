@@ -1,4 +1,5 @@
-//! The machine as a whole, behind its geometry processors: renderers around a ring, who gets which region, and the picture (PP5-ARCH).
+//! The whole machine without its geometry processors: renderers around a ring, the allocator of regions, and the
+//! picture (PP5-ARCH).
 //!
 //! ```text
 //! regions ==>[ allocator ]--- given, region ---> host
@@ -13,13 +14,13 @@
 //!          '------'=========>[ frame buffer ]---> words
 //! ```
 //!
-//! | who | does | when |
+//! | party | action | when |
 //! |---|---|---|
-//! | host | shows regions, the one with most primitives first | at any time |
-//! | host | shows the instructions of a region in the bin of the renderer that got it, the last of them a save | from the clock after `given`, in which `open` rises, until the last one is taken and it falls |
+//! | host | offers regions, the one with most primitives first | at any time |
+//! | host | offers the instructions of a region in the bin of the renderer that got it; the last one is a save | from the clock after `given`, in which `open` rises, until the last one is taken and it falls |
 //! | host | reads the picture | when all renderers are idle and have sent everything |
 //!
-//! Latency: as long as the renderer with most to do takes, and the ring to bring it.
+//! Latency: the time of the renderer with most to do, and of the ring.
 
 use super::REGION_BITS;
 use super::allocator::{RegionAllocator, RegionAllocatorIn};
@@ -39,14 +40,14 @@ block! {
         renderers: u32,
         /// Pixels in a line of a region, and lines.
         side: u32,
-        /// Instructions that the queue of each renderer holds.
+        /// The capacity of each renderer's queue, in instructions.
         queue: u32,
-        /// Bits that the ring brings in a clock.
+        /// Bits that the ring carries in a clock.
         rate: u32,
         /// Whether the renderers' expressions may be quadratic.
         quadratic: bool,
     }
-    latency = "the clocks of the renderer that is done last; 1 clock to read a line";
+    latency = "the clocks of the last renderer to finish; 1 clock to read a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in(self) PixelPlanes5In {
         /// The numbers of the regions, the one with most primitives first.
@@ -77,7 +78,8 @@ block! {
 }
 
 impl PixelPlanes5 {
-    /// A machine of so many renderers of regions of that side, each with a queue of so many instructions, around a ring of so many bits a clock.
+    /// A machine with `renderers` renderers of regions with that side, each with a queue of `queue` instructions. The
+    /// ring carries `rate` bits a clock.
     ///
     /// # Errors
     ///
@@ -103,13 +105,13 @@ impl PixelPlanes5 {
         Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic: false })
     }
 
-    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic), or with others.
+    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic) if `quadratic` is true.
     #[must_use]
     pub fn quadratic(self, quadratic: bool) -> PixelPlanes5 {
         PixelPlanes5 { quadratic, ..self }
     }
 
-    /// How many renderers there are.
+    /// The number of renderers.
     pub fn renderers(&self) -> u32 {
         self.renderers
     }

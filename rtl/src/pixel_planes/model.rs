@@ -1,4 +1,4 @@
-//! What instructions do to the pixels of a region, one after another: by definition, for tests.
+//! The effect of instructions on the pixels of a region, one after another: the definition, for tests.
 
 use super::instruction::{Instruction, Operation};
 use super::linear_tree::Coefficients;
@@ -18,7 +18,7 @@ impl Pixel {
         Pixel { memory: vec![false; PixelProcessor::BITS as usize], enable: false, flag: false }
     }
 
-    /// The word of so many bits at an address.
+    /// The word of `length` bits at an address.
     pub fn word(&self, address: u64, length: u64) -> u64 {
         (0..length).map(|bit| u64::from(self.memory[(address + bit) as usize]) << bit).sum()
     }
@@ -29,7 +29,7 @@ impl Pixel {
         }
     }
 
-    /// Does an instruction, whose expression is `value` here.
+    /// Executes an instruction whose expression is `value` at this pixel.
     fn run(&mut self, operation: Operation, instruction: &Instruction<u64>, value: i128) {
         let &Instruction { skip, length, read, write, .. } = instruction;
         let mask = u64::MAX >> (64 - length);
@@ -75,7 +75,7 @@ impl Pixel {
 /// A region, and those that were saved.
 pub(super) struct Model {
     side: u32,
-    /// What the next expression has of x², x y and y².
+    /// The coefficients of x², x y and y² for the next expression.
     curve: [i128; 3],
     /// Line by line.
     pub pixels: Vec<Pixel>,

@@ -11,24 +11,24 @@
 //! enable: the pixel is inside all edges so far      flag: what is new is less than what is kept
 //! ```
 //!
-//! All processors do the same in each clock, on a bit of their own; only the flags differ. A word is worked on from its least significant bit,
-//! so of two words that are compared the last bit in which they differ decides.
+//! All processors execute the same control in each clock, each on its own bit; only their flags differ. A word is
+//! processed from its least significant bit. So when two words are compared, the last bit in which they differ decides.
 //!
-//! There are two flags so that what a primitive leaves, where `flag` is set, can be written while the edges of the next one change
-//! `enable`.
+//! There are two flags, so the result of one primitive can be written where `flag` is set while the edges of the next
+//! change `enable`.
 //!
-//! Latency 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
+//! Latency: 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
 
 use crate::prelude::*;
 
 codes! {
-    /// Where the bit comes from that a processor works on.
+    /// The source of the bit that a processor works on.
     pub enum Source {
         /// The linear-expression tree.
         Expression,
         /// Its memory, at the read address.
         Memory,
-        /// The controller: the same for all.
+        /// The controller: the same bit for all processors.
         Constant,
     }
 }
@@ -48,7 +48,7 @@ codes! {
 }
 
 codes! {
-    /// What becomes of the enable flags.
+    /// The change of the enable flags.
     pub enum Enabling {
         /// They stay.
         Keep,
@@ -82,7 +82,7 @@ bundle! {
         pub gates: T,
         /// What becomes of the enable flags: an [`Enabling`].
         pub enabling: T,
-        /// The flag becomes what the enable flag becomes.
+        /// The flag takes the new value of the enable flag.
         pub captures: T,
         /// The address that is read.
         pub read: T,

@@ -16,13 +16,13 @@
 //!            '--[ h ]--- e
 //! ```
 //!
-//! A node has what the expression is over its span, relative to the span's first column: c + a t + d t². Half a span on, this is one with other
-//! coefficients, of the same form, and that is what the right child has. The y tree goes on in the same way with c and b of each column, and F in the place
-//! of D.
+//! A node has the expression over its span, relative to the span's first column: c + a t + d t². Half a span further
+//! on, this is an expression of the same form with other coefficients; the right child takes those. The y tree
+//! continues in the same way with the c and b of each column, and with F instead of D.
 //!
-//! Half a span is a power of two, so `[h]` is a shift, which is a delay. A level takes 2 clocks for c, 1 for a and for b; one line for all levels brings D, one E and
-//! one F. With this each stream comes to each level as late as the shift there wants it, as in the [linear tree](super::linear_tree): there is no other delay
-//! than those before the roots.
+//! Half a span is a power of two, so `[h]` is a shift, which is a delay. A level takes 2 clocks for c, and 1 each for a
+//! and b. One line each brings D, E and F to all levels. So each stream reaches each level with the delay that its
+//! shift needs, as in the [linear tree](super::linear_tree). The only other delays are those before the roots.
 //!
 //! | with L = log2 S | clock of the first bit at level j of its tree, from 0 |
 //! |---|---|
@@ -31,9 +31,9 @@
 //! | b | 2 L - 1 + j in the x tree, 3 L - 1 + j in the y tree |
 //! | D, E, F | 2 L - 2, 3 L - 2, 4 L - 2: at all levels |
 //!
-//! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
+//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
 //!
-//! Latency 4 log2 S clocks; a bit of each pixel a clock, and expressions right behind one another.
+//! Latency: 4 log2 S clocks. Each pixel gets a bit a clock, and expressions may follow one another without a gap.
 
 use super::bit_serial::{beginnings, delayed, doubled, is_right, shifted, sum};
 use super::linear_tree::Coefficients;
@@ -74,7 +74,7 @@ impl QuadraticTree {
         self.side.trailing_zeros()
     }
 
-    /// Clocks from a coefficient's bit to the expression's: two a level.
+    /// Clocks from a coefficient's bit to the expression's bit: two a level.
     pub fn latency(&self) -> u32 {
         4 * self.levels()
     }
@@ -121,24 +121,25 @@ impl QuadraticTree {
     }
 }
 
-/// Of the nodes of a level: the expression at the beginning of their spans, and its growth from there to the next place, but for the curve.
+/// The nodes of a level: the expression at the beginning of their spans, and its growth from there to the next place,
+/// without the curve.
 struct Span {
     value: Signal,
     growth: Signal,
 }
 
-/// A direction: the coefficient of its square on the way to the levels of a tree.
+/// A direction: the coefficient of its square on its way to the levels of a tree.
 struct Axis<'a> {
     name: &'static str,
     levels: u32,
-    /// Its bits, as late as the lowest level wants them, and with it all others.
+    /// Its bits, with the delay that the lowest level needs; it is the same for all levels.
     curve: Signal,
-    /// Whether a new expression begins, from the clock on in which it comes to the root.
+    /// Whether a new expression begins, from the clock on in which it reaches the root.
     first: &'a [Signal],
 }
 
 impl Axis<'_> {
-    /// A level's nodes, of which `by_child` says for each what its parent has. The lowest level has no growth: nobody asks for it.
+    /// A level's nodes; `by_child` says for each what its parent has. The lowest level has no growth: nothing uses it.
     fn children(
         &self,
         m: Module,

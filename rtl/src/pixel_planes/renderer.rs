@@ -1,4 +1,5 @@
-//! The renderer: S x S pixels that compute under one instruction stream, and the region that they drew before (PP5-ARCH, PP5-UT).
+//! The renderer: S x S pixels that compute under one instruction stream, and a store for the previous region (PP5-ARCH,
+//! PP5-UT).
 //!
 //! ```text
 //! instructions ==>[ queue ]==>[ controller ]--->[     tree    ]--.
@@ -9,12 +10,13 @@
 //!                                                      '=========================> planes
 //! ```
 //!
-//! The tree is a [linear](super::linear_tree) or a [quadratic](super::quadratic_tree) one.
+//! The tree is [linear](super::linear_tree) or [quadratic](super::quadratic_tree).
 //!
-//! It is at rest where no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken: then nothing in it changes.
+//! The renderer is at rest if no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken.
+//! Then nothing in it changes.
 //!
-//! Latency and throughput: those of the instructions, one after another; a primitive takes the clocks that its program does
-//! ([`programs`](super::programs)), as long as the queue has its instructions in time.
+//! Latency and throughput are those of the instructions, one after another. A primitive takes the clocks of its program
+//! ([`programs`](super::programs)), as long as the queue gets its instructions in time.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -32,12 +34,12 @@ block! {
     pub struct Renderer {
         /// Pixels in a line of a region, and lines.
         side: u32,
-        /// Instructions that its queue holds.
+        /// The capacity of its queue, in instructions.
         queue: u32,
         /// Whether its expressions may be quadratic.
         quadratic: bool,
     }
-    latency = "a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line";
+    latency = "a primitive takes the clocks of its instructions; a region is sent in 48 clocks a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in RendererIn {
         /// What to do; all coefficients are relative to the region.
@@ -58,16 +60,17 @@ block! {
 }
 
 impl Renderer {
-    /// The most instructions that its queue holds.
+    /// The largest capacity of its queue, in instructions.
     pub const MOST: u32 = 4096;
-    /// So many clocks after an instruction's last bit nothing of it is on its way any more: the coefficients have been shifted out, but for
-    /// their signs, and their sums have gone through the tree to the pixels.
+    /// This many clocks after an instruction's last bit, nothing of it is on its way any more. The coefficients have
+    /// been shifted out except for their signs, and their sums have passed the tree to the pixels.
     ///
-    /// Of a quadratic tree of 256 x 256 pixels that takes 88: from its first bit on a coefficient changes for 39 clocks, the longest way has 39 registers, and on
-    /// it are 17 sums whose carries may change a clock after; an instruction has 8 bits or more.
+    /// A quadratic tree of 256 x 256 pixels takes 88 clocks. From its first bit on, a coefficient changes for 39
+    /// clocks. The longest path has 39 registers and 17 sums, whose carries may each change a clock later. An
+    /// instruction has 8 bits or more.
     pub const REST: u64 = 96;
 
-    /// A renderer of regions of that side, a power of two from 2 to 256, with a queue of so many instructions.
+    /// A renderer of regions with that side, a power of two from 2 to 256, with a queue of `queue` instructions.
     ///
     /// # Errors
     ///
@@ -80,7 +83,8 @@ impl Renderer {
         Ok(Renderer { side: side(pixels)?, queue, quadratic: false })
     }
 
-    /// The same, with a [quadratic tree](super::quadratic_tree), which takes [curves](super::instruction::Operation::Curve), too, or with a linear one.
+    /// The same; with `quadratic`, it has a [quadratic tree](super::quadratic_tree), which also takes
+    /// [curves](super::instruction::Operation::Curve).
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::renderer::Renderer;
@@ -99,7 +103,8 @@ impl Renderer {
         self.quadratic
     }
 
-    /// Clocks from a bit that its controller sends to the pixels: 2 log2 S of a linear tree, 4 log2 S of a quadratic one.
+    /// Clocks from a bit that its controller sends to the pixels: 2 log2 S for a linear tree, 4 log2 S for a quadratic
+    /// one.
     pub fn lag(&self) -> u32 {
         self.controller().lag()
     }
@@ -113,7 +118,7 @@ impl Renderer {
         self.side
     }
 
-    /// Instructions that its queue holds.
+    /// The capacity of its queue, in instructions.
     pub fn queue(&self) -> u32 {
         self.queue
     }

@@ -1,9 +1,10 @@
-//! The ring: brings instructions to the renderers and finished planes to the frame buffer, so many bits a clock in all (facts E3).
+//! The ring: carries instructions to the renderers and finished planes to the frame buffer, at a limited number of bits
+//! a clock (facts E3).
 //!
 //! ```text
 //!                 .------------------------.
 //! bins.0 ========>|                        |=======> instructions.0, to renderer 0
-//! bins.1 ========>|  by turns, as long as  |=======> instructions.1, to renderer 1
+//! bins.1 ========>|  round robin, while    |=======> instructions.1, to renderer 1
 //!   ..            |  the credit lasts      |               ..
 //! finished.0 ====>|                        |=======> planes, to the frame buffer
 //! finished.1 ====>|        [credit]        |
@@ -12,16 +13,17 @@
 //! room of queues ---'
 //! ```
 //!
-//! A message goes through in the clock in which it is granted. All that have one, an instruction only if its renderer's queue has room, take turns,
-//! first those of the instructions, then those of the planes, beginning behind the one that went last. As many go in a clock as the
-//! credit pays for, at most one to a receiver; where the next one has to wait for credit, so do all behind it.
+//! A message passes in the clock in which it is granted. An instruction requests only if its renderer's queue has room.
+//! Requests are served round robin, the instructions before the planes, starting behind the last one served. In a
+//! clock, as many pass as the credit pays for, at most one to each receiver. If a message has to wait for credit, all
+//! behind it wait, too.
 //!
-//! The credit grows by `rate` bits a clock, up to what one clock and a message that just had to wait need. So in any n clocks the ring brings
-//! less than n `rate` bits and one message more, and while messages wait for credit none of these bits is lost. An instruction costs all of its
-//! bits, a plane a bit for each pixel of the line; where they go costs nothing. The planes of a line stay together, as the frame
-//! buffer takes them.
+//! The credit grows by `rate` bits a clock. Its limit is what one clock and a message that just had to wait need. So in
+//! any n clocks the ring carries fewer than n `rate` bits and one message more. While messages wait for credit, none of
+//! these bits is lost. An instruction costs all of its bits; a plane costs a bit for each pixel of the line. Addresses
+//! cost nothing. The planes of a line stay together, as the frame buffer requires.
 //!
-//! Latency none. What goes out is taken in the clock in which it is shown.
+//! Latency: none. A message is taken in the clock in which it is shown.
 
 use super::backing_store::BitPlane;
 use super::instruction::Instruction;
@@ -29,13 +31,13 @@ use super::{PERIOD, fields, side};
 use crate::prelude::*;
 
 block! {
-    /// Brings instructions to renderers, and their planes to the frame buffer, so many bits a clock.
+    /// Carries instructions to renderers, and their planes to the frame buffer, `rate` bits a clock.
     pub struct Ring {
-        /// How many renderers there are.
+        /// The number of renderers.
         renderers: u32,
         /// Pixels in a line of a region.
         side: u32,
-        /// Bits that it brings in a clock.
+        /// Bits that it carries in a clock.
         rate: u32,
     }
     latency(self) = format!("none; {} bits a clock", self.rate);
@@ -56,31 +58,32 @@ block! {
     }
 }
 
-/// What is known of a clock's messages up to one of those that take turns.
+/// The state of a clock's arbitration after some of its requests.
 struct Turn {
-    /// The credit that is left.
+    /// The remaining credit.
     credit: Signal,
     /// One of them has to wait for credit.
     waits: Signal,
-    /// One of them is a plane, and goes.
+    /// One of them is a plane, and passes.
     plane_goes: Signal,
-    /// The last of them that goes, a bit each; before the first one that went last.
+    /// The last of them that passes, one bit each; before the first, the one that passed last.
     last: Signal,
 }
 
 impl Ring {
     /// The most renderers.
     pub const MOST_RENDERERS: u32 = 64;
-    /// The most bits a clock; what 32 renderers can take is less.
+    /// The largest rate; 32 renderers cannot take that much.
     pub const MOST: u32 = 8192;
     /// Bits of an instruction.
     pub const INSTRUCTION: u32 = 154;
 
-    /// A ring for so many renderers of regions of that side, that brings so many bits in a clock: 125 of 25 ns are 5 Gbit/s.
+    /// A ring for `renderers` renderers of regions with that side, which carries `rate` bits a clock. 125 bits in 25 ns
+    /// are 5 Gbit/s.
     ///
     /// # Errors
     ///
-    /// There is no region of that side, or the number of renderers or bits is out of range.
+    /// There are no regions with that side, or the number of renderers or bits is out of range.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::ring::Ring;
@@ -101,11 +104,11 @@ impl Ring {
         Ok(Ring { renderers, side: side(pixels)?, rate })
     }
 
-    /// The bits a clock of a ring of so many Mbit/s.
+    /// The bits a clock of a ring with this many Mbit/s.
     ///
     /// # Errors
     ///
-    /// They are no whole number of bits a clock, or out of range.
+    /// The rate is not a whole number of bits a clock, or is out of range.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::ring::Ring;
@@ -115,7 +118,7 @@ impl Ring {
     /// # Ok::<(), tilewright_rtl::parameter::ParameterError>(())
     /// ```
     pub fn bits_a_clock(megabits: u32) -> Result<u32, ParameterError> {
-        // A bit in each clock, in Mbit/s.
+        // One bit in each clock, in Mbit/s.
         let step = (1_000_000 / PERIOD.picoseconds()) as u32;
         let most = step * Ring::MOST;
         if megabits.is_multiple_of(step) && (step..=most).contains(&megabits) {
@@ -128,7 +131,7 @@ impl Ring {
         )))
     }
 
-    /// Bits that it brings in a clock.
+    /// Bits that it carries in a clock.
     pub fn rate(&self) -> u32 {
         self.rate
     }
@@ -138,7 +141,8 @@ impl Ring {
         self.side
     }
 
-    /// The most credit, which it has at first: less would make the next clock's bits useless while a message waits.
+    /// The most credit, which is also the initial one. With less, bits of the next clock would be lost while a message
+    /// waits.
     pub fn most_credit(&self) -> u32 {
         Ring::INSTRUCTION.max(self.plane()) - 1 + self.rate
     }
@@ -176,7 +180,7 @@ impl Ring {
         RingOut { instructions, planes }
     }
 
-    /// Which of the requests go: one turn of all, beginning behind the one that went last.
+    /// The requests that are granted: one pass over all, starting behind the one that passed last.
     fn grant(&self, m: Module, requests: Signal) -> Signal {
         let stations = 2 * self.renderers;
         let most = self.most_credit();
@@ -199,7 +203,7 @@ impl Ring {
         concat(&goes)
     }
 
-    /// Whether the request of a station, if it has one, goes; it is the one at that place of those that are visited in the clock.
+    /// Whether the request of a station, if any, is granted; it is at that place of those visited in the clock.
     fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
         let is_plane = station >= self.renderers;
         let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };

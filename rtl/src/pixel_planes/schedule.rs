@@ -1,26 +1,26 @@
-//! The clocks of instructions: the controller's rules as a plain model, an instruction at a time.
+//! The clocks of instructions: the controller's rules as a plain model, one instruction at a time.
 //!
 //! Source: PP5-UT. The [controller](super::controller) agrees with it in each clock of random programs.
 
 use super::instruction::Instruction;
 
-/// An instruction without what it computes: which parts of a renderer it takes, and for how long.
+/// An instruction without what it computes: which parts of a renderer it uses, and for how long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// It takes the tree, or changes `enable`.
+    /// It uses the tree, or changes `enable`.
     pub on_tree: bool,
-    /// It takes memory or flags.
+    /// It uses memory or flags.
     pub on_memory: bool,
     /// It saves the region.
     pub saves: bool,
-    /// Bits of an expression before the word, which take the tree alone.
+    /// Bits of an expression before the word, which need the tree alone.
     pub skip: u8,
     /// Bits of the word.
     pub length: u8,
 }
 
 impl Step {
-    /// Those of a program.
+    /// The clocks of a program's instructions.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::{programs::clear, schedule::Step};
@@ -32,10 +32,10 @@ impl Step {
         program.iter().map(Step::from).collect()
     }
 
-    /// One that takes the tree alone for so many clocks, 1 to 64, as a test of an edge does.
+    /// An instruction that uses the tree alone for 1 to 64 clocks, as a test of an edge does.
     ///
     /// # Panics
-    /// No instruction takes as long.
+    /// No instruction takes this long.
     pub fn on_tree(clocks: u64) -> Step {
         assert!((1..=64).contains(&clocks), "a test takes 1 to 64 clocks");
         Step { on_tree: true, on_memory: false, saves: false, skip: clocks as u8 - 1, length: 1 }
@@ -76,41 +76,41 @@ impl From<&Instruction<u64>> for Step {
 #[derive(Debug, Clone)]
 pub struct Schedule {
     side_by_side: bool,
-    /// The clock behind that in which the last instruction was taken.
+    /// The clock after that in which the last instruction was taken.
     next: u64,
     /// The clock of the last bit on the tree.
     tree: u64,
-    /// The clock of the last bit on the tree of what needs the memory, too.
+    /// The clock of the last tree bit of an instruction that also needs the memory.
     word: u64,
-    /// The clock of the last bit of what is on the memory alone.
+    /// The clock of the last bit of an instruction on the memory alone.
     memory: u64,
-    /// What waits for the memory leaves its place.
+    /// The clock in which the instruction that waits for the memory leaves its place.
     place: u64,
 }
 
 /// The clocks of an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Times {
-    /// In which it is taken.
+    /// The clock in which it is taken.
     pub taken: u64,
-    /// In which its first bit is sent.
+    /// The clock in which its first bit is sent.
     pub begins: u64,
-    /// The one after its last bit.
+    /// The clock after its last bit.
     pub ends: u64,
 }
 
 impl Schedule {
-    /// Of a controller at rest, at clock 0.
+    /// The schedule of a controller at rest, at clock 0.
     pub fn new(side_by_side: bool) -> Schedule {
         Schedule { side_by_side, next: 0, tree: 0, word: 0, memory: 0, place: 0 }
     }
 
-    /// The first clock in which it would take the next instruction, if that is this one; a save, if the store is free.
+    /// The first clock in which it would take this instruction next; for a save, if the store is free.
     pub fn ready(&self, step: &Step) -> u64 {
         let in_turn = if self.side_by_side { self.next } else { self.next.max(self.tree).max(self.memory) };
         match (step.on_tree, step.on_memory) {
             (true, false) => in_turn.max(self.tree),
-            // The memory has to be done with what it has when the word comes.
+            // The memory has to finish its current instruction before the word comes.
             (true, true) => in_turn.max(self.tree).max(self.memory.saturating_sub(step.skip.into())),
             (false, _) => in_turn.max(self.place).max(self.word),
         }
@@ -121,7 +121,7 @@ impl Schedule {
         self.take_at(step, self.ready(step))
     }
 
-    /// Takes the next instruction in that clock, in which it is ready for it.
+    /// Takes the next instruction in a clock in which the controller is ready for it.
     pub fn take_at(&mut self, step: &Step, taken: u64) -> Times {
         self.next = taken + 1;
         if step.on_tree {
@@ -136,7 +136,7 @@ impl Schedule {
         Times { taken, begins: self.place + 1, ends: self.memory + 1 }
     }
 
-    /// The clock in which an instruction that needs the tree alone would be taken now, as each primitive begins with one.
+    /// The clock in which an instruction that needs the tree alone would now be taken; every primitive begins with one.
     pub fn tree_free(&self) -> u64 {
         self.ready(&Step::on_tree(1))
     }

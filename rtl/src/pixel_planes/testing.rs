@@ -1,4 +1,5 @@
-//! What tests share: primitives by the contract's formulas alone (facts E0), instructions at random, and expressions bit by bit.
+//! Helpers for tests: primitives by the contract's formulas alone (facts E0), random instructions, and expressions bit
+//! by bit.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -14,7 +15,7 @@ use crate::prelude::{Block, Bundle, Codes};
 pub(super) struct Primitive {
     pub edges: Vec<Expression>,
     pub surface: Surface,
-    /// Its colour where it has no planes of colour.
+    /// Its colour without planes of colour.
     pub rgb: u32,
 }
 
@@ -29,16 +30,16 @@ impl Primitive {
     }
 }
 
-/// What is inside of a quadratic, relative to a region.
+/// The inside of a quadratic, relative to a region.
 #[derive(Debug, Clone)]
 pub(super) struct Sphere {
     pub inside: Quadratic,
     pub surface: Surface<Quadratic>,
-    /// Its colour where it has no planes of colour.
+    /// Its colour without planes of colour.
     pub rgb: u32,
 }
 
-/// Whatever is drawn.
+/// Anything that can be drawn.
 #[derive(Debug, Clone)]
 pub(super) enum Shape {
     Polygon(Primitive),
@@ -86,7 +87,7 @@ impl Shape {
     }
 }
 
-/// Spheres that go through a region of that side, or miss it, and quadratics at random whose values there fit 40 bits.
+/// Spheres that cross a region with that side or miss it, and random quadratics whose values there fit 40 bits.
 pub(super) fn spheres(side: u32) -> BoxedStrategy<Sphere> {
     let side = i64::from(side);
     let centre = prop::array::uniform2(-side / 2..side * 3 / 2);
@@ -104,7 +105,7 @@ pub(super) fn spheres(side: u32) -> BoxedStrategy<Sphere> {
         .boxed()
 }
 
-/// A plane that differs little from one sphere to the next, or any.
+/// A plane that differs little from one sphere to the next, or an arbitrary one.
 fn quadratic() -> BoxedStrategy<Quadratic> {
     let coarse = prop_oneof![Just(0), Just(1i64 << 16), Just(3i64 << 16)];
     let any = prop_oneof![1 => -(1i64 << 39)..1 << 39, 1 => Just(0)];
@@ -113,7 +114,8 @@ fn quadratic() -> BoxedStrategy<Quadratic> {
         .boxed()
 }
 
-/// The reduced edge from a point to another, in 1/16 pixel, which is inside to the right of it as one looks along it, y downward (DES-EDGE).
+/// The reduced edge between two points, in 1/16 pixel, with y downward. The inside is to the right of the direction
+/// from the first to the second (DES-EDGE).
 fn edge([x0, y0]: [i64; 2], [x1, y1]: [i64; 2]) -> Expression {
     let (dx, dy) = (x1 - x0, y1 - y0);
     let (a, b) = (-dy, dx);
@@ -122,7 +124,7 @@ fn edge([x0, y0]: [i64; 2], [x1, y1]: [i64; 2]) -> Expression {
     Coefficients { a, b, c: (8 * (a + b) + c - i64::from(!counts)).div_euclid(16) }
 }
 
-/// Triangles that go through a region of that side, or miss it; some of their vertices are at the ends of the guard band.
+/// Triangles that cross a region with that side, or miss it; some of their vertices are at the ends of the guard band.
 pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
     let near = 16 * i64::from(side);
     let place = move || prop_oneof![6 => -near / 2..near * 3 / 2, 1 => Just(-32_768), 1 => Just(32_767i64)];
@@ -130,7 +132,7 @@ pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
     // A region anywhere on the largest screen.
     let region = prop::array::uniform2(0..2048 / i64::from(side));
     (vertices, surface(), region, prop::bool::weighted(0.1)).prop_map(move |(vertices, (surface, rgb), region, far)| {
-        // The same vertices on the screen, which the guard band ends.
+        // The same vertices on the screen, limited by the guard band.
         let on_screen = |[x, y]: [i64; 2]| {
             let [left, top] = region.map(|number| number * near);
             [left + x, top + y].map(|place| place.clamp(-32_768, 32_767))
@@ -147,7 +149,7 @@ pub(super) fn primitives(side: u32) -> impl Strategy<Value = Primitive> {
     })
 }
 
-/// Polygons of three to eight edges about a place in a region of that side, or near it.
+/// Polygons of three to eight edges around a place in a region with that side, or near it.
 pub(super) fn polygons(side: u32) -> impl Strategy<Value = Primitive> {
     let near = 16.0 * f64::from(side);
     let centre = prop::array::uniform2(-0.2..1.2);
@@ -171,7 +173,7 @@ fn edges(vertices: &[[i64; 2]], [left, top]: [i64; 2]) -> Vec<Expression> {
     edges.map(|Coefficients { a, b, c }| Coefficients { a, b, c: c + a * left + b * top }).collect()
 }
 
-/// Planes that differ little from one primitive to the next, so that words meet, and any; and a colour.
+/// Planes that differ little between primitives, so that words collide, or arbitrary ones; and a colour.
 fn surface() -> impl Strategy<Value = (Surface, u32)> {
     let plane = || {
         let near = (-70_000..70_000i64, -70_000..70_000i64, 0..1i64 << 20).prop_map(|(a, b, c)| [a, b, c]);
@@ -184,7 +186,8 @@ fn surface() -> impl Strategy<Value = (Surface, u32)> {
         .prop_map(|(z, rgb_planes, rgb)| (Surface { z, rgb: rgb_planes }, rgb))
 }
 
-/// Instructions that a renderer of that side takes, on a small part of the memory, so that they meet each other's words; with curves, if it evaluates quadratics.
+/// Instructions for a renderer with that side, on a small part of the memory, so that they hit each other's words. They
+/// include curves if it evaluates quadratics.
 pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = Instruction<u64>> {
     const LAST: usize = Operation::Save as usize;
     let curves = if quadratic { 6 } else { 0 };
@@ -201,7 +204,7 @@ pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = 
                 matches!(operation, Operation::Enable | Operation::Disable | Operation::Flag | Operation::Curve);
             let length = if is_alone { 1 } else { length };
             let skip = if on_expression { skip.max(levels.saturating_sub(length)) } else { 0 };
-            // Words that overlap are worked on bit by bit: then what is read of them is what was written just before.
+            // Words that overlap are processed bit by bit, so a read may see what was just written.
             let write = if read.abs_diff(write) < length { read } else { write };
             let coefficients = Coefficients { a, b, c };
             Instruction { operation: operation.code(), skip, length, read, write, coefficients }
@@ -219,7 +222,7 @@ pub(super) struct Sent<const N: usize> {
 }
 
 impl<const N: usize> Sent<N> {
-    /// A bit of each coefficient, or what is sent in a pause.
+    /// A bit of each coefficient, or the filler of a pause.
     fn inputs(&self, clock: u32) -> [u64; N] {
         self.coefficients.map(|number| if clock < self.bits { number >> clock & 1 } else { 1 })
     }
@@ -232,8 +235,9 @@ impl<const N: usize> Sent<N> {
     }
 }
 
-/// Sends expressions one after another to a tree over so many pixels a side, and compares the bits of each pixel, so many clocks later, with the formula.
-/// `inputs` makes the tree's inputs of a bit of each coefficient, and of whether it is the first.
+/// Sends expressions one after another to a tree over `side` pixels a side. Compares each pixel's bits, `latency`
+/// clocks later, with the formula. `inputs` makes the tree's inputs from a bit of each coefficient and whether it is
+/// the first.
 pub(super) fn expect_sums<B: Block, const N: usize>(
     (tree, side, latency): (&B, u32, u32),
     inputs: impl Fn([u64; N], bool) -> <B::In as Bundle>::Of<u64>,

@@ -1,4 +1,5 @@
-//! The array: controller, linear evaluator, pixels, and the communication registers between them and the ports (PFL-NODE, facts E4).
+//! The array: controller, linear evaluator, pixels, and the communication registers between the pixels and the ports
+//! (PFL-NODE, facts E4).
 //!
 //! ```text
 //!                  .---------------------- array ----------------------.
@@ -13,12 +14,14 @@
 //!                  '---------------------------------------------------'
 //! ```
 //!
-//! A pixel's addresses are 256 bytes of memory, of the network's registers bank 0 from 256 and bank 1 from 288 on, and the texture unit's
-//! from 320 on. While the network has one bank, the pixels work with the other one.
+//! A pixel addresses 256 bytes of memory. Above them are the communication registers: the network's bank 0 from 256,
+//! its bank 1 from 288, and the texture unit's registers from 320. While the network has one bank, the pixels work with
+//! the other one.
 //!
-//! The ports see a pixel of each chip at a time ([`registers`](super::registers)); the network's is on its own clock.
+//! The ports access one pixel of each chip at a time ([`registers`](super::registers)); the network's port has its own
+//! clock.
 //!
-//! Latency and throughput: those of the instructions ([`controller`](super::controller)).
+//! Latency and throughput are those of the instructions ([`controller`](super::controller)).
 
 use super::controller::{ArrayController, ArrayControllerIn, BANKS, Given};
 use super::instruction::Instruction;
@@ -34,7 +37,7 @@ block! {
     pub struct PixelArray {
         /// Pixels in a line of a region.
         width: u32,
-        /// Its lines.
+        /// Lines in a region.
         height: u32,
     }
     latency = "the clocks of the instructions; a port's byte within the clock";
@@ -66,7 +69,7 @@ block! {
 }
 
 impl PixelArray {
-    /// An array of so many pixels, powers of two from 2 to 256.
+    /// An array of `width` x `height` pixels, each a power of two from 2 to 256.
     ///
     /// # Errors
     ///
@@ -101,7 +104,7 @@ impl PixelArray {
         LinearEvaluator { width: self.width, height: self.height }.latency()
     }
 
-    /// What connects it with a direction of the network.
+    /// The signals to and from a direction of the network.
     pub fn network_port(&self) -> NetworkPort {
         NetworkPort { chips: self.chips(), pixels: self.pixels(), width: 8 }
     }
@@ -133,7 +136,7 @@ impl PixelArray {
         let control = controller.control;
         let [result, writes] = [("result", bits(8)), ("writes_register", bit())]
             .map(|(name, bits)| m.wire(name, bits.of(pixels).on(ARRAY)));
-        // Of 128 registers, the upper half are the texture unit's.
+        // The upper half of the 128 registers belongs to the texture unit.
         let [low, high] = [5, 6];
         let registers = |name: &str, block: CommunicationRegisters, here: &dyn Fn(Signal) -> Signal, port| {
             let inputs = CommunicationRegistersIn {

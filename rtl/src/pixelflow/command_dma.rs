@@ -1,4 +1,4 @@
-//! The command fetcher: reads a node's instructions from memory, a frame behind another (PFL-NODE, facts E4).
+//! The command fetcher: reads a node's instructions from memory, one frame after another (PFL-NODE, facts E4).
 //!
 //! ```text
 //! store ----------------------> [ memory ]
@@ -7,10 +7,11 @@
 //!     base, length                  [ offered ]==> instructions
 //! ```
 //!
-//! The geometry processors write the instructions of frames, and say where each begins and how many they are. Two frames wait, so that one is fetched
-//! while the next is written.
+//! The geometry processors write the instructions of frames. They say where each frame begins and how many instructions
+//! it has. Up to two frames wait, so that one is fetched while the next is written.
 //!
-//! Latency 2 clocks from a frame that is taken to its first instruction, then one a clock for as long as somebody takes them; a clock between frames.
+//! Latency: 2 clocks from the acceptance of a frame to its first instruction, then one a clock while the receiver is
+//! ready; a clock between frames.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -20,7 +21,7 @@ use crate::prelude::*;
 block! {
     /// Fetches the instructions of frames.
     pub struct CommandDma {
-        /// Instructions that the memory holds.
+        /// The capacity of the memory, in instructions.
         pub words: u32,
     }
     latency = "2 clocks from a frame that is taken to its first instruction, then one a clock";
@@ -60,7 +61,7 @@ bundle! {
 }
 
 impl CommandDma {
-    /// Frames that wait (PFL-NODE).
+    /// The number of frames that may wait (PFL-NODE).
     pub const FRAMES: u32 = 2;
 
     /// The widths of a write.
@@ -68,7 +69,7 @@ impl CommandDma {
         Store { writes: bit(), address: below(self.words), instruction: Instruction::widths() }
     }
 
-    /// The widths of where a frame's instructions are.
+    /// The widths of a frame's description.
     pub fn commands(&self) -> Commands<Width> {
         Commands { base: below(self.words), length: up_to(self.words) }
     }
@@ -81,7 +82,7 @@ impl CommandDma {
         def!(next = m.reg(below(self.words)));
         let frame = frames.take_when(left.eq(0));
 
-        // The next one is read when the one before goes.
+        // The next instruction is read when its predecessor goes.
         def!(arrived = m.reg(bit()).reset(0));
         def!(reads = m.wire(bit()));
         let (instructions, sent) = m.offer(*arrived, memory.read_when(reads, next));

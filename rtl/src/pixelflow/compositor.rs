@@ -1,4 +1,5 @@
-//! The compositor: of two words that come byte by byte, the lesser, for each pixel of a chip in turn (PFL-NET, facts E4).
+//! The compositor: sends on the lesser of two words that arrive byte by byte, for the pixels of a chip one after
+//! another (PFL-NET, facts E4).
 //!
 //! ```text
 //!                                  .---------.
@@ -12,38 +13,40 @@
 //!                    '---------------->
 //! ```
 //!
-//! A word is the whole of what is known of a pixel, with its depth first, most significant byte first. So the lesser word is the nearer
-//! pixel, and equal depths are decided by what follows, alike in every order of nodes. As long as all bytes were equal, both are; the first that
-//! differs decides, and the rest of the word follows it.
+//! A word is everything known about a pixel, with its depth first, most significant byte first. So the lesser word is
+//! the nearer pixel. If depths are equal the later bytes decide, so the result does not depend on the sequence of
+//! nodes. While all bytes are equal, both words are candidates. The first difference decides, and the rest of the
+//! chosen word follows.
 //!
-//! The bytes of all pixels come in turn: the first byte of each, then the second of each. So between two bytes of a pixel its state is kept.
+//! The bytes of all pixels are interleaved: the first byte of each pixel, then the second of each. So each pixel's
+//! state is stored between two of its bytes.
 //!
-//! Latency 1 clock, a byte a clock.
+//! Latency: 1 clock; a byte a clock.
 
 use crate::prelude::*;
 
 codes! {
-    /// What a node does with the words that pass.
+    /// The mode of a node: what it does with the words that pass.
     pub enum Mode {
-        /// They go on.
+        /// The words pass unchanged.
         Forward,
-        /// Its own go instead.
+        /// The node's own words replace them.
         Load,
-        /// The lesser ones of both go on.
+        /// The lesser of both words goes on.
         Composite,
-        /// They go on, and the node keeps them.
+        /// The words pass, and the node also stores them.
         Unload,
     }
 }
 
 codes! {
-    /// Which of two words is the lesser, so far.
+    /// The lesser of two words, as far as known.
     pub enum Nearer {
         /// They are equal.
         Equal,
-        /// The node's own.
+        /// The node's own is the lesser.
         Own,
-        /// The one that comes.
+        /// The passing one is the lesser.
         Upstream,
     }
 }
@@ -51,7 +54,7 @@ codes! {
 block! {
     /// Sends on the lesser of two words of each pixel, byte by byte.
     pub struct Compositor {
-        /// Pixels that take turns.
+        /// The number of pixels of a chip, which are processed one after another.
         pub pixels: u32,
         /// Bits of a byte.
         pub width: u32,

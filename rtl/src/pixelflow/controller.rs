@@ -1,4 +1,5 @@
-//! The array's controller: takes instructions, sends coefficients byte by byte and says to all pixels what to do (PFL-NODE, facts E4).
+//! The array's controller: takes instructions, sends coefficients byte by byte, and controls all pixels (PFL-NODE,
+//! facts E4).
 //!
 //! ```text
 //!                  .---------.               .-----------------.  a, b, c, a byte a clock, first
@@ -12,20 +13,24 @@
 //!   under way: banks, texture unit <-- claimed, done
 //! ```
 //!
-//! What needs the evaluator, or looks at `enable` or changes it, goes to the one slot; all else, such as copies where a flag is set, to the other. So
-//! what a primitive leaves is still being written while the evaluator has the next one's edges, whose signs go past the ALU. One more
-//! instruction may wait for the memory. Instructions are taken in order, at most one a clock, and begin right behind the one before:
+//! The controller has two slots. Instructions that use the evaluator, or that read or change `enable`, go to the
+//! evaluator slot. All others, such as copies where a flag is set, go to the memory slot. So while a primitive's result
+//! is still being written, the evaluator already works on the next primitive's edges, whose signs bypass the ALU. One
+//! more instruction may wait for the memory. Instructions are taken in sequence, at most one a clock, and each begins
+//! right behind its predecessor:
 //!
-//! | an instruction | is taken when |
+//! | instruction | taken when |
 //! |---|---|
-//! | on the evaluator | its slot ends in this clock, and what the memory has to do will before the word, if that needs ALU or memory, too |
-//! | on the memory | nothing waits, or the memory slot ends in this clock; and what the evaluator slot has needs no ALU, or ends, too |
+//! | on the evaluator | its slot ends in this clock; and, if its word also needs ALU or memory, the memory slot is free by then |
+//! | on the memory | no instruction waits, or the memory slot ends in this clock; and the instruction in the evaluator slot needs no ALU, or also ends |
 //! | any, one at a time | both slots end in this clock |
-//! | that is in step with a port | both slots end in this clock, and what it waits for is no longer under way |
+//! | synchronized with a port | both slots end in this clock, and the port has finished |
 //!
-//! Coefficients are loaded at the edge at which an instruction begins, so the array never waits while instructions come.
+//! Coefficients are loaded at the edge at which an instruction begins. So the array never waits while instructions
+//! come.
 //!
-//! Latency 1 clock from an instruction to its first bytes, which go to the evaluator; the control of pixels is as late as the expression.
+//! Latency: 1 clock from an instruction to its first bytes at the evaluator. The control of the pixels is delayed as
+//! long as the expression.
 
 use self::slot::{Order, Slot};
 use super::instruction::{Instruction, LONGEST, Sync};
@@ -35,7 +40,7 @@ use crate::prelude::*;
 
 mod slot;
 
-/// Banks of communication registers that the network has.
+/// The number of banks of communication registers for the network.
 pub const BANKS: u32 = 2;
 
 block! {
@@ -43,7 +48,7 @@ block! {
     pub struct ArrayController {
         /// Pixels in a line of a region; a power of two.
         pub width: u32,
-        /// Its lines; a power of two.
+        /// Lines in a region; a power of two.
         pub height: u32,
     }
     latency(self) = format!(
@@ -83,11 +88,11 @@ block! {
 }
 
 bundle! {
-    /// What goes to the pixels, and with it to the ports.
+    /// The control of the pixels, and with it of the ports.
     struct Sent<T> { control: Control<T>, given: Given<T> }
 }
 
-/// What an instruction needs.
+/// The resources that an instruction needs.
 struct Needs {
     on_evaluator: Signal,
     /// ALU or memory, in the clocks of its word.
@@ -102,7 +107,7 @@ impl Needs {
         let any = |condition: Signal, codes: &[Enabling]| {
             codes.iter().map(|code| i.enabling.is(*code)).fold(condition, |any, is| any | is)
         };
-        // It looks at the expression's sign, if at anything.
+        // Its condition, if any, is the expression's sign.
         def!(looks = any(lit(1, 0), &[Enabling::Replace, Enabling::Restrict, Enabling::Push]));
         def!(by_sign = looks & expression & i.condition.is(Condition::Positive));
         def!(writes = !i.mask.is(Mask::Nobody) & (i.accumulates | i.stores));
@@ -141,7 +146,7 @@ impl ArrayController {
         ports.claim(m, &next);
         let order = Order::of(&next, needs.on_memory, needs.by_sign);
 
-        // Where it goes.
+        // The slot that it goes to.
         def!(evaluator_begins = next.taken & needs.on_evaluator);
         def!(for_memory = next.taken & !needs.on_evaluator);
         def!(must_wait = for_memory & (waits | !memory.ends));
@@ -159,7 +164,7 @@ impl ArrayController {
         def!(sends = m.reg(bit()).reset(0));
         sends.when(evaluator_begins, needs.expression).when(evaluator.ends, 0);
 
-        // Both slots control the pixels, one of them ALU and memory.
+        // Both slots control the pixels; one of them controls ALU and memory.
         m.assert(
             !(evaluator.on_memory() & evaluator.is_word & memory.is_word),
             "of two instructions one has the memory",
@@ -187,7 +192,7 @@ impl ArrayController {
         }
     }
 
-    /// The same, as much later as the evaluator is with an expression.
+    /// The same, delayed as long as the evaluator takes for an expression.
     fn later(&self, m: Module, sent: Sent) -> Sent {
         let widths = || Sent { control: Control::widths(), given: Given { banks: bits(BANKS), texture: bit() } };
         (1..=self.evaluator().latency()).fold(sent, |sent, clock| {
@@ -198,7 +203,7 @@ impl ArrayController {
     }
 }
 
-/// What is under way outside: an instruction that gives it is taken, and who has it is not done.
+/// What the ports still work on: an instruction has handed it over, and the port has not finished.
 struct Ports {
     banks: Reg,
     texture: Reg,
@@ -250,7 +255,7 @@ fn state_what_instructions_are(m: Module, next: &Taken<Instruction>, needs: &Nee
     state(are_codes(&fields), "each field has a code that there is");
 }
 
-/// Each of these has a code that there is.
+/// Each of these fields has a valid code.
 fn are_codes(fields: &[Signal]) -> Signal {
     fields.iter().fold(lit(1, 1), |all, field| all & field.is_code())
 }

@@ -1,7 +1,8 @@
-//! What instructions do to a pixel, by definition: for the tests of programs, and of the hardware.
+//! The effect of instructions on a pixel, by definition: for the tests of programs and of the hardware.
 //!
-//! It is the plain reading of [`instruction`](super::instruction) and [`pixel`](super::pixel): an instruction controls the pixel in as many clocks as it has bytes, and
-//! [`Pixel::step`] is what happens in one. What instructions wait for and when they begin is not here, as it does not change what they do.
+//! A direct transcription of [`instruction`](super::instruction) and [`pixel`](super::pixel). An instruction controls
+//! the pixel in as many clocks as it has bytes, and [`Pixel::step`] is one such clock. When instructions begin and what
+//! they wait for is left out, because it does not change their effect.
 
 use super::instruction::{COEFFICIENT, Instruction};
 use super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
@@ -33,7 +34,7 @@ use crate::prelude::Codes;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pixel {
-    /// Memory, and behind it the communication registers.
+    /// Memory, followed by the communication registers.
     pub memory: [u8; PixelProcessor::BYTES as usize],
     /// The accumulator.
     pub accumulator: u8,
@@ -43,7 +44,7 @@ pub struct Pixel {
     pub flag: bool,
     /// The enable flags: bit 0 is the top one.
     pub enable: u32,
-    /// How many they are; what is pushed beyond is lost, and what comes up from below is like the lowest.
+    /// The number of enable flags. A push beyond it is lost, and a pop brings up copies of the lowest flag.
     depth: u32,
 }
 
@@ -54,28 +55,28 @@ impl Default for Pixel {
 }
 
 impl Pixel {
-    /// A pixel with zeros everywhere; hardware begins with any.
+    /// A pixel with zeros everywhere; hardware starts with arbitrary values.
     pub fn new() -> Pixel {
         Pixel::of_depth(PixelProcessor::DEPTH)
     }
 
-    /// One with so many enable flags, 2 to 32.
+    /// A pixel with `depth` enable flags, 2 to 32.
     pub fn of_depth(depth: u32) -> Pixel {
         let memory = [0; PixelProcessor::BYTES as usize];
         Pixel { memory, accumulator: 0, carry: false, flag: false, enable: 0, depth }
     }
 
-    /// Does what a program does to the pixel at (x, y) of the region.
+    /// Executes a program at the pixel (x, y) of the region.
     pub fn run(&mut self, program: &[Instruction<u64>], x: u32, y: u32) {
         program.iter().for_each(|instruction| self.instruction(instruction, expression(instruction, x, y)));
     }
 
-    /// An instruction, where its expression has that value.
+    /// Executes an instruction whose expression has that value.
     pub fn instruction(&mut self, i: &Instruction<u64>, value: i64) {
         (0..i.length).for_each(|byte| self.step(&control(i, byte), byte_of(value, i.skip + byte)));
     }
 
-    /// A clock, in which everything sees what the flags were before.
+    /// Executes a clock, in which every part sees the flags as they were before.
     pub fn step(&mut self, c: &Control<u64>, expression: u8) {
         let (word, constant) = (self.memory[c.read as usize], c.constant as u8);
         let operand = match Source::ALL[c.source as usize] {
@@ -137,7 +138,7 @@ impl Pixel {
     }
 }
 
-/// What an instruction says to the pixels with one of its bytes.
+/// The control that an instruction gives the pixels with one of its bytes.
 pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     let at = |address: u64| if i.descends == 1 { address.wrapping_sub(byte) } else { address + byte };
     let last = |code: u64, none: u64| if byte + 1 == i.length { code } else { none };
@@ -158,22 +159,23 @@ pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     }
 }
 
-/// Whether pixels are enabled by a condition.
+/// Whether a condition enables pixels.
 pub(super) fn is_conditional(enabling: u64) -> bool {
     [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == enabling)
 }
 
-/// Whether they are by the expression's sign, past the ALU.
+/// Whether the expression's sign, which bypasses the ALU, enables pixels.
 pub(super) fn is_by_sign(i: &Instruction<u64>) -> bool {
     is_conditional(i.enabling) && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
 }
 
-/// A byte of a number, which goes on with its sign.
+/// A byte of a number, extended by its sign.
 pub(super) fn byte_of(number: i64, byte: u64) -> u8 {
     (number >> (8 * byte).min(63)) as u8
 }
 
-/// The result and the carry: of a word's byte `w`, an operand `x`, and the carry `c` that comes in, where `kept` is the one before.
+/// The result and the carry. `w` is a word's byte, `x` an operand, `c` the carry that comes in, and `kept` the previous
+/// carry.
 fn computed(function: Function, w: u8, x: u8, c: bool, kept: bool) -> (u8, bool) {
     let sum = |x: u8| u16::from(w) + u16::from(x) + u16::from(c);
     let with_carry = |sum: u16| (sum as u8, sum > 0xff);

@@ -1,4 +1,4 @@
-//! What is where in a pixel's memory and communication registers (PFL-NODE, PFL-BYTES, facts E4).
+//! The layout of a pixel's memory and communication registers (PFL-NODE, PFL-BYTES, facts E4).
 //!
 //! ```text
 //! 0                                 256        288        320  322  324   325     328                    352      383
@@ -6,9 +6,10 @@
 //! | shading keeps                   '---- network --------'--------- texture unit ---------------------'
 //! ```
 //!
-//! Numbers lie with their least significant byte at the lowest address, in the order in which they are worked on. The network takes a word from its
-//! highest address on: byte j of n, in the order of sending, stands n - 1 - j above the word's own address. So a whole word is one number, too, and
-//! a rasterizer keeps its words in the bank itself: while the network has one bank, the next region is drawn in the other, and nothing is copied.
+//! Numbers have their least significant byte at the lowest address, which is the sequence in which they are processed.
+//! The network sends a word from its highest address down: byte j of n, in sending sequence, is at n - 1 - j above the
+//! word's address. So a whole word is also one number. A rasterizer keeps its words in the bank itself. While the
+//! network has one bank, the next region is drawn in the other, and nothing is copied.
 //!
 //! | address in the word | 0 | 2 | 3 | 4 | 6 | 8 | 9 | 10 | 11 | 13 | 15 | 17 | 18 to 20 |
 //! |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
@@ -25,7 +26,7 @@ use super::pixel::PixelProcessor;
 pub struct Field {
     /// The address of its least significant byte.
     pub address: u64,
-    /// How many they are.
+    /// The number of bytes.
     pub bytes: u64,
 }
 
@@ -35,7 +36,7 @@ impl Field {
         Field { address, bytes }
     }
 
-    /// It, of a word at that address.
+    /// The same number in a word at that address.
     ///
     /// ```
     /// use tilewright_rtl::pixelflow::fields::{appearance, bank};
@@ -62,11 +63,11 @@ pub const fn bank(number: u64) -> u64 {
     PixelProcessor::REGISTERS as u64 + 32 * number
 }
 
-/// The appearance word, whose fields are relative to its address.
+/// The appearance word; its fields are relative to its address.
 pub mod appearance {
     use super::Field;
 
-    /// Its bytes.
+    /// The number of its bytes.
     pub const BYTES: u64 = 21;
     /// 1/w.
     pub const SCALE: Field = Field::new(0, 2);
@@ -80,21 +81,21 @@ pub mod appearance {
     pub const RGB: [Field; 3] = [Field::new(10, 1), Field::new(9, 1), Field::new(8, 1)];
     /// The normal: right, down, forward.
     pub const NORMAL: [Field; 3] = [Field::new(15, 2), Field::new(13, 2), Field::new(11, 2)];
-    /// Zero where something covers the pixel, else 255.
+    /// 0 where the pixel is covered, otherwise 255.
     pub const ZERO: Field = Field::new(17, 1);
     /// Depth.
     pub const DEPTH: Field = Field::new(18, 3);
 }
 
-/// The word z || rgb, whose fields are relative to its address.
+/// The word z || rgb; its fields are relative to its address.
 pub mod gouraud {
     use super::Field;
 
-    /// Its bytes.
+    /// The number of its bytes.
     pub const BYTES: u64 = 7;
     /// Red, green and blue.
     pub const RGB: [Field; 3] = [Field::new(2, 1), Field::new(1, 1), Field::new(0, 1)];
-    /// Always zero, in place of a fraction.
+    /// Always zero, where a fraction would be.
     pub const ZERO: Field = Field::new(3, 1);
     /// Depth.
     pub const DEPTH: Field = Field::new(4, 3);
@@ -104,11 +105,11 @@ pub mod gouraud {
 pub mod texture {
     use super::Field;
 
-    /// u and v, 16 bits of fraction.
+    /// u and v, with 16 bits of fraction.
     pub const UV: [Field; 2] = [Field::new(320, 2), Field::new(322, 2)];
-    /// The level l: the unit gives the texels of this one and of the next finer one, if there is.
+    /// The level l: the unit gives the texels of this level and of the next finer one, if there is one.
     pub const LEVEL: Field = Field::new(324, 1);
-    /// The texture.
+    /// The number of the texture.
     pub const TEXTURE: Field = Field::new(325, 1);
 
     /// A channel (0 is red) of the texel at (x, y) of the four on level l + `finer`; x and y are 0 or 1.
@@ -117,51 +118,53 @@ pub mod texture {
     }
 }
 
-/// What is kept of eight samples that are shaded once: where [`shading`] begins when these have done, and behind it what it leaves alone.
+/// What is kept of eight samples that are shaded once: first the addresses where [`shading`] begins after them, then
+/// those that it leaves alone.
 pub(super) mod samples {
     use super::{Field, appearance};
 
-    /// Bytes of a sample: its colour, its normal and what tells whether it is empty, as they lie in the word, and the material.
+    /// The bytes of a sample: colour, normal and the empty flag as in the word, and the material.
     pub const BYTES: u64 = 11;
-    /// The colour's and the normal's.
+    /// The bytes of colour and normal.
     pub const SURFACE: u64 = 9;
-    /// In the word and in a sample the first of them.
+    /// The first of them, in the word and in a sample.
     pub const FIRST: u64 = appearance::RGB[2].address;
 
-    /// A field of the word, of a sample by its number.
+    /// A field of the word, in the sample with that number.
     pub const fn of(field: Field, number: u64) -> Field {
         let at = if field.address == appearance::MATERIAL.address { BYTES - 1 } else { field.address - FIRST };
         Field::new(BYTES * number + at, field.bytes)
     }
 
-    /// How many of them something covers.
+    /// The number of covered samples.
     pub const COUNT: u64 = 184;
-    /// What the background adds: blue, green and red.
+    /// The background's contribution: blue, green and red.
     pub const BEHIND: Field = Field::new(185, 3);
     /// Sums of colours, red first, and of normals.
     pub const RGB: [Field; 3] = [Field::new(188, 2), Field::new(190, 2), Field::new(192, 2)];
     pub const NORMAL: [Field; 3] = [Field::new(194, 3), Field::new(197, 3), Field::new(200, 3)];
 }
 
-/// What shading keeps in memory.
+/// The memory of shading.
 pub(super) mod shading {
     use super::Field;
 
     /// Zero.
     pub const ZERO: u64 = 0;
-    /// What is added to sums that may be negative.
+    /// The offset of sums that may be negative.
     pub const BIAS: Field = Field::new(2, 2);
-    /// Room for products: digits of the multiplier, and what is made of them.
+    /// Room for products: the multiplier's digits, and the results.
     pub const DIGITS: u64 = 4;
     pub const HIGH: u64 = 5;
     pub const LOW: u64 = 6;
     pub const PARTIAL: u64 = 7;
-    /// Room for what a root leaves of its number, if there is a digit; and for texels between levels.
+    /// Room for the remainder of a root, and for texels between levels.
     pub const TRIAL: Field = Field::new(8, 4);
     /// Twice a remainder.
     pub const DOUBLED: Field = TRIAL;
 
-    /// Of the pixel's material: the brightness of highlights, how often cosines are squared (255 where no light falls on it), and the finest level of its texture.
+    /// The pixel's material: the brightness of highlights, the number of squarings of cosines (255 where no light falls
+    /// on it), and the finest level of its texture.
     pub const MATERIAL: Field = Field::new(12, 3);
     pub const SPECULAR: u64 = 12;
     pub const SQUARINGS: u64 = 13;
@@ -178,30 +181,30 @@ pub(super) mod shading {
     /// The unit normal, 12 bits of fraction and a sign.
     pub const UNIT: [Field; 3] = [Field::new(36, 2), Field::new(38, 2), Field::new(40, 2)];
 
-    /// Sums and differences of its components, as many as there can be.
+    /// Sums and differences of its components, as many as can occur.
     pub const COMBINATIONS: u64 = 42;
-    /// A cosine, and that of a highlight.
+    /// A cosine, and the cosine of a highlight.
     pub const LIT: Field = Field::new(94, 2);
     pub const HIGHLIGHT: Field = Field::new(96, 2);
-    /// The light that the surface reflects: that multiplies its colour, and that is added.
+    /// The light that the surface reflects: a factor of its colour, and a summand.
     pub const DIFFUSE: u64 = 98;
     pub const REFLECTED: u64 = 99;
 
     /// A remainder of 1/w, and the part of u/w or v/w that is still to come.
     pub const REMAINDER: Field = Field::new(100, 2);
     pub const REST: u64 = 102;
-    /// 1/w, shifted until its leading one is the top bit, and the place of that.
+    /// 1/w, shifted until its leading one is the top bit, and the position of that one.
     pub const LEADING: Field = Field::new(103, 2);
     pub const PLACE: u64 = 105;
     /// The level of detail: 16 bits, of which 8 are the weight of the finer level.
     pub const DETAIL: Field = Field::new(106, 2);
-    /// u and v in texels, of which the lower byte of the upper ones is fraction.
+    /// u and v in texels; the lower byte of each upper pair is fraction.
     pub const TEXELS: [Field; 2] = [Field::new(108, 2), Field::new(110, 2)];
     /// Weights along u and v, on the level and the next finer one.
     pub const WEIGHTS: [[u64; 2]; 2] = [[112, 113], [114, 115]];
-    /// What is between texels of a row, on each level: 2 rows of 3 channels.
+    /// Values between the texels of a row, on each level: 2 rows of 3 channels.
     pub const ROWS: [u64; 2] = [116, 122];
-    /// What is between rows, 3 channels on each level; then between levels.
+    /// Values between rows, 3 channels on each level; then between levels.
     pub const LEVELS: [u64; 2] = [128, 131];
     /// The surface's own colour.
     pub const BASE: [u64; 3] = [134, 135, 136];

@@ -1,4 +1,5 @@
-//! The frame buffer: takes the colours of a region from the registers of its node, and scans frames out line by line (PFL-LOAD, facts E4).
+//! The frame buffer: takes the colours of a region from the registers of its node, and scans frames out line by line
+//! (PFL-LOAD, facts E4).
 //!
 //! ```text
 //!              3 bytes of each chip       two chips a clock
@@ -8,30 +9,34 @@
 //!                                             x, y: the place of the scan ----------------'
 //! ```
 //!
-//! It stands where a node that shades has its texture unit, and begins when the array says so: then it takes the next region, from the upper left on, line by line of regions.
-//! Colours stand in registers 0 to 2: blue, green, red. The registers' port has a byte of a pixel of each chip a clock, so a turn is 3 clocks at least, or
-//! half as many as there are chips:
+//! The frame buffer takes the place of the texture unit of a node that shades, and starts at the array's command. It
+//! then takes the next region, from the upper left on, row by row of regions. Colours are in registers 0 to 2: blue,
+//! green, red. The registers' port reads a byte of one pixel of each chip a clock. So a round takes at least 3 clocks,
+//! or half as many as there are chips:
 //!
-//! | clock of a turn | port | memory |
+//! | clock of a round | port | memory |
 //! |---|---|---|
 //! | 0 to 2 | reads the colour of pixel p | pixel p - 1 of two chips a clock, |
 //! | 3 and on | | from clock 0 on |
 //!
-//! With eight samples the array has four of each pixel of the screen, in 2 x 2 processors, and each of them two colours: the second one in registers 3 to 5. All of them
-//! are in one chip, so the port brings them one after another in 24 clocks. Three sums of 11 bits a chip go around meanwhile, and an eighth of each is stored, rounded to the nearest
-//! (facts E0: `floor((sum + 4) / 8)`).
+//! With eight samples the array has four of each screen pixel, in 2 x 2 processors. Each of them has two colours, the
+//! second one in registers 3 to 5. All four are in one chip, so the port reads them one after another in 24 clocks.
+//! Meanwhile each chip adds up three sums of 11 bits. It stores an eighth of each, rounded to the nearest (facts E0:
+//! `floor((sum + 4) / 8)`).
 //!
-//! | clock of a turn | reads |
+//! | clock of a round | reads |
 //! |---|---|
 //! | 0 to 5 | both colours of the upper left sample |
-//! | 6 to 11 | of the upper right one |
-//! | 12 to 23 | likewise of those below |
+//! | 6 to 11 | both colours of the upper right sample |
+//! | 12 to 23 | both colours of the two lower samples |
 //!
-//! There is room for two frames: one is scanned while the other is loaded. When the last region is there, they change places where the scan begins a frame; until
-//! then the first region of the next frame waits. Pixels are a stream, with marks at the beginning of a frame and the end of a line.
+//! There is room for two frames: one is scanned while the other is loaded. When the last region has arrived, they
+//! change places at the beginning of the next scan. Until then the first region of the next frame waits. The output is
+//! a stream of pixels, with flags at the beginning of a frame and the end of a line.
 //!
-//! Latency: a turn for each pixel that a chip stores, and one: with 128 x 64 pixels 4112 clocks, 41.1 us of the 52 that the paper takes, and with 64 x 32 of eight samples
-//! 1560. A pixel a clock is scanned, with one between frames that differ.
+//! Latency: a round for each pixel that a chip stores, and one more. That is 4112 clocks with 128 x 64 pixels (41.1 us;
+//! the paper takes 52), and 1560 with 64 x 32 of eight samples. The scan reads a pixel a clock, and pauses for one
+//! between different frames.
 
 use super::extents;
 use super::registers::PortAccess;
@@ -40,7 +45,7 @@ use crate::parameter::{ParameterError, Screen};
 use crate::prelude::*;
 
 block! {
-    /// Holds the frame of a screen in regions.
+    /// Stores the frame of a screen in regions.
     pub struct FrameBuffer {
         /// Processors in a line of its node's array, and its lines: powers of two.
         array: [u32; 2],
@@ -88,25 +93,26 @@ bundle! {
     }
 }
 
-/// Bytes of a colour.
+/// The bytes of a colour.
 const COLOUR: u32 = 3;
-/// Frames that there is room for.
+/// The number of frames that fit.
 const FRAMES: u32 = 2;
-/// Bits of a channel.
+/// The bits of a channel.
 const CHANNEL: u32 = 8;
-/// Of eight samples: those along an axis that are side by side, and the renderings, of each of which a processor has a colour.
+/// For eight samples: the number side by side along each axis, and the number of renderings; a processor has a colour
+/// of each rendering.
 const SIDE: u32 = 2;
 const RENDERINGS: u32 = 2;
 const EIGHT: u32 = SIDE * SIDE * RENDERINGS;
-/// Bits of the sum of a channel of eight.
+/// The bits of a channel's sum over eight samples.
 const SUM: u32 = CHANNEL + EIGHT.ilog2();
 
 impl FrameBuffer {
-    /// One for a screen in regions of `width` x `height` pixels.
+    /// A frame buffer for a screen in regions of `width` x `height` pixels.
     ///
     /// # Errors
     ///
-    /// There are no such regions, or they have less than two chips.
+    /// There are no such regions, or they have fewer than two chips.
     pub fn new([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
         let array = extents(width, height)?;
         if height < 4 {
@@ -117,7 +123,8 @@ impl FrameBuffer {
         Ok(FrameBuffer { array, samples: 1, screen })
     }
 
-    /// One whose pixels have eight samples each: 2 x 2 processors of an array of `width` x `height` have two each.
+    /// A frame buffer whose pixels have eight samples each. 2 x 2 processors of an array of `width` x `height` have two
+    /// each.
     ///
     /// ```
     /// use tilewright_rtl::parameter::Screen;
@@ -130,7 +137,7 @@ impl FrameBuffer {
     ///
     /// # Errors
     ///
-    /// There is no such array, or a side has less than 8 processors.
+    /// There is no such array, or a side has fewer than 8 processors.
     pub fn of_eight_samples([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
         let array = extents(width, height)?;
         if width < 8 || height < 8 {
@@ -160,7 +167,7 @@ impl FrameBuffer {
         self.array.map(|processors| processors / self.side())
     }
 
-    /// Pixels that are stored of a chip.
+    /// Pixels stored for each chip.
     fn pixels(&self) -> u32 {
         self.processors() / (self.side() * self.side())
     }
@@ -171,12 +178,12 @@ impl FrameBuffer {
         [screen.width.div_ceil(width), screen.height.div_ceil(height)]
     }
 
-    /// Clocks of a turn, in which a pixel of each chip is read.
+    /// Clocks of a round, in which a pixel of each chip is read.
     pub fn turn(&self) -> u32 {
         self.bytes().max(self.chips() / 2)
     }
 
-    /// Bytes that are read for a pixel.
+    /// Bytes read for a pixel.
     fn bytes(&self) -> u32 {
         COLOUR * self.samples
     }
@@ -197,10 +204,10 @@ impl FrameBuffer {
         across * down
     }
 
-    /// The word of a pixel in the memory of its chip: the lowest bits of `pair` are half of the chip's number.
+    /// The word of a pixel in the memory of its chip; the lowest bits of `pair` are half of the chip's number.
     fn address(&self, slot: Signal, pair: Signal, pixel: Signal) -> Signal {
         match self.chips() / 2 {
-            // Of one pair there is no number.
+            // If there is only one pair it has no number.
             1 => concat(&[slot, pixel]),
             pairs => concat(&[slot, pair.trunc(below(pairs)), pixel]),
         }
@@ -242,7 +249,7 @@ impl FrameBuffer {
         even.write(stores, stores_at, stored.lane(0));
         odd.write(stores, stores_at, stored.lane(1));
 
-        // The scan, line by line; where it begins a frame the next one may be whole.
+        // The scan, line by line; when it begins a frame, the next one may be complete.
         let [across, _] = self.regions();
         let Screen { width: columns, height: lines } = self.screen;
         let [width, height] = self.region();
@@ -268,7 +275,7 @@ impl FrameBuffer {
 
         let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
         def!(scanned = slot(*shown, *left + fitting(beside, left.width())));
-        // Of two lines of processors a chip has two of pixels, or one.
+        // From two lines of processors, a chip has two lines of pixels, or one.
         let (chip, inside) = match self.side() {
             1 => (*y >> 1, concat(&[y.bit(0), inside])),
             _ => (*y, inside),
@@ -293,7 +300,7 @@ impl FrameBuffer {
         FrameBufferOut { port, done: ends, pixels }
     }
 
-    /// What is stored of each chip once all is read: its colour, or the mean of all samples.
+    /// The colour stored for each chip once everything is read: its colour, or the mean of all samples.
     fn gather(&self, m: Module, seen: Signal, clock: Signal, reads: Signal) -> Signal {
         let of_all = row(self.chips());
         if self.samples == 1 {
@@ -302,7 +309,7 @@ impl FrameBuffer {
             colours.next(gathered);
             return gathered;
         }
-        // The lowest sum is that of the channel whose turn it is.
+        // The lowest sum is the one of the current channel.
         def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
         let half = lit(SUM, EIGHT / 2).of(of_all);
         def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
@@ -313,7 +320,8 @@ impl FrameBuffer {
         gathered
     }
 
-    /// The processor whose byte is read of a pixel of eight samples, and the register; from the clock behind `begins` on.
+    /// The processor whose byte is read for a pixel of eight samples, and the register, from the clock behind `begins`
+    /// on.
     fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
         def!(register = m.reg(below(COLOUR * RENDERINGS)));
         def!(sample = m.reg(below(SIDE * SIDE)));

@@ -1,7 +1,7 @@
-//! The instructions of a node: a word of some bytes, a byte a clock (facts E4).
+//! The instructions of a node; each works on a word of some bytes, a byte a clock (facts E4).
 //!
-//! An instruction says itself what the processors do; it is decoded once, by the controller, and broadcast. With an expression, `skip` bytes of it
-//! come first that nobody looks at, such as a fraction, or all of an edge below its sign:
+//! An instruction states directly what the processors do. The controller decodes it once and broadcasts it. If it has
+//! an expression, the first `skip` bytes of that are ignored: a fraction, or all bytes of an edge below its sign:
 //!
 //! ```text
 //! bytes of the expression     0 1 ..         skip            skip + length - 1
@@ -9,37 +9,38 @@
 //! ALU and memory are taken                    |--------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
-//! So memory and ALU are free for the instruction before while an expression's lower bytes are on their way, and an expression is never interrupted.
+//! So memory and ALU are free for the previous instruction while an expression's lower bytes are on their way, and an
+//! expression is never interrupted.
 //!
 //! | field | in which bytes of the word |
 //! |---|---|
-//! | `begin` | the first: after it the carry is kept |
-//! | `enabling`, `flagging` | the last: it has the sign, and the carry of the whole |
+//! | `begin` | the first; later bytes keep the carry |
+//! | `enabling`, `flagging` | the last, which has the sign and the whole word's carry |
 //! | all others | each |
 
 use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
 use crate::prelude::*;
 
 codes! {
-    /// What an instruction does besides, with the ports of the node.
+    /// The synchronization of an instruction with the ports of the node.
     pub enum Sync {
         /// Nothing.
         Nothing,
-        /// It waits until the bank of registers that `c` counts is free: the network has done with it.
+        /// It waits until the network has released the bank whose number is `c`.
         AwaitBank,
-        /// The bank that `c` counts is given to the network, when the instruction has ended.
+        /// When it has ended, the bank whose number is `c` is given to the network.
         GiveBank,
-        /// It waits until the texture unit has done.
+        /// It waits until the texture unit has finished.
         AwaitTexture,
-        /// The texture unit begins, when the instruction has ended.
+        /// When it has ended, the texture unit begins.
         StartTexture,
     }
 }
 
-/// Bits of a coefficient, as many as the contract's depth planes have (facts E0).
+/// The width of a coefficient in bits, as in the contract's depth planes (facts E0).
 pub const COEFFICIENT: u32 = 40;
 
-/// The most bytes of a word; fewer are skipped before it.
+/// The most bytes of a word; fewer may be skipped before it.
 pub const LONGEST: u32 = 8;
 
 bundle! {
@@ -57,23 +58,23 @@ bundle! {
         pub accumulates: T,
         /// Results go to memory.
         pub stores: T,
-        /// What the last byte's `enabling` and `flagging` look at: a [`Condition`].
+        /// What the last byte's `enabling` and `flagging` depend on: a [`Condition`].
         pub condition: T,
-        /// What becomes of the enable flags with the last byte: an [`Enabling`].
+        /// The change of the enable flags with the last byte: an [`Enabling`].
         pub enabling: T,
-        /// What becomes of the flag with the last byte: a [`Flagging`].
+        /// The change of the flag with the last byte: a [`Flagging`].
         pub flagging: T,
-        /// Bytes of the expression that come before the word; 0 without one.
+        /// Bytes of the expression before the word; 0 without an expression.
         pub skip: T,
         /// Bytes of the word: 1 to [`LONGEST`].
         pub length: T,
-        /// Addresses go down, from the most significant byte on: for shifts to the right.
+        /// Addresses decrease, from the most significant byte on: for shifts to the right.
         pub descends: T,
         /// The address of the first byte that is read.
         pub read: T,
         /// The address of the first byte that is written.
         pub write: T,
-        /// What the instruction does besides, with the ports: a [`Sync`].
+        /// The synchronization with the ports: a [`Sync`].
         pub sync: T,
         /// Coefficient A of the expression, in two's complement.
         pub a: T,
@@ -113,7 +114,7 @@ impl Instruction<Width> {
 }
 
 impl Instruction<u64> {
-    /// An instruction of one byte that does nothing, to begin with.
+    /// An instruction of one byte that does nothing, as a starting point.
     pub const NOTHING: Instruction<u64> = Instruction {
         source: 0,
         function: 0,

@@ -13,16 +13,19 @@
 //!            tree of chips: log2 H - 1 levels                   a sum for each chip
 //! ```
 //!
-//! A chip has two lines of the region. A node of a tree has the sum for a span of pixels, or of chips, at its first one. Its left child passes that on,
-//! its right child adds half the span times a coefficient: the coefficient, shifted by a few places. Those are fewer than a byte's, so a level adds
-//! a byte of it with the top bits of the byte before. Each pixel adds what its place in the chip has and what its chip has: one adder a
-//! pixel, and few others.
+//! A chip has two lines of the region. Each node of a tree stands for a span of pixels, or of chips, and has the sum at
+//! the first one. Its left child takes that sum. Its right child adds half the span times a coefficient, which is the
+//! coefficient shifted by a few places. The shift is less than a byte, so a level adds a byte of the coefficient joined
+//! with the top bits of the previous byte. Each pixel adds the sum of its place in the chip and the sum of its chip.
+//! That is one adder a pixel, and few others.
 //!
-//! Where no byte of an expression is, nodes stay as they are: a mark that goes down the trees with the bytes is their registers' enable.
+//! Nodes without a byte of an expression keep their values. A flag goes down the trees with the bytes and enables the
+//! registers.
 //!
-//! All is exact modulo 2 to the number of bits that are sent, so signs and fractions are those of the integers (facts E0).
+//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
 //!
-//! Latency 1 clock more than the larger tree has levels; a byte of each pixel a clock, and expressions right behind one another.
+//! Latency: 1 clock more than the larger tree has levels. Each pixel gets a byte a clock, and expressions may follow
+//! one another without a gap.
 
 use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
@@ -59,7 +62,7 @@ block! {
 }
 
 impl LinearEvaluator {
-    /// Clocks from a coefficient's byte to the expression's: a clock a level, and one for the sum.
+    /// Clocks from a coefficient's byte to the expression's byte: a clock a level, and one for the sum.
     pub fn latency(&self) -> u32 {
         self.levels() + 1
     }
@@ -78,7 +81,7 @@ impl LinearEvaluator {
             a: delays(m, "a", levels + 1, a),
             b: delays(m, "b", levels + 1, b),
         };
-        // By how many places each level shifts its coefficient.
+        // The places by which each level shifts its coefficient.
         let of_columns = (0..self.width.trailing_zeros()).rev().map(|places| (&sent.a, places));
         let in_chip: Vec<_> = std::iter::once((&sent.b, 0)).chain(of_columns).collect();
         let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
@@ -97,7 +100,7 @@ impl LinearEvaluator {
     }
 }
 
-/// What is sent, and what was some clocks ago.
+/// A signal and its delayed copies.
 struct Sent {
     first: Vec<Signal>,
     sends: Vec<Signal>,
@@ -105,7 +108,7 @@ struct Sent {
     b: Vec<Signal>,
 }
 
-/// What bytes are: the first ones of an expression, any of one.
+/// The kinds of bytes: the first of an expression, any of one.
 #[derive(Clone, Copy)]
 struct Marks {
     first: Signal,
@@ -113,12 +116,12 @@ struct Marks {
 }
 
 impl Sent {
-    /// What the bytes are that were sent so many clocks ago.
+    /// The kinds of the bytes sent `ago` clocks ago.
     fn marks(&self, clocks: usize) -> Marks {
         Marks { first: self.first[clocks], sends: self.sends[clocks] }
     }
 
-    /// A byte of a coefficient that is shifted by so many places, so many clocks after it was sent: with the top bits of the byte before.
+    /// A byte of a shifted coefficient, some clocks after it was sent: joined with the top bits of the previous byte.
     fn weighted(&self, coefficient: &[Signal], places: u32, clocks: usize) -> Signal {
         let (byte, before) = (coefficient[clocks], coefficient[clocks + 1]);
         if places == 0 {
@@ -128,7 +131,7 @@ impl Sent {
     }
 }
 
-/// The sums of a level's nodes, a clock later: those of their parents, and of right children with the coefficient.
+/// The sums of a level's nodes, a clock later: a left child takes its parent's, and a right child adds the coefficient.
 fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| node % 2 * 0xff);

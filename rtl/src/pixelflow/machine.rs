@@ -1,4 +1,5 @@
-//! The machine as a whole, behind its geometry processors: nodes in a chain, with the network between them in both directions (PFL-NODE, PFL-NET).
+//! The whole machine without its geometry processors: a chain of nodes, with the network between them in both
+//! directions (PFL-NODE, PFL-NET).
 //!
 //! ```text
 //!   stores, frames        stores, frames               stores, frames
@@ -12,16 +13,18 @@
 //! go, of each direction: all nodes are ready
 //! ```
 //!
-//! | who | does | when |
+//! | party | action | when |
 //! |---|---|---|
-//! | host | writes the instructions of each node, and says where they are | at any time |
-//! | host | shows each node its jobs of both directions, one after another, one for each word | at any time |
-//! | host | serves the texture ports: of a shader by a [texture unit](super::texture_unit), of who holds the frame by its memory | when that starts |
+//! | host | writes the instructions of each node, and gives their addresses | at any time |
+//! | host | offers each node its jobs in both directions, one after another, one for each word | at any time |
+//! | host | serves the texture ports: a shader's with a [texture unit](super::texture_unit), the frame holder's with its memory | when the port starts |
 //!
-//! What a node is, a rasterizer, a shader or the holder of the frame, its instructions and jobs say. Who loads a word is behind those to whom nothing of
-//! it comes; they have jobs of no bytes ([`network_sequencer`](super::network_sequencer)).
+//! Instructions and jobs decide whether a node is a rasterizer, a shader or the holder of the frame. A node that loads
+//! a word sits behind those that get nothing of it; they have jobs of no bytes
+//! ([`network_sequencer`](super::network_sequencer)).
 //!
-//! Latency: when all are ready, a byte of each chip is on its way the clock behind, and 1 clock of the network a node.
+//! Latency: when all are ready, the first byte of each chip leaves one clock later, and takes 1 clock of the network
+//! per node.
 
 use super::command_dma::{Commands, Store};
 use super::network_port::Transfer;
@@ -35,11 +38,11 @@ use crate::prelude::*;
 pub const MOST_NODES: u32 = 64;
 
 block! {
-    /// Nodes of PixelFlow on a network of both directions.
+    /// PixelFlow's nodes on a network with both directions.
     pub struct PixelFlow {
-        /// Nodes.
+        /// The number of nodes.
         nodes: u32,
-        /// What each is.
+        /// The node, the same for all.
         node: Node,
     }
     latency = "1 clock of the network a node; instructions have their own clocks";
@@ -77,7 +80,7 @@ block! {
 }
 
 impl PixelFlow {
-    /// A machine of so many nodes.
+    /// A machine with `nodes` nodes.
     ///
     /// # Errors
     ///
@@ -97,12 +100,12 @@ impl PixelFlow {
         Ok(PixelFlow { nodes, node })
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     pub fn nodes(&self) -> u32 {
         self.nodes
     }
 
-    /// What each is.
+    /// The node, the same for all.
     pub fn node(&self) -> &Node {
         &self.node
     }

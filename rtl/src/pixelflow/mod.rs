@@ -24,28 +24,28 @@
 //! jobs ==>[ sequencers ]---->[ network ports ]<==>[ communication registers ]<==>[ texture unit ]
 //! ```
 //!
-//! | file | what is in it |
+//! | file | contents |
 //! |---|---|
-//! | [`machine`] | nodes on a network of both directions |
-//! | [`node`] | all of these but the texture unit |
+//! | [`machine`] | nodes on a network with both directions |
+//! | [`node`] | everything below but the texture unit |
 //! | [`command_dma`] | brings instructions to the array |
 //! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
-//! | [`instruction`] | what an array is told to do |
-//! | [`controller`] | what takes instructions and controls evaluator and pixels |
+//! | [`instruction`] | the instructions of an array |
+//! | [`controller`] | takes instructions and controls evaluator and pixels |
 //! | [`linear_evaluator`] | A x + B y + C at all pixels |
 //! | [`pixel`] | a pixel's ALU, flags and memory |
-//! | [`registers`] | bytes of each pixel that a port sees, too |
-//! | [`texture_unit`] | gives each pixel the texels that it asks for |
-//! | [`texture_memory`] | the texels around a place |
-//! | [`frame_buffer`] | what is shown |
-//! | [`network_sequencer`] | what a node does with each word that passes |
-//! | [`network_port`] | the compositors of a node, and whose turn it is |
+//! | [`registers`] | bytes of each pixel that a port also accesses |
+//! | [`texture_unit`] | looks up the texels of each pixel |
+//! | [`texture_memory`] | reads the texels around a place |
+//! | [`frame_buffer`] | stores and shows frames |
+//! | [`network_sequencer`] | decides what a node does with each word that passes |
+//! | [`network_port`] | the compositors of a node, and the counter of their pixels |
 //! | [`network`] | the ports of all nodes |
-//! | [`compositor`] | of two pixels, the nearer, byte by byte |
-//! | [`fields`] | what is where in a pixel |
+//! | [`compositor`] | chooses the nearer of two pixels, byte by byte |
+//! | [`fields`] | the layout of a pixel's memory |
 //! | [`programs`] | rasterization and shading |
 //! | [`schedule`] | the clocks in which a controller takes instructions |
-//! | [`emulator`] | what instructions do, by definition |
+//! | [`emulator`] | the effect of instructions, by definition |
 
 use crate::prelude::{Clock, ParameterError, Period};
 
@@ -89,11 +89,11 @@ pub const PIXELS: u32 = 256;
 /// Chips of a node: 128 x 64 pixels (PFL-NODE).
 pub const CHIPS: u32 = 32;
 
-/// Pixels in a line of a region, and its lines, for which there is hardware.
+/// Checks that there is hardware for this many pixels in a line of a region, and this many lines.
 ///
 /// # Errors
 ///
-/// One of them is no power of two from 2 to 256.
+/// One of them is not a power of two from 2 to 256.
 pub fn extents(width: u32, height: u32) -> Result<[u32; 2], ParameterError> {
     if [width, height].iter().all(|extent| extent.is_power_of_two() && (2..=256).contains(extent)) {
         return Ok([width, height]);

@@ -1,4 +1,4 @@
-//! What a controller makes of instructions, for tests: from their codes, in words of its own.
+//! The controller's treatment of instructions, for tests: from their codes, written independently.
 
 use super::emulator::{control, is_by_sign, is_conditional};
 use super::instruction::Instruction;
@@ -6,12 +6,12 @@ use super::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::Step;
 use crate::prelude::Codes;
 
-/// What a pixel does with each byte of the word, one after another.
+/// The control of a pixel with each byte of the word, one after another.
 pub(super) fn controls(i: &Instruction<u64>) -> Vec<Control<u64>> {
     (0..i.length).map(|byte| control(i, byte)).collect()
 }
 
-/// What it takes of a controller: the table of [`controller`](super::controller), in words of its own.
+/// The resources it needs of a controller: the table of [`controller`](super::controller), written independently.
 pub(super) fn step(i: &Instruction<u64>) -> Step {
     let on_enable = i.enabling != Enabling::Keep.code()
         || i.mask == Mask::Enabled.code()
@@ -23,7 +23,7 @@ pub(super) fn step(i: &Instruction<u64>) -> Step {
     Step { on_tree, on_memory: works || !on_tree, saves: false, skip: i.skip as u8, length: i.length as u8 }
 }
 
-/// Whether something comes of what a pixel does: then which of it does.
+/// The part of a pixel's control that has an effect, if any.
 pub(super) fn effect(c: &Control<u64>) -> Control<u64> {
     let writes = c.mask != Mask::Nobody.code() && c.accumulates + c.stores > 0;
     let keeps = [Function::Operand, Function::Word, Function::And, Function::Or, Function::ExclusiveOr];

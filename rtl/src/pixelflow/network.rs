@@ -8,9 +8,10 @@
 //!                            '-> unloaded      '-> unloaded            '-> unloaded
 //! ```
 //!
-//! Words go one way. What is less goes on, and each node that unloads has it; a second network of the same kind goes the other way (PFL-NET).
+//! Words go one way. The lesser word goes on, and each node that unloads gets it. A second network of the same kind
+//! goes the other way (PFL-NET).
 //!
-//! Latency 1 clock a node, a byte of each chip a clock.
+//! Latency: 1 clock a node; a byte of each chip a clock.
 
 use super::compositor::Mode;
 use super::network_port::{NetworkPort, NetworkPortIn, Transfer};
@@ -19,9 +20,9 @@ use crate::prelude::*;
 block! {
     /// Connects nodes with each other.
     pub struct Network {
-        /// Nodes.
+        /// The number of nodes.
         pub nodes: u32,
-        /// What connects each.
+        /// The port of each node.
         pub port: NetworkPort,
     }
     latency(self) = format!("1 clock a node; a byte of all pixels takes {}", self.port.pixels);
@@ -37,7 +38,7 @@ block! {
 }
 
 bundle! {
-    /// What a node says to the network.
+    /// A node's inputs to the network.
     pub struct NodeIn<T> {
         /// What the node does: a [`Mode`]. It stays while a word goes.
         pub mode: T,
@@ -49,7 +50,7 @@ bundle! {
         pub own: T,
     }
 
-    /// What it gets.
+    /// A node's outputs from the network.
     pub struct NodeOut<T> {
         /// The pixel of each chip whose turn it is.
         pub pixel: T,

@@ -1,4 +1,4 @@
-//! The network port: the compositors of a node's chips, and whose turn it is (PFL-NET, PFL-TCB).
+//! The network port: the compositors of a node's chips, and the counter of their pixels (PFL-NET, PFL-TCB).
 //!
 //! ```text
 //!                 .-------.
@@ -13,11 +13,11 @@
 //! own --------------' a byte of each chip
 //! ```
 //!
-//! Nobody on the network waits: a byte goes on in the next clock. A node that loads says when its bytes go; all others follow those that
-//! come. A byte of all pixels takes as many clocks as a chip has pixels: 256, or 1.28 us (PFL-TCB), and each node is a clock behind the
-//! one before.
+//! The network never waits: a byte goes on in the next clock. A node that loads decides when its bytes go; all others
+//! follow the bytes that arrive. A byte of all pixels takes as many clocks as a chip has pixels: 256, or 1.28 us
+//! (PFL-TCB). Each node is one clock behind its predecessor.
 //!
-//! Latency 1 clock, a byte of each chip a clock.
+//! Latency: 1 clock; a byte of each chip a clock.
 
 use super::compositor::{Compositor, CompositorIn, Mode};
 use crate::prelude::*;
@@ -71,7 +71,7 @@ bundle! {
 }
 
 impl NetworkPort {
-    /// The widths of what it passes.
+    /// The widths of a transfer.
     pub fn transfer(&self) -> Transfer<Width> {
         Transfer { valid: bit(), first: bit(), bytes: bits(self.width).of(row(self.chips)) }
     }

@@ -1,4 +1,5 @@
-//! The network sequencer: what a node does with each word that passes, and which byte of which bank is its own (PFL-NET, PFL-SETUP, facts E4).
+//! The network sequencer: decides what a node does with each word that passes, and which byte of which bank it uses
+//! (PFL-NET, PFL-SETUP, facts E4).
 //!
 //! ```text
 //! jobs ==>[ mode, bank, bytes ]---> mode, bank, address, first
@@ -9,16 +10,17 @@
 //! pixel, advances ------------------------------------'---> the last byte of the last pixel: done
 //! ```
 //!
-//! A job is a word of each pixel of a region: its most significant byte of all pixels first. Byte j of n stands at address n - 1 - j of the bank, so a word
-//! is a number with its least significant byte at the lowest address, as the pixels work on it.
+//! A job is one word of each pixel of a region, sent from the most significant byte on: that byte of all pixels, then
+//! the next. Byte j of n is at address n - 1 - j of the bank. So a word is a number with its least significant byte at
+//! the lowest address, as the pixels process it.
 //!
-//! Nobody on the network waits, so nobody may send before all are set. Every node has a job for each word, be it to forward it; when it
-//! has the bank and its set-up is over, it is ready, and the one that loads goes when all are. How long a set-up takes depends on the number of
-//! nodes, and the paper leaves it out (PFL-SETUP): it is a parameter. Nothing comes to the nodes before the one that loads: each has a job of no
-//! bytes, which ends when all are ready.
+//! The network never waits, so no node may send before all are set up. Every node has a job for each word, even if it
+//! only forwards it. A node is ready when it has the bank and its set-up is over; the loading node starts when all are
+//! ready. The set-up time depends on the number of nodes. The paper leaves it out (PFL-SETUP), so it is a parameter.
+//! The nodes before the loading one get nothing: each has a job of no bytes, which ends when all are ready.
 //!
-//! Latency: a job that is taken is ready 3 clocks and the set-up later, if it has its bank; the first byte goes the clock behind `go`, then one a clock, and
-//! the next job is taken the clock behind the last.
+//! Latency: a job becomes ready 3 clocks and the set-up after it is taken, if it has its bank. The first byte goes in
+//! the clock behind `go`, then one a clock. The next job is taken in the clock behind the last byte.
 
 use super::compositor::Mode;
 use super::controller::BANKS;
@@ -67,7 +69,7 @@ block! {
 }
 
 bundle! {
-    /// What a node does with the words of a region.
+    /// A job: what a node does with the words of a region.
     pub struct Job<T> {
         /// What the node does with the word: a [`Mode`].
         pub mode: T,
@@ -86,23 +88,23 @@ impl Job<Width> {
 }
 
 codes! {
-    /// How far a job is.
+    /// The progress of a job.
     enum Phase {
-        /// There is none.
+        /// There is no job.
         Idle,
         /// It waits for its bank.
         Bank,
         /// It is set up.
         SetUp,
-        /// The node is ready, and follows what comes; if it loads, it waits for all.
+        /// The node is ready and follows the bytes that arrive; if it loads, it waits for all nodes.
         Ready,
-        /// It sends.
+        /// The node sends.
         Sends,
     }
 }
 
 impl NetworkSequencer {
-    /// Bytes of a bank.
+    /// The bytes of a bank.
     pub const BYTES: u32 = 32;
 
     fn build(&self, m: Module, i: NetworkSequencerIn) -> NetworkSequencerOut {
@@ -144,7 +146,7 @@ impl NetworkSequencer {
         state(next.bytes.ne(0) | next.mode.is(Mode::Forward), "a job of no bytes forwards");
         m.assume(i.advances.implies(ready | sends), "a word comes when the node is ready for it");
         let done = mux(ends, *bank, 0);
-        // Until it is ready, its mode stands for nothing.
+        // Until it is ready, its mode has no meaning.
         let mode = mux(ready | sends, *mode, Mode::Forward);
         NetworkSequencerOut {
             mode,

@@ -1,4 +1,5 @@
-//! A node: an array that draws or shades regions, its instructions, and its place on the network (PFL-NODE, PFL-NET, facts E4).
+//! A node: an array that draws or shades regions, its instructions, and its ports to the network (PFL-NODE, PFL-NET,
+//! facts E4).
 //!
 //! ```text
 //!   store, frames ==>[ command fetcher ]==>[ array ]<== port ==> texture unit
@@ -11,13 +12,15 @@
 //! downstream ==[ port ]<== upstream
 //! ```
 //!
-//! The network has two directions, and a node a port and a sequencer for each: so regions of surfaces can come one way while shaded ones go the
-//! other. A bank is of one direction at a time. What is a rasterizer, a shader or the holder of the frame is said by the instructions and jobs alone.
+//! The network has two directions, and a node has a port and a sequencer for each. So regions of surfaces can come one
+//! way while shaded ones go the other. A bank belongs to one direction at a time. Instructions and jobs alone decide
+//! whether a node is a rasterizer, a shader or the holder of the frame.
 //!
-//! The array has a clock of 10 ns, and the network one of 5 ns. What crosses, a bank that is given and one that is done, is a flag that turns: 2 clocks
-//! of the other side. The bytes themselves are in registers that the other side leaves alone.
+//! The array has a clock of 10 ns, and the network one of 5 ns. Two events cross between them: a bank is given, and a
+//! bank is released. Each crosses as a flag that toggles, which takes 2 clocks of the other side. The bytes themselves
+//! are in registers that the other side leaves alone.
 //!
-//! The holder of the frame sends it off at an end of the network, as any word is loaded.
+//! The holder of the frame is at an end of the network, and sends words there as any node loads them.
 //!
 //! Latency: a byte of each chip passes in 1 clock of the network; the instructions have their own clocks.
 
@@ -33,14 +36,14 @@ use crate::prelude::*;
 /// The directions of the network.
 pub const DIRECTIONS: u32 = 2;
 
-/// The most instructions that a node's memory holds.
+/// The largest capacity of a node's memory, in instructions.
 pub const MOST: u32 = 1 << 20;
 
 /// The longest set-up, in clocks of the network.
 pub const LONGEST_SETUP: u32 = 1 << 16;
 
 bundle! {
-    /// What comes to a node from a direction of the network.
+    /// Signals to a node from a direction of the network.
     pub struct DirectionIn<T> {
         /// What the node does with each word.
         pub jobs: Stream<Job<T>, T>,
@@ -50,7 +53,7 @@ bundle! {
         pub upstream: Transfer<T>,
     }
 
-    /// What a node sends in a direction of the network.
+    /// Signals from a node to a direction of the network.
     pub struct DirectionOut<T> {
         /// The node is set for its word.
         pub ready: T,
@@ -66,7 +69,7 @@ block! {
     pub struct Node {
         /// Its pixels.
         array: PixelArray,
-        /// Instructions that its memory holds.
+        /// The capacity of its memory, in instructions.
         words: u32,
         /// Clocks of the network's set-up before a word.
         setup: u32,
@@ -100,11 +103,13 @@ block! {
 }
 
 impl Node {
-    /// A node of so many pixels, with a memory of so many instructions, and a set-up of so many clocks of the network before each word.
+    /// A node with these pixels, a memory for `words` instructions, and a set-up of `setup` clocks of the
+    /// network before each word.
     ///
     /// # Errors
     ///
-    /// There is no such array; the memory holds none, or more than [`MOST`]; or the set-up is above [`LONGEST_SETUP`].
+    /// There is no such array; or the memory has no instructions, or more than [`MOST`]; or the set-up is above
+    /// [`LONGEST_SETUP`].
     pub fn new(width: u32, height: u32, words: u32, setup: u32) -> Result<Node, ParameterError> {
         let array = PixelArray::new(width, height)?;
         if !(1..=MOST).contains(&words) {
@@ -121,7 +126,7 @@ impl Node {
         &self.array
     }
 
-    /// Instructions that its memory holds.
+    /// The capacity of its memory, in instructions.
     pub fn words(&self) -> u32 {
         self.words
     }
@@ -140,7 +145,7 @@ impl Node {
         self.dma().store()
     }
 
-    /// The widths of where a frame's instructions are.
+    /// The widths of a frame's description.
     pub fn commands(&self) -> Commands<Width> {
         self.dma().commands()
     }
@@ -164,7 +169,7 @@ impl Node {
         def!(held = network.reg(bits(BANKS)).reset(0));
         held.next((*held & !*done) | turned(network, array, "given", *given));
 
-        // Each direction has what its bank shows, and says which byte of it.
+        // Each direction gets the byte that its bank shows, and selects it.
         let seen: Vec<Wire> =
             (0..BANKS).map(|bank| network.wire(&format!("seen{bank}"), bits(8).of(row(self.array.chips())))).collect();
         let sides: Vec<Side> = (0..)
@@ -217,7 +222,7 @@ impl Node {
     }
 }
 
-/// What a direction is at.
+/// The state of a direction.
 struct Side {
     sequencer: NetworkSequencerOut,
     pixel: Signal,
@@ -227,14 +232,14 @@ struct Side {
 }
 
 impl Side {
-    /// What it says to a bank, if it has it.
+    /// What it sends to a bank that it has.
     fn access(&self, bank: u32) -> PortAccess {
         let writes = self.unloaded & self.sequencer.bank.bit(bank);
         PortAccess { pixel: self.pixel, address: self.sequencer.address, writes, bytes: self.bytes }
     }
 }
 
-/// The marks of another clock, a clock long each, as marks of this one: a flag turns with each, and two registers bring it over.
+/// Pulses of one clock as pulses of this clock: a flag toggles with each, and two registers synchronize it.
 fn turned(here: Module, there: Module, name: &str, marks: Signal) -> Signal {
     let mut bits = Vec::new();
     for bit in (0..marks.width()).rev() {

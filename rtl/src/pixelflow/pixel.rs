@@ -13,36 +13,38 @@
 //! enable stack: the top one tells whether the pixel takes part       flag: a result of one word is kept, or a bit of a multiplier
 //! ```
 //!
-//! All processors do the same in each clock, on a byte of their own; only the flags differ. A word is worked on from its least significant byte
-//! (but shifted right from its most significant), with the carry between them.
+//! All processors execute the same control in each clock, each on its own byte; only their flags differ. A word is
+//! processed from its least significant byte, with the carry between bytes; a shift to the right starts at the most
+//! significant.
 //!
-//! Two words make a third in two clocks a byte: one into the accumulator, the other with it into memory. A constant, or a byte of the expression,
-//! makes it in one. Bytes 0 to 255 are memory, and 256 to 383 are communication registers, which stand outside, as network and texture unit see
-//! them, too ([`array`](super::array)).
+//! Combining two words into a third takes two clocks a byte. One clock moves a byte into the accumulator. The next
+//! combines it with the other word and writes memory. With a constant, or a byte of the expression, it takes one.
+//! Addresses 0 to 255 are memory. Addresses 256 to 383 are communication registers; they are outside the processor, as
+//! network and texture unit access them, too ([`array`](super::array)).
 //!
-//! The sign of an expression goes to the enable flags past the ALU, which may do something else in that clock: so edges are tested while the primitive
-//! before is still being written.
+//! The sign of an expression bypasses the ALU to the enable flags, and the ALU may do something else in that clock. So
+//! edges are tested while the previous primitive is still being written.
 //!
-//! Latency 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
+//! Latency: 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
 
 use crate::prelude::*;
 
 codes! {
-    /// Where the byte comes from that meets the word of memory.
+    /// The source of the operand.
     pub enum Source {
-        /// The controller: the same for all.
+        /// The controller: the same byte for all processors.
         Constant,
         /// The linear-expression tree.
         Expression,
         /// The accumulator.
         Accumulator,
-        /// The accumulator where the flag is set, and 0 elsewhere: what a digit of a multiplier adds.
+        /// The accumulator where the flag is set, and 0 elsewhere: the summand for a digit of a multiplier.
         Multiplicand,
     }
 }
 
 codes! {
-    /// What the ALU makes of an operand `x`, the byte `w` that is read, and the carry `c` that comes in.
+    /// The function of the ALU. `x` is the operand, `w` the byte read, and `c` the carry that comes in.
     pub enum Function {
         /// `x`; the carry stays.
         Operand,
@@ -50,21 +52,22 @@ codes! {
         Word,
         /// `w + x + c`.
         Add,
-        /// `w - x`, where c is 1 unless there is a borrow: `w + (255 - x) + c`.
+        /// `w - x`, as `w + (255 - x) + c`, where c is 1 unless there is a borrow.
         Subtract,
-        /// `x`, and the carry of `w - x`: after a whole word it is 1 where the operand is not the greater.
+        /// `x`, with the carry of `w - x`: after a whole word it is 1 unless the operand is the greater.
         Compare,
-        /// The bits of both; the carry stays.
+        /// Bitwise and; the carry stays.
         And,
-        /// The bits of either; the carry stays.
+        /// Bitwise or; the carry stays.
         Or,
-        /// The bits of one alone; the carry stays.
+        /// Bitwise exclusive or; the carry stays.
         ExclusiveOr,
-        /// `w` to the left, c comes in below; the carry is the bit that leaves.
+        /// `w` shifted to the left; c comes in below, and the bit shifted out is the carry.
         ShiftLeft,
-        /// `w` to the right, c comes in above; the carry is the bit that leaves.
+        /// `w` shifted to the right; c comes in above, and the bit shifted out is the carry.
         ShiftRight,
-        /// `(w + x + c) / 2`, its carry on top; the carry is the bit that leaves: with a multiplicand, a digit of a product.
+        /// `(w + x + c) / 2`, with the sum's carry on top; the bit shifted out is the carry. With a multiplicand as
+        /// `x`, this adds a digit of a product.
         AddHalved,
     }
 }
@@ -72,7 +75,7 @@ codes! {
 codes! {
     /// The carry that comes in.
     pub enum Begin {
-        /// The one of the byte before.
+        /// The carry of the previous byte.
         Kept,
         /// 0: a sum or a shift begins.
         Zero,
@@ -82,7 +85,7 @@ codes! {
 }
 
 codes! {
-    /// Which processors write what they are told to write.
+    /// Which processors write.
     pub enum Mask {
         /// None.
         Nobody,
@@ -96,7 +99,7 @@ codes! {
 }
 
 codes! {
-    /// A condition on what happens in this clock.
+    /// A condition in the current clock.
     pub enum Condition {
         /// The operand's top bit, a sign, is 0.
         Positive,
@@ -108,33 +111,33 @@ codes! {
 }
 
 codes! {
-    /// What becomes of the stack of enable flags.
+    /// The change of the stack of enable flags.
     pub enum Enabling {
         /// It stays.
         Keep,
         /// The top one is set.
         Set,
-        /// The top one is set where the condition holds, and cleared elsewhere: the first edge.
+        /// The first edge: the top one becomes 1 where the condition is true, and 0 elsewhere.
         Replace,
-        /// The top one stays set where the condition holds: another edge.
+        /// Another edge: the top one stays 1 where the condition is true.
         Restrict,
-        /// A new top one is what the old one was, where the condition holds: if.
+        /// If: pushes a flag that is the old top one where the condition is true, and 0 elsewhere.
         Push,
-        /// The top one is set where it is not, but the one below it is: else.
+        /// Else: the top one becomes 1 where it is 0 and the one below it is 1, and 0 elsewhere.
         Invert,
-        /// The top one goes: end if. The lowest one stays.
+        /// End if: pops the top one. The lowest one stays.
         Pop,
     }
 }
 
 codes! {
-    /// What becomes of the flag.
+    /// The change of the flag.
     pub enum Flagging {
         /// It stays.
         Keep,
-        /// It is set where the condition holds.
+        /// It is set where the condition is true.
         Condition,
-        /// It is set where the condition holds and the processor is enabled.
+        /// It is set where the condition is true and the processor is enabled.
         EnabledCondition,
     }
 }
@@ -156,13 +159,13 @@ bundle! {
         pub accumulates: T,
         /// The result goes to memory.
         pub stores: T,
-        /// What `enabling` and `flagging` look at: a [`Condition`].
+        /// What `enabling` and `flagging` depend on: a [`Condition`].
         pub condition: T,
-        /// What becomes of the enable flags: an [`Enabling`].
+        /// The change of the enable flags: an [`Enabling`].
         pub enabling: T,
-        /// `enabling` looks at the expression's top bit instead: the condition holds where it is 0.
+        /// `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
         pub by_sign: T,
-        /// What becomes of the flag: a [`Flagging`].
+        /// The change of the flag: a [`Flagging`].
         pub flagging: T,
         /// The address that is read.
         pub read: T,
@@ -214,7 +217,7 @@ impl Control<u64> {
 block! {
     /// Computes a byte of a pixel a clock.
     pub struct PixelProcessor {
-        /// Enable flags, one in another; 2 at least.
+        /// The depth of the stack of enable flags; at least 2.
         pub depth: u32,
     }
     latency = "1 clock to the memory and the flags";
@@ -236,11 +239,11 @@ block! {
 }
 
 impl PixelProcessor {
-    /// Bytes of memory, with the communication registers.
+    /// The bytes of memory, including the communication registers.
     pub const BYTES: u32 = 384;
     /// The address of the first communication register.
     pub const REGISTERS: u32 = 256;
-    /// Enable flags, one in another, of the machine's.
+    /// The depth of the machine's stack of enable flags.
     pub const DEPTH: u32 = 8;
 
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
@@ -266,7 +269,7 @@ impl PixelProcessor {
             })
         );
 
-        // Sum and difference, whose carry is that of the top bits.
+        // Sum and difference, with the carry of the top bits.
         def!(subtracts = c.function.is(Function::Subtract) | c.function.is(Function::Compare));
         def!(addend = mux(subtracts, !operand, operand));
         def!(sum = word + addend + carried.zext(8));

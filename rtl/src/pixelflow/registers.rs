@@ -1,4 +1,4 @@
-//! Communication registers: bytes of each pixel that the array works with, and a port beside it (PFL-NODE, facts E4).
+//! Communication registers: bytes of each pixel that the array accesses, and a port beside it (PFL-NODE, facts E4).
 //!
 //! ```text
 //!                        .------------ registers of each pixel ------------.
@@ -10,11 +10,11 @@
 //!                        '-------------------------------------------------'
 //! ```
 //!
-//! A chip is two lines of the region. Its port is 8 wires, so a byte of all pixels takes as many clocks as a chip has pixels, whatever the number of
-//! chips. Port and array are independent, on clocks of their own; that they leave each other's bytes alone is what giving a bank, and
-//! awaiting it, is for.
+//! A chip is two lines of the region. Its port has 8 wires, so a byte of all pixels takes as many clocks as a chip has
+//! pixels, whatever the number of chips. Port and array are independent, with clocks of their own. Giving a bank and
+//! awaiting it ensures that they leave each other's bytes alone.
 //!
-//! What is read comes in the same clock, what is written is there after the edge.
+//! A read is valid in the same clock; a write takes effect at the edge.
 
 use super::ARRAY;
 use crate::prelude::*;
@@ -31,7 +31,7 @@ block! {
         /// The clock of the port.
         pub port: Clock,
     }
-    latency = "within the clock; what is written is there after the edge";
+    latency = "0 clocks to read; a write takes effect at the edge";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) CommunicationRegistersIn {
         /// The register that the array reads.
@@ -54,7 +54,7 @@ block! {
 }
 
 bundle! {
-    /// What a port says: which byte of which pixel of each chip it sees, and writes.
+    /// The access of a port: which byte of which pixel of each chip it sees, and what it writes.
     pub struct PortAccess<T> {
         /// The pixel of each chip, counted line by line.
         pub pixel: T,
@@ -68,7 +68,7 @@ bundle! {
 }
 
 impl CommunicationRegisters {
-    /// The widths of what the port says.
+    /// The widths of a port's access.
     pub fn access(&self) -> PortAccess<Width> {
         PortAccess {
             pixel: below(2 * self.width),
@@ -88,7 +88,7 @@ impl CommunicationRegisters {
         let PortAccess { pixel, address, writes, bytes } = i.port;
         def!(here = constants(below(pixels).of(row(pixels)), |pixel| pixel).eq(pixel) & writes);
         port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
-        // Each side reads what the other has written before it gave it.
+        // Each side reads bytes that the other wrote before it gave the bank.
         let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");
         let seen = given(port.read_async(address)).columns().pick(pixel.of(row(chips)));
         CommunicationRegistersOut { word: given(array.read_async(i.read)), seen }

@@ -1,21 +1,21 @@
 //! The clocks of instructions: the rules of a node's controller as a plain model.
 //!
-//! They are those of Pixel-planes' [`Schedule`], with what an instruction takes read from its fields:
+//! The rules are those of Pixel-planes' [`Schedule`]; what an instruction needs is read from its fields:
 //!
-//! | an instruction | goes to the slot of | takes ALU and memory |
+//! | instruction | slot | uses ALU and memory |
 //! |---|---|---|
-//! | with an expression, or that looks at `enable` or changes it | the evaluator, in order | unless it is quiet |
-//! | any other | the memory | yes |
+//! | with an expression, or that reads or changes `enable` | the evaluator's, in sequence | unless it is quiet |
+//! | any other | the memory's | yes |
 //!
-//! One that writes nothing and looks at nothing but an expression's sign is quiet: an edge, which goes past the ALU. So while the evaluator has the edges of a
-//! primitive, the memory may still write what the one before has left.
+//! An instruction is quiet if it writes nothing and tests only an expression's sign: an edge, which bypasses the ALU.
+//! So while the evaluator has the edges of a primitive, the previous primitive's result may still be written.
 
 use super::instruction::{Instruction, Sync};
 use super::pixel::{Condition, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::{Schedule, Step, Times};
 use crate::prelude::Codes;
 
-/// What an instruction takes.
+/// What an instruction needs.
 pub fn step(i: &Instruction<u64>) -> Step {
     let has_expression = i.source == Source::Expression.code();
     let enabling = Enabling::ALL[i.enabling as usize];
@@ -51,8 +51,8 @@ pub fn one_at_a_time(program: &[Instruction<u64>]) -> u64 {
     program.iter().map(Instruction::clocks).sum()
 }
 
-/// The clocks from a program's beginning to the next one's, of many equal ones in a row, where evaluator and memory work side by side. None of the
-/// instructions waits for a port.
+/// The clocks from a program's beginning to the next one's, for many equal ones in a row, where evaluator and memory
+/// work side by side. None of the instructions waits for a port.
 pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
     let steps: Vec<Step> = program.iter().map(step).collect();
     let mut schedule = Schedule::new(true);
@@ -61,13 +61,13 @@ pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
             program.iter().zip(&steps).map(|(i, step)| take(&mut schedule, i, step, 0).taken).collect();
         times.first().copied().unwrap_or(0)
     };
-    // The first ones begin with nothing before them.
+    // The first ones begin with an idle controller.
     let (_, _, third, fourth) = (begins(), begins(), begins(), begins());
     fourth - third
 }
 
-/// Takes an instruction as soon as may be, from the clock on in which what it waits for is there; tells its clocks. One that is in step with a port has
-/// all to itself.
+/// Takes an instruction as soon as possible, from the clock on in which its port is ready; returns its clocks. An
+/// instruction that synchronizes with a port runs alone.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::schedule::Schedule;

@@ -1,4 +1,4 @@
-//! What tests share: instructions at random, and a program of the plainest kind.
+//! Helpers for tests: random instructions, and a very simple program.
 
 use proptest::prelude::*;
 
@@ -6,7 +6,7 @@ use super::instruction::Instruction;
 use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, Source};
 use crate::prelude::Codes;
 
-/// Instructions that meet each other's words, in few places of memory and registers; none is in step with a port.
+/// Instructions that hit each other's words, in a few places of memory and registers; none synchronizes with a port.
 pub(super) fn instructions() -> impl Strategy<Value = Instruction<u64>> {
     let address = || prop_oneof![3 => 8..24u64, 1 => 252..260u64, 1 => 284..292u64, 1 => 316..324u64];
     let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
@@ -57,8 +57,8 @@ pub(super) fn edge(enabling: Enabling, [a, b, c]: [i64; 3], bytes: u64) -> Instr
     }
 }
 
-/// What of a triangle takes clocks: edges, a plane of 5 bytes and three of 3 into bytes 10 to 15 (the depth on top), a comparison with bytes 0 to 5, and
-/// the commit where that says so.
+/// The parts of a triangle that take clocks. They are the edges, a plane of 5 bytes and three of 3 into bytes 10 to 15
+/// with the depth on top, a comparison with bytes 0 to 5, and the commit.
 pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3]; 4]) -> Vec<Instruction<u64>> {
     let [first, second, third] = edges;
     let edges = [
@@ -66,7 +66,7 @@ pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3];
         edge(Enabling::Restrict, second, edge_bytes),
         edge(Enabling::Restrict, third, edge_bytes),
     ];
-    // Each new byte is compared with the one that is kept, and stays in memory.
+    // Each new byte is compared with the stored one, and stays in memory.
     let plane = |begin: Begin, flagging: Flagging, [a, b, c]: [i64; 3], skip: u64, length: u64, address: u64| {
         let [a, b, c] = [a, b, c].map(|coefficient| coefficient as u64 & ((1 << 40) - 1));
         Instruction {
@@ -106,7 +106,8 @@ pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3];
     [&edges[..], &planes, &[commit]].concat()
 }
 
-/// The time that this thread has been on a processor, in nanoseconds, as Linux counts it: for what is measured beside other work.
+/// The time that this thread has been on a processor, in nanoseconds, as Linux counts it: for measurements beside other
+/// work.
 pub(super) fn processor_time() -> u64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux counts a thread's time");
     text.split(' ').next().and_then(|number| number.parse().ok()).expect("the first number is the time")

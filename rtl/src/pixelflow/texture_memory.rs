@@ -1,4 +1,5 @@
-//! The texture memory: the eight texels around a place on two levels of a texture, a place a clock (PFL-SHADE, facts E4).
+//! The texture memory: reads the eight texels around a place on two levels of a texture, a place a clock (PFL-SHADE,
+//! facts E4).
 //!
 //! ```text
 //!               .-------------.        .------------------------.     .------------------.
@@ -8,14 +9,15 @@
 //!                                      '------------------------'     '------------------'
 //! ```
 //!
-//! A texture is there on all of its levels: on level l it has 2^l x 2^l texels, and goes on repeating on all sides. Four texels around a place are
-//! neighbours, so their columns and rows have all parities; and of two levels that follow each other one is even. So no two of the eight texels are in
-//! one bank, and all are read at once. A texture has the same base in all banks; a level of it is behind all coarser ones of the same parity.
+//! A texture is stored on all of its levels. Level l has 2^l x 2^l texels, and repeats on all sides. The four texels
+//! around a place are neighbours, so their columns and rows have all combinations of parities. Of two successive levels
+//! one is even. So no two of the eight texels are in the same bank, and all are read at once. A texture has the same
+//! base in all banks; a level is stored behind all coarser ones of the same parity.
 //!
-//! The place in texels is `floor(u 2^level / 2^8) - 2^7` in 1/2^8, as a texel's colour is that of its middle. Beyond the finest level, both levels are the
-//! finest.
+//! The place in texels is `floor(u 2^level / 2^8) - 2^7` in 1/2^8, as a texel's colour is that of its middle. Beyond
+//! the finest level, both levels are the finest.
 //!
-//! Latency 3 clocks, a place a clock.
+//! Latency: 3 clocks; a place a clock.
 
 use crate::delays::mark_delays;
 use crate::prelude::*;
@@ -23,9 +25,9 @@ use crate::prelude::*;
 block! {
     /// Reads the texels around a place.
     pub struct TextureMemory {
-        /// Texels of a bank.
+        /// The texels of a bank.
         pub texels: u32,
-        /// Textures.
+        /// The number of textures.
         pub textures: u32,
     }
     latency = "3 clocks, a place a clock";
@@ -83,7 +85,7 @@ bundle! {
     }
 }
 
-/// Where a texel is.
+/// The location of a texel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TexelAddress {
     /// Its bank.
@@ -96,7 +98,7 @@ impl TextureMemory {
     /// The finest level that a texture may have.
     pub const FINEST: u32 = 10;
 
-    /// Where texel (i, j) of a level is, of a texture with that base.
+    /// The location of texel (i, j) on a level of a texture with that base.
     ///
     /// ```
     /// use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
@@ -109,7 +111,7 @@ impl TextureMemory {
         TexelAddress { bank, address: base + TextureMemory::offset(level) + ((j >> 1) << level >> 1) + (i >> 1) }
     }
 
-    /// Addresses of a bank that a texture of that finest level takes.
+    /// The addresses of a bank that a texture with that finest level takes.
     pub fn size(finest: u32) -> u64 {
         TextureMemory::offset(finest + 2)
     }
@@ -125,7 +127,7 @@ impl TextureMemory {
         TexelWrite { valid: bit(), bank: bits(3), address: below(self.texels), texel: bits(24) }
     }
 
-    /// The widths of where a texture is.
+    /// The widths of a texture's description.
     pub fn describe(&self) -> Describe<Width> {
         let (texture, base) = (below(self.textures), below(self.texels));
         Describe { valid: bit(), texture, base, finest: up_to(TextureMemory::FINEST) }
@@ -133,7 +135,7 @@ impl TextureMemory {
 
     fn build(&self, m: Module, i: TextureMemoryIn) -> TextureMemoryOut {
         let valid = mark_delays(m, "valid", 3, i.request.valid)[3];
-        // First clock: where the texture is.
+        // First clock: the texture's description.
         let widths = self.describe();
         let [base, finest] = [("bases", widths.base, i.describe.base), ("finests", widths.finest, i.describe.finest)]
             .map(|(name, width, written)| {
@@ -154,7 +156,7 @@ impl TextureMemory {
         def!(coarser = m.pipe(around(level)));
         def!(finer = m.pipe(around(level + 1)));
 
-        // Third clock: each bank has one texel of the level whose parity it has.
+        // Third clock: each bank reads a texel of the level with its parity.
         let banks = stack(self.addresses(base, coarser, finer).into_iter().zip(0..).map(|(address, bank)| {
             let memory = m.memory(&format!("bank{bank}"), self.texels, 24, ReadUnderWrite::Old);
             memory.write(i.write.valid & i.write.bank.eq(bank), i.write.address, i.write.texel);
@@ -200,7 +202,7 @@ bundle! {
 }
 
 impl Side {
-    /// Which banks have its texels: left and right below, and then above.
+    /// The banks that have its texels: left and right below, and then above.
     fn banks(&self) -> [Signal; 4] {
         let Side { level, left, right, below, above } = *self;
         [(below, left), (below, right), (above, left), (above, right)]
@@ -208,7 +210,7 @@ impl Side {
     }
 }
 
-/// The numbers of the two texels around a part of the texture along one axis.
+/// The numbers of the two texels around a place along one axis.
 fn neighbours(part: Signal, level: Signal) -> [Signal; 2] {
     let number = bits(TextureMemory::FINEST);
     let wide = bits(16 + TextureMemory::FINEST);

@@ -1,4 +1,5 @@
-//! The texture unit: for each pixel of a region in turn, the texels around what it asks for (PFL-SHADE, facts E4).
+//! The texture unit: for one pixel of a region after another, gets the texels around the place that the pixel asks for
+//! (PFL-SHADE, facts E4).
 //!
 //! ```text
 //!                6 bytes of each chip         a chip a clock
@@ -7,13 +8,14 @@
 //!               24 bytes of each chip
 //! ```
 //!
-//! The registers' port has a byte of a pixel of each chip a clock. So in a turn of 30 clocks at least it reads the 6 bytes that a pixel of each chip asks,
-//! and writes the 24 bytes of an earlier one's texels, while the memory looks up those of the one between, a chip a clock. With 32 chips a turn is 32 clocks,
-//! and a pixel takes one:
+//! The registers' port accesses a byte of one pixel of each chip a clock. A round has at least 30 clocks. In it the
+//! unit reads the 6 bytes of a request of one pixel of each chip. It writes the 24 bytes of texels for an earlier
+//! pixel. Meanwhile the memory looks up the pixel between the two, a chip a clock. With 32 chips a round is 32 clocks,
+//! so each pixel takes one:
 //!
-//! | clock of a turn | port | |
+//! | clock of a round | port | |
 //! |---|---|---|
-//! | 0 to 5 | reads what pixel p asks: u, v, level, texture | pixel p - 1 of each chip is looked up, |
+//! | 0 to 5 | reads the request of pixel p: u, v, level, texture | pixel p - 1 of each chip is looked up, |
 //! | 6 to 29 | writes the texels of pixel p - 2 | from the first clock on |
 //!
 //! | register | |
@@ -22,9 +24,10 @@
 //! | 2, 3 | v |
 //! | 4 | the coarser level |
 //! | 5 | the texture |
-//! | 8 + 3 (4 s + 2 y + x) + channel | texels, as [`TextureMemory`] has them |
+//! | 8 + 3 (4 s + 2 y + x) + channel | texels, in the sequence of [`TextureMemory`] |
 //!
-//! Latency: a turn for each pixel of a chip, and two: with 128 x 64 pixels 8256 clocks, 82.6 us of the 95 that the paper allows.
+//! Latency: a round for each pixel of a chip, and two more. With 128 x 64 pixels that is 8256 clocks, 82.6 us of the 95
+//! that the paper allows.
 
 use super::registers::PortAccess;
 use super::texture_memory::{Describe, TexelWrite, TextureMemory, TextureMemoryIn, TexturePlace};
@@ -33,9 +36,9 @@ use crate::prelude::*;
 block! {
     /// Serves the texture registers of a region.
     pub struct TextureUnit {
-        /// Chips of the node.
+        /// The number of chips of the node.
         pub chips: u32,
-        /// Pixels of a chip.
+        /// The number of pixels of a chip.
         pub pixels: u32,
         /// Its memory.
         pub memory: TextureMemory,
@@ -65,17 +68,17 @@ block! {
     }
 }
 
-/// Bytes of what a pixel asks.
+/// The bytes of a pixel's request.
 const ASKED: u32 = 6;
-/// Bytes of what it gets.
+/// The bytes of its texels.
 const TEXELS: u32 = 24;
-/// The register that has the first of them.
+/// The register with the first of them.
 const FIRST: u32 = 8;
-/// The clock of a turn in which the texels of the pixel before are all there.
+/// The clock of a round in which the texels of the previous pixel are complete.
 const COLLECTED: u32 = 3;
 
 impl TextureUnit {
-    /// Clocks of a turn, in which a pixel of each chip is looked up.
+    /// Clocks of a round, in which a pixel of each chip is looked up.
     pub fn turn(&self) -> u32 {
         self.chips.max(ASKED + TEXELS)
     }
@@ -97,7 +100,7 @@ impl TextureUnit {
         clock.when(i.start | turn_ends, 0).otherwise(clock + 1);
         number.when(i.start, 0).when(turn_ends, number + 1);
 
-        // What pixels ask comes in from the top, and goes a chip a clock.
+        // The requests enter at the top, and leave a chip a clock.
         def!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
         def!(asked = m.reg(bits(8 * ASKED).of(row(chips))));
         asked.when(reads, concat(&[i.seen, asked.slice(8..8 * ASKED)]));

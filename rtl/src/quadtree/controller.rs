@@ -1,4 +1,4 @@
-//! The video controller: reads the video buffers as one picture, interleaved along both axes (MPG-ARCH, MPG-SPR).
+//! The video controller: reads the video buffers as one picture, interleaving them along both axes (MPG-ARCH, MPG-SPR).
 //!
 //! ```text
 //!            .---------------.   x div p, y div q    .----------------.   p words
@@ -7,10 +7,10 @@
 //!            '---------------'                       '----------------'
 //! ```
 //!
-//! Pixel (x, y) is in the buffer of video processor (x mod p, y mod q), at (x div p, y div q); so p pixels that lie side by side are at one
-//! address of p buffers, and come at once. A line ends with the group that holds its last pixel.
+//! Pixel (x, y) is in the buffer of video processor (x mod p, y mod q), at (x div p, y div q). So p neighbouring pixels
+//! are at the same address of p buffers, and are read at once. A line ends with the group that contains its last pixel.
 //!
-//! Latency and throughput: 2 clocks from `start` to the first group, then one a clock, if each is taken at once.
+//! Latency and throughput: 2 clocks from `start` to the first group, then one a clock while the receiver is ready.
 
 use super::format::Format;
 use super::video_buffer::Scan;
@@ -19,7 +19,7 @@ use crate::prelude::*;
 block! {
     /// Reads the picture from the video buffers, line by line.
     pub struct VideoController {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
     }
     latency = "2 clocks from `start` to the first pixels, then p pixels a clock";
@@ -62,7 +62,7 @@ impl VideoController {
         def!(line = m.reg(below(screen.height.max(q))).reset(0));
         def!(arrived = m.reg(bit()).reset(0));
 
-        // A group is asked for in each clock in which the one before can go.
+        // A group is requested in each clock in which its predecessor can go.
         let words = i.words.pack().unpack(grid(q, p));
         let matrix_row = if q == 1 { lit(1, 0) } else { line.trunc(below(q)) };
         def!(arrived_row = m.wire(matrix_row.width()));

@@ -1,4 +1,4 @@
-//! The coverage test unit: which quarters of a window a polygon may cover (MPG-EQ5, MPG-WIN).
+//! The coverage test unit: finds the quarters of a window that a polygon may cover (MPG-EQ5, MPG-WIN).
 //!
 //! ```text
 //! works ===>[held]--> window of a quarter ---> [ < 0 ? ]--> covered?   no: the next quarter
@@ -6,14 +6,16 @@
 //!              '----> planes of the quarter, one a clock ------'==========> parts
 //! ```
 //!
-//! A quarter passes if each edge function is 0 or more where it is greatest in it, and it overlaps the rectangle of pixels around the
-//! polygon. Without those four bounds up to 35 % more windows pass (facts B). An edge function is kept as the greatest value in the
-//! window, so that a test is one subtraction and a look at a sign: what the function loses on the way to the quarter's corner is its fall
-//! over a sample, shifted.
+//! A quarter passes under two conditions. Each edge function must be at least 0 at the corner where it is greatest. The
+//! quarter must overlap the rectangle of pixels around the polygon; without those four bounds up to 35 % more windows
+//! pass (facts B). An edge function is stored as its greatest value in the window. So a test is one subtraction and a
+//! look at a sign. It subtracts what the function loses on the way to the quarter's corner: its loss per sample,
+//! shifted.
 //!
-//! Latency and throughput: a window takes `4 k_e` clocks with one adder, or 4 with an adder for each edge, and `k_p` = 4 for each quarter that
-//! passes, whose planes one adder moves to its upper left sample. The quarters come one after another, and wait for their receiver; the next
-//! window is taken with the last clock of the one before.
+//! Latency and throughput: the tests of a window take `4 k_e` clocks with one adder, or 4 with an adder for each edge.
+//! Each quarter that passes takes `k_p` = 4 more, in which one adder moves its planes to its upper left sample. The
+//! quarters come one after another, and wait for their receiver. The next window is taken with the last clock of its
+//! predecessor.
 
 use std::fmt;
 
@@ -23,12 +25,12 @@ use super::lanes::lane_by_lane;
 use super::tally::Tally;
 use crate::prelude::*;
 
-/// How the edge functions of a quarter are tested, which is what a test costs (MPG-EQ5).
+/// How the edge functions of a quarter are tested, which determines the cost of a test (MPG-EQ5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Test {
-    /// One after another, with one adder.
+    /// One edge after another, with one adder.
     Serial,
-    /// In one clock, with an adder for each.
+    /// All edges in one clock, with an adder for each.
     Parallel,
 }
 
@@ -44,13 +46,13 @@ impl fmt::Display for Test {
 block! {
     /// Tests the quarters of windows, and sends on those that their polygon may cover.
     pub struct CoverageTest {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
-        /// The size of the greatest window that comes in: the binary logarithm of its side, from 1.
+        /// The size of the largest window that comes in: the binary logarithm of its side, from 1.
         pub from: u32,
-        /// Of how many sizes windows come in, each half of the one before.
+        /// The number of window sizes that come in, each half of the previous one.
         pub sizes: u32,
     }
     latency(self) = match self.test {
@@ -87,7 +89,7 @@ impl CoverageTest {
         def!(passes = tests & is_last & !misses);
         def!(fails = tests & is_last & misses);
 
-        // The planes of one that passes; it goes with the last of them.
+        // The planes of a quarter that passes; it goes with the last of them.
         let moved = |plane: Signal, is_beside: Signal, add: Signal| plane + mux(is_beside, add << size, 0);
         def!(plane_of_window = window.planes.pick(*step));
         def!(plane_x = polygon.plane_x.pick(*step));
@@ -146,18 +148,18 @@ impl CoverageTest {
     }
 }
 
-/// What a test finds in a clock.
+/// The result of a test in a clock.
 struct Tested {
     /// The edge functions of the quarter, once it has passed.
     edges: Signal,
-    /// One of them is negative wherever the quarter is.
+    /// An edge function is negative in the whole quarter.
     is_outside: Signal,
     /// The test ends with this clock.
     is_last: Signal,
 }
 
-/// The greatest value of an edge function in a quarter, of each in a row, from that in the window: less by its fall, but where the quarter
-/// has the same corner.
+/// The greatest value of each edge function in a quarter, from its greatest value in the window: less the loss, unless
+/// the quarter has the same corner.
 fn greatest([value, fall_x, fall_y, right, lower]: [Signal; 5], number: Signal, size: Signal) -> Signal {
     let fall = |fall: Signal, is_greatest_there: Signal, is_there: Signal| {
         mux(is_greatest_there.eq(is_there), 0, fall.zext(value.width()) << size).signed()

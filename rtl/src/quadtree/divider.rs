@@ -1,4 +1,4 @@
-//! The ports of what divides windows: a raster processor, and each of its parts (MPG-RP).
+//! The ports of blocks that divide windows: a raster processor, and each of its parts (MPG-RP).
 
 use super::format::Work;
 use super::tally::Tally;

@@ -1,20 +1,21 @@
-//! The sizes of a generator, and the records that its blocks hand on: packets, and the windows of polygons.
+//! The sizes of a generator, and the records that its blocks exchange: packets, and the windows of polygons.
 
 use std::fmt;
 
 use crate::prelude::*;
 
-/// Linear functions of a polygon beside its edges: depth, red, green and blue (k_p of MPG-EQ5).
+/// Linear functions of a polygon besides its edges: depth, red, green and blue (k_p of MPG-EQ5).
 pub const PLANES: u32 = 4;
-/// Bits of each such function, which is added modulo 2^40: depth is in bits 39..16, a colour in bits 23..16 (facts E0).
+/// The width of such a function, which is added modulo 2^40: depth is in bits 39..16, a colour in bits 23..16 (facts
+/// E0).
 pub const PLANE: u32 = 40;
-/// Bits of an edge function's slopes, signed.
+/// The width of an edge function's slopes, signed.
 pub const SLOPE: u32 = 17;
-/// Bits of an edge function on the screen, signed.
+/// The width of an edge function on the screen, signed.
 const EDGE: u32 = 32;
-/// Bits of a position on the screen in pixels, and of a distance there, both signed: twice the widest screen.
+/// The width of a position on the screen in pixels, and of a distance there, both signed: twice the widest screen.
 const DISTANCE: u32 = 13;
-/// The greatest screen, in pixels along each side.
+/// The largest screen, in pixels along each side.
 const SIDE: u32 = 2048;
 
 /// The matrix of video processors: each has every `columns`-th pixel of every `rows`-th line (MPG-SPR).
@@ -32,7 +33,7 @@ impl Matrix {
     ///
     /// # Errors
     ///
-    /// A side is none of 1, 2, 4, 8 and 16.
+    /// A side is not 1, 2, 4, 8 or 16.
     pub fn new(columns: u32, rows: u32) -> Result<Matrix, ParameterError> {
         if [columns, rows].iter().all(|side| side.is_power_of_two() && *side <= Matrix::MAX_SIDE) {
             return Ok(Matrix { columns, rows });
@@ -42,23 +43,23 @@ impl Matrix {
         )))
     }
 
-    /// p, side by side.
+    /// p, the number of columns.
     pub fn columns(self) -> u32 {
         self.columns
     }
 
-    /// q, one below the other.
+    /// q, the number of rows.
     pub fn rows(self) -> u32 {
         self.rows
     }
 
-    /// p q of them.
+    /// The number of video processors, p q.
     pub fn processors(self) -> u32 {
         self.columns * self.rows
     }
 }
 
-/// What a generator is built for; every block of it is made for one.
+/// The parameters of a generator; every block of it is built for a format.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Format {
     screen: Screen,
@@ -73,11 +74,11 @@ impl Format {
     /// The greatest aperture.
     pub const MAX_APERTURE: u32 = 8;
 
-    /// A generator for a screen, with a matrix of video processors, that draws convex polygons of 3 to so many edges.
+    /// A generator for a screen, with a matrix of video processors, that draws convex polygons with 3 to `edges` edges.
     ///
     /// # Errors
     ///
-    /// The edges are fewer than 3 or more than 8.
+    /// `edges` is below 3 or above 8.
     pub fn new(screen: Screen, matrix: Matrix, edges: u32) -> Result<Format, ParameterError> {
         let most = Format::MAX_EDGES;
         if (3..=most).contains(&edges) {
@@ -86,12 +87,12 @@ impl Format {
         Err(ParameterError(format!("polygons of up to {edges} edges: a generator is built for up to 3 to {most}")))
     }
 
-    /// The same with windows that are tested as so many pixels wider and higher than their samples: the aperture of the filter,
-    /// a = b of MPG-WIN. At 0 a window of one sample is that pixel, and is drawn if it passes.
+    /// The same, with windows that are tested as `aperture` pixels wider and higher than their samples. This is the
+    /// aperture of the filter, a = b of MPG-WIN. At 0 a window of one sample is that pixel, and is drawn if it passes.
     ///
     /// # Errors
     ///
-    /// It is odd, or above 8.
+    /// The aperture is odd, or above 8.
     pub fn with_aperture(self, aperture: u32) -> Result<Format, ParameterError> {
         if aperture.is_multiple_of(2) && aperture <= Format::MAX_APERTURE {
             return Ok(Format { aperture, ..self });
@@ -129,23 +130,23 @@ impl Format {
         self.screen.height.div_ceil(self.matrix.rows)
     }
 
-    /// n: a video processor's pixels are within 2^n x 2^n, which is divided n times; at least once.
+    /// n: a video processor's pixels lie within 2^n x 2^n, which is divided n times, at least once.
     pub fn levels(&self) -> u32 {
         self.columns().max(self.rows()).next_power_of_two().trailing_zeros().max(1)
     }
 
-    /// Bits of an edge function in a window, signed.
+    /// The width of an edge function in a window, signed.
     pub fn edge_bits(&self) -> u32 {
         EDGE + self.excess()
     }
 
-    /// Bits of a distance in pixels, signed.
+    /// The width of a distance in pixels, signed.
     pub fn distance_bits(&self) -> u32 {
         DISTANCE + self.excess()
     }
 
-    /// By how many bits the square window of all samples is wider or higher than the greatest screen: where a video processor has far more
-    /// columns than lines, or the other way about.
+    /// By how many bits the square window of all samples is wider or higher than the largest screen. It is more than 0
+    /// where a video processor has far more columns than lines, or the reverse.
     fn excess(&self) -> u32 {
         let spacing = self.matrix.columns.max(self.matrix.rows);
         (self.levels() + spacing.trailing_zeros()).saturating_sub(SIDE.trailing_zeros())
@@ -167,7 +168,7 @@ impl Format {
         }
     }
 
-    /// The widths of a place: where the samples of a video processor begin and end.
+    /// The widths of a place: the first and the last sample of a video processor.
     pub fn place(&self) -> Bounds<Width> {
         let distance = bits(self.distance_bits()).signed();
         Bounds { left: distance, top: distance, right: distance, bottom: distance }
@@ -209,7 +210,7 @@ impl Format {
     }
 }
 
-/// In words, with which the modules of a generator are named.
+/// The format as text, for the names of a generator's modules.
 impl fmt::Debug for Format {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Format { screen: Screen { width, height }, matrix: Matrix { columns, rows }, edges, aperture } = self;
@@ -307,7 +308,7 @@ bundle! {
 }
 
 impl Bounds {
-    /// Those of a quarter: less by the spacing of its samples at the side where the quarter is not.
+    /// The values for a quarter: less by the spacing of its samples at the side where the quarter is not.
     pub(super) fn quarter(&self, number: Signal, size: Signal, matrix: Matrix) -> Bounds {
         let reaches = |bound: Signal, is_there: Signal, spacing: u32| {
             bound - mux(is_there, 0, lit(bound.width(), spacing) << size).signed()
@@ -321,7 +322,7 @@ impl Bounds {
         }
     }
 
-    /// Whether something lies beyond one of four bounds, by how far it reaches over each.
+    /// Whether something lies beyond one of four bounds, given how far it extends over each.
     pub(super) fn is_beyond(&self) -> Signal {
         let Bounds { left, top, right, bottom } = *self;
         left.is_negative() | top.is_negative() | right.is_negative() | bottom.is_negative()

@@ -1,4 +1,4 @@
-//! The generator as a whole, behind its geometry processor (MPG-ARCH).
+//! The whole generator without its geometry processor (MPG-ARCH).
 //!
 //! ```text
 //!                        .-- video processor (0, 0) --.
@@ -8,18 +8,19 @@
 //!                broadcast                          words
 //! ```
 //!
-//! Each packet goes to all video processors, to each when its queue has room; the next one follows when all have it. So the matrix
-//! waits for the geometry processor only when a queue is empty, and the geometry processor for the matrix only when one is full.
+//! Each packet goes to all video processors, to each when its queue has room. The next packet follows when all have it.
+//! So the matrix waits for the geometry processor only when a queue is empty. The geometry processor waits for the
+//! matrix only when a queue is full.
 //!
 //! # Protocol
 //!
-//! | who | does | when |
+//! | party | action | when |
 //! |---|---|---|
-//! | geometry processor | sends polygons | at any time but from `swap` until it is seen |
-//! | host | swaps the banks | `idle`, and no picture is read: what was drawn is shown from now on |
-//! | host | reads the picture, and clears it | after the swap, while the next one is drawn |
+//! | geometry processor | sends polygons | at any time, except from `swap` until the swap is visible |
+//! | host | swaps the banks | `idle`, and no picture is read: the drawn picture is shown from now on |
+//! | host | reads and clears the picture | after the swap, while the next one is drawn |
 //!
-//! A bank has to be read with `clear` before it is drawn again.
+//! A bank must be read with `clear` before it is drawn again.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -72,11 +73,11 @@ block! {
 }
 
 impl QuadtreeGenerator {
-    /// A generator of such video processors.
+    /// A generator with these video processors.
     ///
     /// # Errors
     ///
-    /// A queue holds nothing.
+    /// A queue has no capacity.
     pub fn new(format: Format, form: Form, test: Test, queues: Queues) -> Result<QuadtreeGenerator, ParameterError> {
         let Queues { broadcast, packets, windows } = queues;
         for (queue, name) in [(broadcast, "broadcast"), (packets, "packet"), (windows, "window")] {
@@ -88,7 +89,7 @@ impl QuadtreeGenerator {
         Ok(QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } })
     }
 
-    /// What it is built for.
+    /// Its format.
     pub fn format(&self) -> Format {
         self.video_processor.format
     }
@@ -104,7 +105,7 @@ impl QuadtreeGenerator {
         let each = row(matrix.processors());
         def!(back = m.toggle(i.swap));
 
-        // The broadcast: those that have the packet already wait for the others.
+        // The broadcast: processors that already have the packet wait for the others.
         let packets = m.fifo("u_queue", self.video_processor.queues.broadcast, i.packets);
         def!(has = m.reg(bit().of(each)).reset(0));
         let packet = packets.payload.map(|field| match field.shape() {

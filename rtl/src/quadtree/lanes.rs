@@ -1,16 +1,16 @@
-//! Rows whose lanes are computed one after another, by one adder.
+//! Rows whose lanes are computed one after another, with one adder.
 
 use crate::prelude::*;
 
 /// A row that is filled lane by lane.
 pub(super) struct Filled {
-    /// What was put into it.
+    /// The lanes written so far.
     pub kept: Signal,
-    /// The same, with what is put into it in this clock.
+    /// The same, including the lane written in this clock.
     pub row: Signal,
 }
 
-/// A register of that many lanes, of which the one of number `step` becomes `value` while `enable` is high.
+/// A register with `lanes` lanes; lane number `step` becomes `value` while `enable` is high.
 pub(super) fn lane_by_lane(m: Module, name: &str, lanes: u32, enable: Signal, step: Signal, value: Signal) -> Filled {
     let kept = m.reg(name, bits(value.width()).of(row(lanes)));
     let row = mux(numbers(step.width(), lanes).eq(step), value, *kept);

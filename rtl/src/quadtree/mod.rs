@@ -1,5 +1,5 @@
-//! The sparse-raster quadtree generator: a matrix of video processors, each of which finds the pixels of polygons by dividing windows
-//! (facts A2, A3, E2).
+//! The sparse-raster quadtree generator: a matrix of video processors, each of which finds a polygon's pixels by
+//! dividing windows (facts A2, A3, E2).
 //!
 //! ```text
 //!              .--------------------- video processor (i, j) ----------------------.
@@ -9,22 +9,22 @@
 //!              '--------------------------------------------------------------------'
 //! ```
 //!
-//! Video processor (i, j) of p x q draws the pixels (p X + i, q Y + j) of the screen: a raster as large as the screen, and sparse. Its windows
-//! are squares of 2^s x 2^s of these samples. The window of all of them, level 0, is divided into quarters, and those that the polygon may cover are
-//! divided again, down to single samples on level n.
+//! Video processor (i, j) of p x q draws the pixels (p X + i, q Y + j). This raster is as large as the screen, but
+//! sparse. The processor's windows are squares of 2^s x 2^s of these samples. The window of all samples, level 0, is
+//! divided into quarters. Quarters that the polygon may cover are divided again, down to single samples on level n.
 //!
-//! | file | what is in it |
+//! | file | contents |
 //! |---|---|
 //! | [`mod@format`] | the sizes, and the records: packets, windows, polygons |
-//! | [`set_up`] | a polygon of the screen becomes one of the samples |
+//! | [`set_up`] | converts a polygon of the screen to a video processor's samples |
 //! | [`coverage_test`] | the unit that tests quarters |
 //! | [`divider`], [`stack`], [`pipe`], [`tree`], [`raster`] | raster processors made of such units |
-//! | [`pixel`], [`video_buffer`] | fragments, and the pixels that are kept |
-//! | [`processor`], [`controller`], [`generator`] | a video processor, what reads the picture, the whole |
-//! | [`tally`] | what units count of themselves |
+//! | [`pixel`], [`video_buffer`] | fragments, and stored pixels |
+//! | [`processor`], [`controller`], [`generator`] | a video processor, the read-out, the whole machine |
+//! | [`tally`] | the units' counters |
 //!
-//! Busy clocks of the units are those of the paper's cost model (MPG-EQ5, [`coverage_test`]); clocks in which a result waits are counted
-//! apart.
+//! The units' busy clocks are those of the paper's cost model (MPG-EQ5, [`coverage_test`]). Clocks in which a result
+//! waits are counted separately.
 
 pub mod controller;
 pub mod coverage_test;

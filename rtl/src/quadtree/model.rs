@@ -1,4 +1,4 @@
-//! Polygons and windows in plain numbers, by their definition: what the blocks are compared with, and what their scenarios are made of
+//! Polygons and windows in plain numbers, by definition: the reference of the blocks, and the source of their scenarios
 //! (MPG-WIN, MPG-SPR, facts E0).
 
 use super::coverage_test::Test;
@@ -8,11 +8,11 @@ use crate::prelude::*;
 /// A convex polygon of the screen.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Convex {
-    /// a, b and c of `a x + b y + c`, which is 0 or more inside.
+    /// a, b and c of `a x + b y + c`, which is at least 0 inside.
     pub edges: Vec<[i64; 3]>,
     /// x, y and origin of each plane.
     pub planes: [[u64; 3]; PLANES as usize],
-    /// The leftmost, uppermost, rightmost and lowest of the pixels within which it lies.
+    /// The leftmost, uppermost, rightmost and lowest of the pixels that contain it.
     pub bounds: [u32; 4],
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Square {
 }
 
 impl Square {
-    /// In the order in which they are tested.
+    /// In the sequence of testing.
     pub(crate) fn quarters(self) -> [Square; 4] {
         let size = self.size - 1;
         [0, 1, 2, 3].map(|number| Square { size, x: self.x | (number & 1) << size, y: self.y | (number >> 1) << size })
@@ -66,7 +66,7 @@ impl Raster {
         [left - half, top - half, right + half, bottom + half]
     }
 
-    /// How far a window reaches over each bound of a polygon towards the inside.
+    /// How far a window extends over each bound of a polygon towards the inside.
     pub(super) fn reach(&self, polygon: &Convex, window: Square) -> [i64; 4] {
         let [left, top, right, bottom] = self.extent(window);
         let [first_x, first_y, last_x, last_y] = polygon.bounds.map(i64::from);
@@ -79,7 +79,8 @@ impl Raster {
         edges.chain(self.reach(polygon, window)).all(|value| value >= 0)
     }
 
-    /// The windows of a size, within another one, that are left when those that the polygon cannot cover are dropped on the way.
+    /// The windows of a size that remain within another one when windows that the polygon cannot cover are dropped on
+    /// the way.
     pub(crate) fn divided(&self, polygon: &Convex, window: Square, size: u32) -> Vec<Square> {
         if window.size == size {
             return vec![window];
@@ -88,7 +89,7 @@ impl Raster {
         covered.flat_map(|quarter| self.divided(polygon, quarter, size)).collect()
     }
 
-    /// For each level from the first, the windows that are divided and those that are left of them.
+    /// For each level from the first, the numbers of windows that are divided, and of their quarters that pass.
     pub(crate) fn counts(&self, polygon: &Convex) -> Vec<[u64; 2]> {
         let mut windows = vec![self.root()];
         let levels = (0..self.format.levels()).rev().map(|size| {
@@ -105,7 +106,7 @@ impl Raster {
         self.counts(polygon).iter().map(|[divided, left]| 4 * edges * divided + u64::from(PLANES) * left).sum()
     }
 
-    /// A window with its polygon, as the blocks hand it on.
+    /// A window with its polygon, as the blocks exchange it.
     pub(crate) fn work(&self, polygon: &Convex, window: Square) -> Work<Bits> {
         let (format, widths) = (self.format, self.format.work());
         let matrix = format.matrix();
@@ -143,7 +144,7 @@ impl Raster {
         }
     }
 
-    /// The input of a set-up or video processor that says where its samples are.
+    /// The input of a set-up or video processor that gives the position of its samples.
     pub(crate) fn place(&self) -> Bounds<Bits> {
         let width = self.format.distance_bits();
         self.format.place_of(self.column, self.row).map(|end| Bits::from_i128(width, i128::from(*end)))
@@ -151,7 +152,8 @@ impl Raster {
 }
 
 impl Convex {
-    /// As the geometry processor sends it. Lanes beyond its last edge hold what is outside everywhere: nobody may look at them.
+    /// The packet of the geometry processor. Lanes beyond its last edge have an edge with everything outside: no block
+    /// may look at them.
     pub(crate) fn packet(&self, format: &Format) -> Packet<Bits> {
         let widths = format.packet();
         let edge = |width: Width, number: usize| {

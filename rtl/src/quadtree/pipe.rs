@@ -6,8 +6,8 @@
 //!         '-------'   '------'   '-------'   '------'
 //! ```
 //!
-//! Latency and throughput: those of the slowest unit. A queue takes a clock, and evens out what the units before and behind it
-//! need for a window; one that is full makes them wait.
+//! Latency and throughput are those of the slowest unit. A queue takes a clock, and evens out the times that its
+//! neighbours need for a window. If a queue is full, the units before it wait.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -20,15 +20,15 @@ use crate::prelude::*;
 block! {
     /// Divides windows in a unit for each level.
     pub struct Pipe {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
         /// The size of the windows that come in: the binary logarithm of their side.
         pub from: u32,
-        /// How often they are divided.
+        /// The number of divisions.
         pub levels: u32,
-        /// The windows that the queue before each unit holds.
+        /// The capacity of the queue before each unit, in windows.
         pub queue: u32,
     }
     latency = "the clocks of the slowest level, as the units of all work at the same time";

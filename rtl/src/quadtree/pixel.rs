@@ -1,22 +1,23 @@
-//! The pixel processor: a window of one sample becomes a fragment (MPG-ARCH, facts E0).
+//! The pixel processor: makes a fragment from a window of one sample (MPG-ARCH, facts E0).
 //!
 //! ```text
 //! leaves ===>[ exact test ]-->[ z || rgb ]--> fragment
 //! ```
 //!
-//! With an aperture the windows of one sample are wider than their pixel, and those that the polygon does not cover are dropped
-//! here: the edge functions and the distances to the bounds are taken back to the pixel's centre first. Without one they are exact already.
+//! With an aperture, windows of one sample are wider than their pixel, so those that the polygon does not cover are
+//! dropped here. For that the edge functions and the distances to the bounds are first moved back to the pixel's
+//! centre. Without an aperture they are already exact.
 //!
-//! Latency 1 clock; a fragment a clock.
+//! Latency: 1 clock; a fragment a clock.
 
 use super::format::{Format, Work};
 use super::lanes::numbers;
 use crate::prelude::*;
 
 block! {
-    /// Makes fragments of windows of one sample.
+    /// Makes fragments from windows of one sample.
     pub struct PixelProcessor {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
     }
     latency = "1 clock to the fragment, and a fragment a clock";
@@ -71,7 +72,7 @@ impl PixelProcessor {
         if half == 0 {
             return lit(1, 1);
         }
-        // The spacing of samples is no longer wanted: what an edge function falls over a pixel.
+        // The spacing of samples no longer matters, only what an edge function loses over a pixel.
         let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
         let fall = |fall: Signal, spacing: u32| {
             let bits = self.format.edge_bits();

@@ -1,4 +1,5 @@
-//! A video processor: everything between the broadcast polygons and the pixels of its sparse raster (MPG-ARCH, MPG-SPR).
+//! A video processor: everything between the broadcast of polygons and the pixels of its sparse raster (MPG-ARCH,
+//! MPG-SPR).
 //!
 //! ```text
 //! packets ==>[ queue ]==>[ set-up ]==>[ raster processor ]==>[ pixel processor ]-->[ video buffer ]--> word
@@ -18,10 +19,10 @@ use super::tally::Tally;
 use super::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
 use crate::prelude::*;
 
-/// What the queues of a generator hold; each at least one.
+/// The capacities of a generator's queues; each is at least one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Queues {
-    /// Packets, where they come in from the geometry processor.
+    /// Packets from the geometry processor, before the broadcast.
     pub broadcast: u32,
     /// Packets, before each video processor.
     pub packets: u32,
@@ -30,23 +31,23 @@ pub struct Queues {
 }
 
 impl Queues {
-    /// The most that a queue holds.
+    /// The largest capacity of a queue.
     pub const MOST: u32 = 4096;
 }
 
 block! {
-    /// Draws the pixels of polygons that are its own: every p-th of every q-th line.
+    /// Draws a polygon's pixels in its own raster: every p-th pixel of every q-th line.
     pub struct VideoProcessor {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
-        /// What its raster processor is put together from.
+        /// The form of its raster processor.
         pub form: Form,
         /// How the edges are tested.
         pub test: Test,
-        /// What the queues hold.
+        /// The capacities of the queues.
         pub queues: Queues,
     }
-    latency = "a polygon takes a clock for each edge, but at least 4, and those of the windows that it covers";
+    latency = "a polygon takes a clock for each edge, but at least 4, and the clocks of the windows that it covers";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoProcessorIn {
         /// Polygons.
@@ -85,7 +86,7 @@ impl VideoProcessor {
         let buffer = VideoBufferIn { draw: pixel.fragment, strict: i.strict, back: i.back, scan: i.scan };
         let buffer = m.instance("u_buffer", &VideoBuffer { format }, buffer);
 
-        // A fragment is in the pixel processor for a clock, and in the buffer for another.
+        // A fragment takes a clock in the pixel processor, and another in the buffer.
         def!(drawn = m.reg(bit()).reset(0));
         drawn.next(pixel.fragment.valid);
         let idle = set_up.idle & raster.idle & !pixel.fragment.valid & !drawn;

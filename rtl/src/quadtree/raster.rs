@@ -1,11 +1,11 @@
-//! The raster processor: its form, and the units that it is put together from (MPG-RP).
+//! The raster processor: its form, and its units (MPG-RP).
 //!
 //! ```text
 //! works ===>[ stack, pipe or tree of some levels ]===>[ another ]===> .. ===> parts
 //! ```
 //!
-//! The paper's general mix is a set-up unit, s stacks, a pipeline of p stages and a quadtree of t levels. Here parts of any of the three
-//! forms follow one another, and divide the levels among them; the set-up stands before them.
+//! The paper's general mix is a set-up unit, s stacks, a pipeline of p stages and a quadtree of t levels. Here parts of
+//! any of the three forms follow one another, and divide the levels among them. The set-up is a block of its own.
 
 use std::fmt;
 
@@ -33,14 +33,14 @@ impl Part {
     /// The most levels of a tree.
     pub const MOST_TREE_LEVELS: u32 = 4;
 
-    /// The levels that it divides.
+    /// The number of levels that it divides.
     pub fn levels(self) -> u32 {
         match self {
             Part::Stack(levels) | Part::Pipe(levels) | Part::Tree(levels) => levels,
         }
     }
 
-    /// The same of so many levels.
+    /// The same form with that number of levels.
     fn with_levels(self, levels: u32) -> Part {
         match self {
             Part::Stack(_) => Part::Stack(levels),
@@ -58,17 +58,17 @@ impl Part {
     }
 }
 
-/// What a raster processor is put together from, in the order of a window's way: as text `stack:2+pipe:4+tree:1`, or `pipe` alone for
-/// all levels that there are.
+/// The parts of a raster processor, in the sequence in which a window passes them. As text: `stack:2+pipe:4+tree:1`, or
+/// `pipe` alone for all levels.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Form(Vec<Part>);
 
 impl Form {
-    /// The form of those parts, for a generator of that format.
+    /// The form with those parts, for a generator with that format.
     ///
     /// # Errors
     ///
-    /// The parts do not divide as many levels as there are; one divides none; a tree divides more than 4.
+    /// The parts do not divide the format's number of levels; or one divides none; or a tree divides more than 4.
     pub fn new(parts: Vec<Part>, format: &Format) -> Result<Form, ParameterError> {
         let form = Form(parts);
         let levels: u32 = form.0.iter().map(|part| part.levels()).sum();
@@ -94,11 +94,12 @@ impl Form {
 }
 
 impl Form {
-    /// A form in words: `stack`, `pipe:3+tree:1` or `stack:2+pipe`. One part may leave its levels out, and has those that are left.
+    /// Reads a form from text: `stack`, `pipe:3+tree:1` or `stack:2+pipe`. One part may leave out its levels, and gets
+    /// the remaining ones.
     ///
     /// # Errors
     ///
-    /// It is no such text, or as in [`Form::new`].
+    /// The text is not a form, or as in [`Form::new`].
     pub fn parse(text: &str, format: &Format) -> Result<Form, ParameterError> {
         let problem = |problem: &str| {
             let help =
@@ -142,7 +143,7 @@ impl fmt::Display for Form {
     }
 }
 
-/// As its text, with which the modules of a form are named.
+/// The form as text, for the names of its modules.
 impl fmt::Debug for Form {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words: Vec<String> = self.0.iter().map(|part| format!("{}{}", part.word(), part.levels())).collect();
@@ -151,15 +152,15 @@ impl fmt::Debug for Form {
 }
 
 block! {
-    /// Finds the pixels of a polygon: divides the window of all samples until windows have one.
+    /// Finds the pixels of a polygon: divides the window of all samples down to windows of one.
     pub struct RasterProcessor {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
-        /// What it is put together from.
+        /// Its form.
         pub form: Form,
         /// How the edges are tested.
         pub test: Test,
-        /// The windows that the queue before each unit of a pipe or tree holds.
+        /// The capacity of the queue before each unit of a pipe or tree, in windows.
         pub queue: u32,
     }
     latency = "the clocks of the windows that the polygon covers, in its slowest part";

@@ -1,17 +1,18 @@
-//! The set-up of a video processor: a polygon of the whole screen becomes one of its own samples (MPG-RP, MPG-SPR).
+//! The set-up of a video processor: converts a polygon of the whole screen to its own samples (MPG-RP, MPG-SPR).
 //!
 //! ```text
 //! packets ===> an edge and a plane a clock --> x at the place where the --> + --> roots
 //!                                              function is greatest
 //! ```
 //!
-//! The samples of video processor (i, j) are the pixels (p X + i, q Y + j). Its offset and spacing are folded into the functions: a slope of
-//! a pixel becomes one of p or q pixels, and the values are those for the window of all samples, the root of the quadtree: the greatest value of
-//! an edge function, how far the window reaches over each bound, and the planes at its upper left sample. The aperture makes the
-//! window wider by half of it on each side, and is folded in there, too (MPG-WIN).
+//! The samples of video processor (i, j) are the pixels (p X + i, q Y + j). The set-up folds this offset and spacing
+//! into the functions. A slope per pixel becomes one per p or q pixels. The values are those for the window of all
+//! samples, the root of the quadtree. They are the greatest value of each edge function, how far the window extends
+//! over each bound, and the planes at its upper left sample. The aperture widens the window by half of it on each side,
+//! and is folded in, too (MPG-WIN).
 //!
-//! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root goes with the
-//! last of them, and waits for its receiver.
+//! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root
+//! goes with the last of them, and waits for its receiver.
 
 use super::format::{Bounds, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
 use super::lanes::{lane_by_lane, numbers};
@@ -19,9 +20,9 @@ use super::tally::Tally;
 use crate::prelude::*;
 
 block! {
-    /// Makes of a polygon the root window of one video processor.
+    /// Converts a polygon to the root window of one video processor.
     pub struct SetUp {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
     }
     latency = "a polygon takes a clock for each edge, but at least 4";
@@ -50,7 +51,8 @@ impl SetUp {
         let works = i.packets.valid;
         def!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
 
-        // An edge: its value in the corner where it is greatest, and its falls. Those beyond the last are 0, inside everywhere.
+        // An edge: its value at the corner where it is greatest, and its losses. Edges beyond the last are 0, inside
+        // everywhere.
         def!(a = edges.a.pick(*step));
         def!(b = edges.b.pick(*step));
         def!(right = !a.is_negative());
@@ -70,7 +72,7 @@ impl SetUp {
             times_power_of_two(size.zext(SLOPE - 1 + spacing.trailing_zeros()), spacing)
         };
 
-        // A plane: its value at the first sample, and what a sample adds.
+        // A plane: its value at the first sample, and its growth per sample.
         let offset = |end: Signal| (end + self.format.aperture() / 2).bits().trunc(below(Matrix::MAX_SIDE));
         let (column, line) = (offset(place.left), offset(place.top));
         def!(plane_x = planes.x.pick(*step));
@@ -114,7 +116,7 @@ impl SetUp {
     }
 }
 
-/// Shifted left by the logarithm of a power of two.
+/// The number times a power of two, shifted left by the logarithm.
 fn times_power_of_two(value: Signal, power: u32) -> Signal {
     value << power.trailing_zeros()
 }

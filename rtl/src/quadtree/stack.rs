@@ -1,4 +1,5 @@
-//! The raster processor's form of least hardware: one unit, and a stack for the windows that are still to be divided (MPG-RP).
+//! The raster processor's form with the least hardware: one unit, and a stack for the windows that are still to be
+//! divided (MPG-RP).
 //!
 //! ```text
 //!            .-----------.      .------.
@@ -8,11 +9,11 @@
 //!                  '======================'
 //! ```
 //!
-//! A window that passes is divided next if the unit is free, else put on the stack; a polygon is taken when that is empty. So the
-//! stack never holds more than three windows of each size, and all windows are of one polygon, which is not stored with
-//! them.
+//! A window that passes is divided next if the unit is free; otherwise it is pushed. A polygon is taken when the stack
+//! is empty. So the stack never stores more than three windows of each size. All of them belong to one polygon, which
+//! is not stored with them.
 //!
-//! Latency and throughput: those of the unit, which never waits while there are windows to divide (MPG-EQ6).
+//! Latency and throughput are those of the unit, which never waits while there are windows to divide (MPG-EQ6).
 
 use super::coverage_test::{CoverageTest, Test};
 use super::divider::{DividerIn, DividerOut};
@@ -23,13 +24,13 @@ use crate::prelude::*;
 block! {
     /// Divides windows down to a size, with one unit and a stack.
     pub struct Stack {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
         /// The size of the windows that come in: the binary logarithm of their side.
         pub from: u32,
-        /// How often they are divided.
+        /// The number of divisions.
         pub levels: u32,
     }
     latency = "the clocks of all windows of a polygon, one after another";
@@ -49,14 +50,14 @@ impl Stack {
         let unit = CoverageTest { format, test, from, sizes: levels };
         let tested = m.instance("u_test", &unit, DividerIn { works: *next });
 
-        // A quarter is divided to the end, or once more.
+        // A quarter is a leaf, or is divided again.
         let part = &tested.parts;
         def!(is_done = part.window.size.eq(from - levels));
         let (parts, _) = m.offer(part.valid & is_done, part.payload);
         part.take_when(!is_done | parts.ready);
         def!(comes_back = part.valid & !is_done);
 
-        // What is divided next: the newest window. Of what it offers the unit takes what is there when it is free.
+        // The window to divide next: the newest. When the unit is free it takes whatever is offered.
         let depth = (3 * (levels - 1)).max(1);
         let word = part.with(part.window).packed();
         def!(windows = m.memory(depth, word.width(), ReadUnderWrite::Any));

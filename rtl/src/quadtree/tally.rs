@@ -1,9 +1,10 @@
-//! What a unit counts of itself.
+//! A unit's counters of its own work.
 
 use crate::prelude::*;
 
 bundle! {
-    /// What a unit did, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not counted.
+    /// The work of a unit, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not
+    /// counted.
     pub struct Tally<T> {
         /// Clocks in which the unit worked.
         pub busy: T,

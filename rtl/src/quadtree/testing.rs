@@ -1,4 +1,4 @@
-//! What the tests of the blocks share: polygons at random, and blocks that divide windows with pauses on both sides.
+//! Helpers for the blocks' tests: random polygons, and blocks that divide windows with pauses on both sides.
 
 use std::cell::Cell;
 
@@ -11,7 +11,7 @@ use super::model::{Convex, Raster, Square};
 use super::tally::Tally;
 use crate::prelude::*;
 
-/// How often both sides pause, in percent of the clocks, and what draws them.
+/// How often both sides pause, in percent of the clocks, and the seed of the pauses.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stalls {
     pub senders: u64,
@@ -45,7 +45,7 @@ pub(super) fn triangle() -> Convex {
     }
 }
 
-/// Matrices and apertures of any kind, for screens of up to so many pixels along a side.
+/// Arbitrary matrices and apertures, for screens of up to `side` pixels along a side.
 pub(super) fn formats(side: u32) -> impl Strategy<Value = Format> {
     let side = move || prop_oneof![3 => 1..side + 1, 1 => Just(side)];
     let matrix = || prop::sample::select(vec![1, 2, 4, 8, 16u32]);
@@ -62,8 +62,8 @@ pub(super) fn rasters(format: Format) -> impl Strategy<Value = Raster> {
     (0..matrix.columns(), 0..matrix.rows()).prop_map(move |(column, row)| Raster { format, column, row })
 }
 
-/// Polygons of 3 and more edges, each of which goes through a pixel that is on the screen or in the guard band around it, and most of which
-/// have one pixel of the screen inside.
+/// Polygons with 3 or more edges. Each edge crosses a pixel on the screen or in the guard band around it. Most have one
+/// pixel of the screen inside.
 pub(super) fn polygons(format: Format) -> impl Strategy<Value = Convex> {
     let Screen { width, height } = format.screen();
     let slope = || prop_oneof![1 => Just(65_535), 1 => Just(-65_535), 2 => -65_535..65_536i64, 2 => -3..4i64];
@@ -92,7 +92,8 @@ pub(super) fn polygons(format: Format) -> impl Strategy<Value = Convex> {
     })
 }
 
-/// Windows go in, and of their parts as many as are said come out, and no more; gives them, and what was done on each level.
+/// Sends windows in, and takes the given number of parts; no more may come out. Returns the parts, and the work on each
+/// level.
 pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
     block: &B,
     works: Vec<Work<Bits>>,
@@ -106,7 +107,7 @@ pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
     let t = sim.testbench();
     t.limit(1_000_000);
     let pauses = |percent, seed| Pauses::percent(percent, seed);
-    // All windows are in the block, and so many parts have come.
+    // All windows are in the block, and this many parts have come.
     let (is_sent, received) = (Cell::new(false), Cell::new(0));
     let send = async {
         let mut pauses = pauses(stalls.senders, stalls.seed);
@@ -145,7 +146,7 @@ pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
     (parts, tally)
 }
 
-/// The same with 0 for the edges beyond the last, which mean nothing.
+/// The same with 0 for the edges beyond the last, which have no meaning.
 fn without_other_edges(work: Work<Bits>) -> Work<Bits> {
     let edges = &work.window.edges;
     let count = work.polygon.last_edge.to_u64().expect("3 bits") as u32 + 1;
@@ -154,7 +155,7 @@ fn without_other_edges(work: Work<Bits>) -> Work<Bits> {
     Work { window: Window { edges, ..work.window }, ..work }
 }
 
-/// The samples of leaves, in order, each with its polygon's values.
+/// The samples of leaves, sorted, each with its polygon's values.
 pub(super) fn sorted(mut works: Vec<Work<Bits>>) -> Vec<Work<Bits>> {
     works.sort_by_key(|work| (work.window.y.to_u64(), work.window.x.to_u64()));
     works

@@ -1,4 +1,5 @@
-//! The raster processor's form with most hardware: the quarters of a window are divided side by side (MPG-RP, MPG-TREE).
+//! The raster processor's form with the most hardware: the quarters of a window are divided side by side (MPG-RP,
+//! MPG-TREE).
 //!
 //! ```text
 //!                               .-- 0 -->[ tree ]--.
@@ -8,9 +9,10 @@
 //!                               '-- 3 -->[ tree ]--'
 //! ```
 //!
-//! A tree of one level is its unit alone. Windows of one place always take the same way, so they stay in the order of their polygons.
+//! A tree of one level is its unit alone. Windows at the same place always take the same path, so they stay in the
+//! sequence of their polygons.
 //!
-//! Latency and throughput: those of the first unit, unless the parts, which come one after another, take longer.
+//! Latency and throughput are those of the first unit, unless the parts, which come one after another, take longer.
 
 use tilewright_blocks::{StreamBlocks, Turns};
 
@@ -23,15 +25,15 @@ use crate::prelude::*;
 block! {
     /// Divides windows, and their quarters side by side.
     pub struct Tree {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
         /// The size of the windows that come in: the binary logarithm of their side.
         pub from: u32,
-        /// How often they are divided.
+        /// The number of divisions.
         pub levels: u32,
-        /// The windows that the queue before each unit holds.
+        /// The capacity of the queue before each unit, in windows.
         pub queue: u32,
     }
     latency = "the clocks of the slowest unit, as the quarters of a window are divided at the same time";

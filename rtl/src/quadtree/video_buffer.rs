@@ -1,4 +1,4 @@
-//! The video buffer of a video processor: its pixels of two frames, one that is drawn and one that is shown (MPG-ARCH).
+//! The video buffer of a video processor: its pixels of two frames, one being drawn and one being shown (MPG-ARCH).
 //!
 //! ```text
 //!           .-- bank 0 --.
@@ -9,21 +9,22 @@
 //!           '------------'
 //! ```
 //!
-//! Each bank has one read and one write a clock, whose address is that of the clock before. In the bank that is drawn the read word is
-//! compared with the fragment, and the smaller one is kept, which is the nearer (facts E0); strictly, a fragment is kept if its
-//! depth alone is smaller, so that of equal ones the first stays. In the other bank the read word is sent, and [`empty`] is written where
-//! the picture is cleared for the next frame.
+//! Each bank has one read and one write a clock; the write address is the read address of the previous clock. In the
+//! bank being drawn, the word read is compared with the fragment. The smaller one, which is the nearer, is kept (facts
+//! E0). In strict mode a fragment is kept only if its depth is smaller, so the first of equal ones stays. In the other
+//! bank the word read is sent. [`empty`] replaces it if the picture is cleared for the next frame.
 //!
-//! Latency 2 clocks to draw, 1 to send; a fragment a clock, a word a clock.
+//! Latency: 2 clocks to draw, 1 to send; a fragment a clock, a word a clock.
 
 use super::format::Format;
 use super::pixel::Fragment;
 use crate::prelude::*;
 
 block! {
-    /// Holds the pixels of a video processor in two banks: keeps the nearer word in one, and sends those of the other.
+    /// Stores the pixels of a video processor in two banks: keeps the nearer word in one, and sends the words of the
+    /// other.
     pub struct VideoBuffer {
-        /// The generator that it is a part of.
+        /// The generator's format.
         pub format: Format,
     }
     latency = "2 clocks to draw, 1 clock to send";
@@ -75,7 +76,8 @@ impl VideoBuffer {
             let at = mux(is_back, drawn, shown).named(&name("address"));
             let read = bank.read_when(reads, at);
 
-            // What is written into that place a clock later; if that is read at the same edge, it is passed on.
+            // The word written at that address a clock later; if the address is read at the same edge, the word is
+            // forwarded.
             let writes = m.reg(&name("writes"), bit()).reset(0);
             writes.next(mux(is_back, i.draw.valid, i.scan.enable & i.scan.clear));
             let draws = m.pipe_when(reads, &name("draws"), is_back);

@@ -1,4 +1,5 @@
-//! All of the swap control: that of each local frame buffer, the sync line between them, and that of the global one (Figure 6).
+//! The whole swap control: that of each local frame buffer, the sync line between them, and that of the global frame
+//! buffer (Figure 6).
 //!
 //! ```text
 //!  done, idle    .--------.-- ready --.           .--------.
@@ -10,30 +11,30 @@
 //!                '--------'<------------- shown --'--------'
 //! ```
 //!
-//! Latency: that of its parts.
+//! Latency is that of its parts.
 //!
 //! # The events of Figure 6
 //!
-//! | event | here |
+//! | event | signals |
 //! |---|---|
 //! | 1: all are done, and swap | the line is high; `swap` in the clock behind it |
 //! | 2: the table is cleared, the next frame is drawn | states `Clear` and `Draw` |
 //! | 3: the back buffers are merged | `sending`, until T_m has passed |
 //! | 4: the global frame buffer swaps in a blanking | `gfb_swap` |
-//! | 5: an early frame waits for the swap of the one before | state `Due` |
+//! | 5: an early frame waits for the previous frame's swap | state `Due` |
 //! | 6: a buffer overflows | state `Overflow` |
 //! | 7: an extra swap of that buffer | `swap` of one lane |
-//! | 8: the table is cleared, the frame is drawn on | `resume` |
+//! | 8: the table is cleared, drawing continues | `resume` |
 
 use super::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SwapState, SyncLine, SyncLineIn};
 use crate::prelude::*;
 
 block! {
-    /// Says when each local frame buffer, and when the global one, exchange their buffers.
+    /// Decides when each local frame buffer, and when the global one, exchange their buffers.
     pub struct SwapControl {
-        /// Of each local frame buffer.
+        /// The swap control of each local frame buffer.
         pub local: LfbSwap,
-        /// Of the global one, which knows how many processing elements there are.
+        /// The swap control of the global frame buffer, which has the number of processing elements.
         pub global: GfbSwap,
     }
     latency = "0 clocks from the last guard to a swap";

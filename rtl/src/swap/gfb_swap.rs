@@ -6,12 +6,13 @@
 //! blanking ---------------------------------------------'
 //! ```
 //!
-//! Latency: a swap comes in the first clock in which all of these hold:
+//! Latency: a swap comes in the first clock in which all of these are true:
 //!
 //! - all local frame buffers have swapped at the end of the frame;
 //! - T_m has passed since the last of these swaps (VC1-SW2);
-//! - the chain has advanced by all pixels of the screen and its own length since, so that the global frame buffer has stored all. The
-//!   paper does not name this one; where the chain holds for overheads while the last pixels are in it, T_m is short of it;
+//! - the chain has since advanced by all pixels of the screen and its own length, so that the global frame buffer has
+//!   stored everything. The paper does not name this condition. T_m is too short where the chain stops for overheads
+//!   while the last pixels are in it;
 //! - the display is in the part of its vertical blanking in which the banks may change.
 
 use crate::prelude::*;
@@ -19,17 +20,17 @@ use crate::prelude::*;
 block! {
     /// Swaps the global frame buffer in a vertical blanking, when a frame is merged.
     pub struct GfbSwap {
-        /// How many processing elements there are.
+        /// The number of processing elements.
         pub processors: u32,
         /// T_m in clocks of the merger (VC1-TM).
         pub merge_clocks: u64,
-        /// Clocks with `enable` since the last of these swaps until all pixels have gone through the chain and are stored.
+        /// The clocks with `enable` from the last of these swaps until all pixels have passed the chain and are stored.
         pub way: u32,
-        /// Clocks after T_m in which all is stored, at most.
+        /// The clocks after T_m within which everything is stored, at most.
         pub late: u64,
     }
     ranges { processors: 1.., merge_clocks: 1.., way: 1.., late: 1.. }
-    latency = "0 clocks, if all guards hold";
+    latency = "0 clocks, if all guards are open";
     source = "VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)";
     in(self) GfbSwapIn {
         /// Of each processing element: toggles with its swap at the end of a frame.

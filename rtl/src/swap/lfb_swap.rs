@@ -7,41 +7,41 @@
 //!              '---- all pages are taken --> Overflow -- swap: in a frame -------^
 //! ```
 //!
-//! Latency: a swap comes in the clock in which the last of its guards holds, and one clock after the line or the overflow at the
-//! earliest. The guards of every swap, at a frame's end and in an overflow:
+//! Latency: a swap comes in the first clock in which all of its guards are open, at least one clock after the line or
+//! the overflow. These are the guards of every swap, at a frame's end and in an overflow:
 //!
-//! - the global frame buffer has swapped for each frame that ended before (`shown`, VC1-SW3);
+//! - the global frame buffer has swapped for each earlier frame that ended (`shown`, VC1-SW3);
 //! - T_m has passed since the last swap of this local frame buffer (VC1-SW3);
-//! - the merger has sent the whole back buffer (`sending` is low). The paper does not name this one. T_m alone may be short of it by the
-//!   crossing into the merger's clock, and by overheads in which the chain holds.
+//! - the merger has sent the whole back buffer (`sending` is low). The paper does not name this guard. T_m alone may
+//!   be too short, by the crossing into the merger's clock and by overheads in which the chain stops.
 //!
-//! After a swap the program clears the patch table, entry by entry. The control sees that, and then tries the held request again by
-//! itself (`resume`).
+//! After a swap the program clears the patch table, entry by entry. The control observes this, and then retries the
+//! held request by itself (`resume`).
 //!
-//! It says `ready` in `Draw` alone. A fast processing element may have drawn its next frame while a slow one still waits with its swap. It would
-//! else take the line of the old frame for that of the new one.
+//! It asserts `ready` only in `Draw`. A fast processing element may have drawn its next frame while a slow one still
+//! waits to swap. Otherwise it would take the line of the old frame for that of the new one.
 //!
-//! A frame's swap turns `frame`. It crosses to the merger one clock behind the buffers' exchange.
+//! A frame's swap toggles `frame`. It crosses to the merger one clock behind the buffers' exchange.
 //!
 //! # How long an overflow waits
 //!
-//! Another processing element may have overflowed late, and hold its swap at the end of the frame before back for T_m. The merger takes T_m more,
-//! and the banks wait for a blanking. So the swap of an overflow comes within 2 T_m and a refresh (VC1-SW4). Where an average of several
-//! passes is shown, it comes within 2 refreshes more.
+//! Another processing element may have overflowed late, which delays its swap at the end of the previous frame by T_m.
+//! The merger takes T_m more, and the banks wait for a blanking. So the swap of an overflow comes within 2 T_m and a
+//! refresh (VC1-SW4). When an average of several passes is shown, it comes within 2 refreshes more.
 //!
-//! A refresh is one of the display's clock. So whoever knows all periods computes `overflow_clocks` from them:
-//! [`Vc1::lfb_swap`](crate::vc1::Vc1::lfb_swap). For T_m it takes what crossings and overheads make of it.
+//! A refresh is measured in the display's clock. So `overflow_clocks` is computed where all periods are known:
+//! [`Vc1::lfb_swap`](crate::vc1::Vc1::lfb_swap). Its T_m includes crossings and overheads.
 
 use crate::prelude::*;
 
 codes! {
-    /// What a local frame buffer is used for, and waits for.
+    /// The state of a local frame buffer: its use, or the reason why it waits.
     pub enum SwapState {
         /// The program clears the patch table.
         Clear,
         /// The program draws.
         Draw,
-        /// The frame is drawn by all; the swap waits for its guards.
+        /// All have drawn the frame; the swap waits for its guards.
         Due,
         /// All pages are taken; the swap waits for its guards.
         Overflow,
@@ -53,7 +53,7 @@ impl SwapState {
     ///
     /// # Panics
     ///
-    /// None has it.
+    /// No state has it.
     pub fn of_code(code: u64) -> SwapState {
         SwapState::ALL[code as usize]
     }
@@ -66,13 +66,13 @@ block! {
         pub patches: u32,
         /// T_m in clocks of the processing element (VC1-TM).
         pub merge_clocks: u64,
-        /// The clocks of the processing element after a swap in which the whole back buffer is sent, at most.
+        /// The clocks of the processing element after a swap within which the whole back buffer is sent, at most.
         pub sent_clocks: u64,
-        /// The clocks of the processing element in which the swap of an overflow comes, at most.
+        /// The clocks of the processing element within which the swap of an overflow comes, at most.
         pub overflow_clocks: u64,
     }
     ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.., overflow_clocks: 1.. }
-    latency = "1 clock from the line to the swap, if all guards hold";
+    latency = "1 clock from the line to the swap, if all guards are open";
     source = "VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)";
     in(self) LfbSwapIn {
         /// The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the table.
@@ -129,7 +129,7 @@ impl LfbSwap {
         def!(waited = since.ge(self.merge_clocks));
         swap.drive((due | overflow) & is_shown & waited & is_sent);
 
-        // The table is cleared in order.
+        // The table is cleared in sequence.
         def!(entry = pe.reg(below(self.patches)).reset(0));
         def!(last_entry = i.clears & entry.eq(self.patches - 1));
         entry.when(last_entry, 0).when(i.clears, entry + 1);

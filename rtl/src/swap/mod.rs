@@ -1,4 +1,5 @@
-//! The VC-1's swap control: when a local frame buffer, and when the global one, exchange their buffers (VC1-SW1 to SW4).
+//! The VC-1's swap control: decides when a local frame buffer, and when the global one, exchange their buffers (VC1-SW1
+//! to SW4).
 //!
 //! ```text
 //!            done                 line                            frames, sending
@@ -9,11 +10,12 @@
 //!                                            '-- ready of the other processing elements
 //! ```
 //!
-//! A frame ends when every program has ended: all see the line at one edge, and each swaps as soon as its own guards hold. When the
-//! last has swapped and the global frame buffer has stored what all have sent, its banks change in a vertical blanking.
+//! A frame ends when every program has ended it. All processing elements see the line at the same edge, and each swaps
+//! as soon as its own guards are open. The banks of the global frame buffer change in a vertical blanking, after the
+//! last has swapped and everything sent is stored.
 //!
-//! [`SwapControl`] is all of this in one block. Each rule of the paper is an assertion that runs in every frame: which one, and what breaks it, is in
-//! `rtl/docs/mutants.md`.
+//! [`SwapControl`] is all of this in one block. Each rule of the paper is an assertion that runs in every frame.
+//! `rtl/docs/mutants.md` lists the assertions, and a change that violates each.
 
 mod control;
 mod gfb_swap;

@@ -1,4 +1,4 @@
-//! The sync line: one bit across all processing elements, the bus, and the host if it takes part (VC1-NET, VC1-SW1).
+//! The sync line: one bit across all processing elements, the bus, and the host if it participates (VC1-NET, VC1-SW1).
 //!
 //! ```text
 //! ready[0] --.
@@ -8,14 +8,14 @@
 //! host ------'
 //! ```
 //!
-//! Latency: none, it is a wired AND. Whoever does not take part lets the line go.
+//! Latency: none, because the line is a wired AND. A party that does not participate releases the line.
 
 use crate::prelude::*;
 
 block! {
-    /// One bit that is high when nobody holds it low.
+    /// One bit that is high when no processing element holds it low.
     pub struct SyncLine {
-        /// How many processing elements there are.
+        /// The number of processing elements.
         pub processors: u32,
     }
     ranges { processors: 1.. }
@@ -84,7 +84,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Against a count of those who hold it low (VC1-SW1).
+        /// Compared with the number of parties that hold it low (VC1-SW1).
         #[test]
         fn nobody_holds_it_low(
             ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40),

@@ -1,4 +1,4 @@
-//! The VC-1's frame buffer subsystem: everything of the machine that is hardware here (section 3.3 of the paper).
+//! The VC-1's frame buffer subsystem: everything that is hardware here (section 3.3 of the paper).
 //!
 //! ```text
 //!        .------------------.----- broadcast bus -----.--------- host
@@ -15,28 +15,29 @@
 //!                     host, display
 //! ```
 //!
-//! The processors' programs and the host are behind the ports. Each processor draws into its own virtual local frame
-//! buffer at its own pace, and says `done`. The hardware does the rest: see [`swap`](crate::swap).
+//! The processors' programs and the host are outside the ports. Each processor draws into its own virtual local frame
+//! buffer at its own pace, and then asserts `done`. The hardware does the rest: see [`swap`](crate::swap).
 //!
 //! # Protocol
 //!
-//! | who | does | when |
+//! | party | action | when |
 //! |---|---|---|
-//! | processor | clears its patch table, entry by entry in order | its state is `Clear`: at the beginning, and after each swap (VC1-CLR2) |
+//! | processor | clears its patch table, entry by entry | its state is `Clear`: at the beginning, and after each swap (VC1-CLR2) |
 //! | processor | draws | its state is `Draw` |
 //! | processor | sends packets over the bus, and takes words from its queue | at any time; it takes all of them, or the bus stops |
-//! | processor | says `done` | it has drawn its frame, and has sent all that it has to; it takes it back when its state is `Due` |
-//! | processor | waits | its state is `Due`, as its frame ends, or `Overflow`, as all pages are taken; the hardware tries the held request again |
+//! | processor | asserts `done` | it has drawn its frame and sent everything; it deasserts `done` when its state is `Due` |
+//! | processor | waits | its state is `Due` (its frame ends) or `Overflow` (all pages are taken); the hardware retries the held request |
 //! | host | sends commands over the bus | at any time |
-//! | host | holds the line low | it takes part in the synchronization, and is not ready (VC1-SW1) |
+//! | host | holds the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
 //! | host | reads and writes the picture on display | at any time |
-//! | host | says whether a picture is the average of several frames, and of how many | before the frame is shown with which the picture begins; it needs an accumulation buffer |
+//! | host | sets whether a picture is the average of several frames, and their number | before the picture's first frame is shown; it needs an accumulation buffer |
 //!
-//! A processor that swaps in an overflow loses nothing (VC1-SW4): the merger runs freely, and sends what the scan has passed already in
-//! the next round.
+//! A processor that swaps in an overflow loses nothing (VC1-SW4). The merger runs freely, so in the next round it sends
+//! whatever the scan has already passed.
 //!
-//! With an accumulation buffer a picture may be the average of 2, 4, 8 or 16 frames, its passes (VC1-ACB). With the T_m of the paper and 60 refreshes a second,
-//! a picture of n passes takes 2 n + 1 refreshes at the least: two for each pass, and one for the average.
+//! With an accumulation buffer a picture may be the average of 2, 4, 8 or 16 frames, its passes (VC1-ACB). With the
+//! paper's T_m and 60 refreshes a second, a picture of n passes takes at least 2 n + 1 refreshes. Each pass takes two,
+//! and the average one.
 
 use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
@@ -45,14 +46,14 @@ use crate::merger::{ImageMerger, ImageMergerIn, STAGES};
 use crate::prelude::*;
 use crate::swap::{GfbSwap, LfbSwap, SwapControl, SwapControlIn};
 
-/// The scan line overhead of the paper, beta, in clocks of the merger (VC1-TM).
+/// The paper's scan line overhead, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
 
-/// Clocks of the merger for the crossings between the clocks and for reading a pixel, beside T_m.
+/// The merger clocks, in addition to T_m, for crossings between the clocks and for reading a pixel.
 const CROSSINGS: u32 = 4;
 
 bundle! {
-    /// What a processor says to its local frame buffer.
+    /// A processor's inputs to its local frame buffer.
     pub struct ProcessorIn<T> {
         /// A pixel to draw.
         pub request: Stream<Request<T>, T>,
@@ -64,7 +65,7 @@ bundle! {
         pub done: T,
     }
 
-    /// What a processor sees of its local frame buffer.
+    /// The state of its local frame buffer, as a processor sees it.
     pub struct ProcessorOut<T> {
         /// What the processor may do: a code of [`SwapState`](crate::swap::SwapState).
         pub state: T,
@@ -78,21 +79,22 @@ bundle! {
 }
 
 block! {
-    /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer, swap control.
+    /// The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger, global frame buffer,
+    /// swap control.
     pub struct Vc1 {
         /// The local frame buffer of each processor.
         pub lfb: LfbUnit,
-        /// How many processors there are.
+        /// The number of processors.
         pub processors: u32,
-        /// Words that the receive queue of each processor holds.
+        /// The capacity of each processor's receive queue, in words.
         pub queue: u32,
-        /// Clocks of the processors that a word is on the bus.
+        /// The processor clocks that a word occupies the bus.
         pub word_clocks: u32,
         /// Clocks of the merger after each scan line: beta, [`OVERHEAD`] in the paper.
         pub overhead: u32,
         /// Whether there is an accumulation buffer; the machine without one has no memory for it.
         pub accumulation: bool,
-        /// What shows the picture.
+        /// The display.
         pub display: Display,
     }
     ranges(self) {
@@ -145,7 +147,7 @@ impl Vc1 {
         let sequencer = self.gfb().sequencer();
         let [merge_clocks, sent_clocks] = [sequencer.merge_clocks(), self.longest()].map(pe_clocks);
         let sent_clocks = sent_clocks + 4 * u64::from(CROSSINGS);
-        // Where an average is shown, the banks wait for its sum and for a whole refresh of it too.
+        // When an average is shown, the banks also wait for its sum and for a whole refresh of it.
         let refreshes = if self.accumulation { 3 } else { 1 };
         let refreshes = refreshes * self.gfb().read_out().refresh_clocks() * self.display.period.picoseconds();
         let waits = refreshes.div_ceil(PE.period.picoseconds()) + pe_clocks(2 * u64::from(CROSSINGS));
@@ -165,20 +167,20 @@ impl Vc1 {
         GfbSwap { processors: self.processors, merge_clocks, way, late: self.longest() - merge_clocks }
     }
 
-    /// All of the swap control.
+    /// The whole swap control.
     pub fn swap_control(&self) -> SwapControl {
         SwapControl { local: self.lfb_swap(), global: self.gfb_swap() }
     }
 
-    /// The clocks of the merger after a swap in which all is sent and stored: T_m, an overhead in which the swap may have come, one
-    /// for each line that the last pixels take to go through the chain, and the crossings.
+    /// The merger clocks after a swap within which everything is sent and stored. They are T_m, an overhead in which
+    /// the swap may have come, one for each line that the last pixels take through the chain, and the crossings.
     fn longest(&self) -> u64 {
         let sequencer = self.gfb().sequencer();
         let overheads = 1 + (sequencer.chain() + CROSSINGS).div_ceil(self.lfb.patches.screen().width);
         sequencer.merge_clocks() + u64::from(overheads * self.overhead + CROSSINGS + 1)
     }
 
-    /// The widths of what a processor says.
+    /// The widths of a processor's inputs.
     fn processor(&self) -> ProcessorIn<Width> {
         let LfbUnitIn { request, clear, .. } = self.lfb.inputs();
         let sends = stream(BusWord::widths()).on(PE);
@@ -255,8 +257,8 @@ impl Vc1 {
         }
     }
 
-    /// That each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame (VC1-SCAN): all are at one pixel, but for 4 for each place.
-    /// That they go through frames is a cover of each of them.
+    /// Asserts that each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame (VC1-SCAN). Apart from
+    /// 4 for each position, all are at the same pixel. Each counter has a cover that it goes through frames.
     fn state_how_they_scan(&self, merge: Module, scanned: Position, restart: Signal) {
         let Screen { width, height } = self.lfb.patches.screen();
         let (pixels, number) = (width * height, below(2 * width * height).of(row(self.processors)));
@@ -273,7 +275,7 @@ impl Vc1 {
     }
 }
 
-/// As many clocks of the processing elements as take that many of the merger, at least.
+/// The processing element clocks that last at least as long as that many merger clocks.
 fn pe_clocks(merge_clocks: u64) -> u64 {
     (merge_clocks * MERGE.period.picoseconds()).div_ceil(PE.period.picoseconds())
 }

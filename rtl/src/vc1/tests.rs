@@ -1,4 +1,4 @@
-//! Whole machines: frames of small screens, drawn by programs in software, swapped, merged and shown by the hardware.
+//! Whole machines: frames of small screens, drawn by software programs, then swapped, merged and shown by the hardware.
 
 mod bus;
 mod multipass;
@@ -36,7 +36,7 @@ fn running(vc1: &Vc1, seed: u64) -> Sim {
     sim
 }
 
-/// A processing element: draws its pixels of each frame, through overflows; gives the number of these.
+/// A processing element: draws its pixels of each frame, through overflows; returns the number of overflows.
 async fn program(
     t: &Testbench<'_>,
     (i, o): (ProcessorIn<Port>, ProcessorOut<Port>),
@@ -108,7 +108,7 @@ async fn host(
     pictures
 }
 
-/// The display: the colours of each refresh, the last of which is under way.
+/// The display: the colours of each refresh; the last refresh is under way.
 async fn display(t: &Testbench<'_>, pixel: CrtPixel<Port>, pixels: u32, refreshes: &RefCell<Vec<Vec<u64>>>) {
     let t = t.on("crt");
     loop {
@@ -123,7 +123,7 @@ async fn display(t: &Testbench<'_>, pixel: CrtPixel<Port>, pixels: u32, refreshe
     }
 }
 
-/// What a run shows.
+/// The results of a run.
 struct Run {
     sim: Sim,
     pictures: Vec<Vec<u64>>,
@@ -145,7 +145,7 @@ fn run(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], seed: u64) -> Run {
     let shows = monitor(display(&t, pixel, screen.pixels(), &refreshes));
     let (overflows, pictures, ()) = t.run((t.all(programs), host, shows));
     drop(t);
-    // Two refreshes later the last frame has been shown as a whole.
+    // Two refreshes later the last frame has been shown whole.
     let end = sim.time() + 2 * vc1.gfb().read_out().refresh_clocks() * vc1.display.period.picoseconds();
     let t = sim.testbench();
     let until = async {
@@ -161,7 +161,7 @@ fn run(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], seed: u64) -> Run {
     Run { sim, pictures, refreshes, overflows }
 }
 
-/// The nearest of what was drawn, in raster order.
+/// The nearest of the pixels drawn, in raster order.
 fn nearest<'a>(screen: Screen, drawn: impl IntoIterator<Item = &'a Pixel>) -> Vec<u64> {
     let mut picture = vec![BLANK; screen.pixels() as usize];
     for &(x, y, word) in drawn {
@@ -171,7 +171,7 @@ fn nearest<'a>(screen: Screen, drawn: impl IntoIterator<Item = &'a Pixel>) -> Ve
     picture
 }
 
-/// That each frame is the nearest of what all drew for it, and each refresh is of one frame, in their order.
+/// Each frame is the nearest of what all drew for it, and each refresh shows one frame, in sequence.
 fn check(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], run: &Run) {
     let frames = (0..drawn[0].len())
         .map(|frame| nearest(vc1.lfb.patches.screen(), drawn.iter().flat_map(|processor| &processor[frame])));
@@ -186,13 +186,13 @@ fn check(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], run: &Run) {
     shown.dedup();
     let mut expected: Vec<_> = frames.iter().map(colours).collect();
     expected.dedup();
-    // Before the first frame the display shows what the bank has held since power-on.
+    // Before the first frame the display shows the bank's power-on contents.
     let first = shown.iter().position(|refresh| expected.contains(refresh)).expect("a frame is shown");
     assert!(first <= 1, "a refresh shows two frames");
     let mut frames = expected.iter();
     assert!(shown[first..].iter().all(|refresh| frames.any(|frame| frame == refresh)), "a refresh shows two frames");
     assert_eq!(frames.len(), 0, "the last frame is shown");
-    // Where T_m is shorter than the blanking, the banks may change twice in one of them.
+    // Where T_m is shorter than the blanking, the banks may change twice in one blanking.
     let is_each_shown = vc1.display.blanking == Blanking::AtStart;
     assert!(!is_each_shown || shown[first..] == expected, "each frame is shown");
 }
@@ -219,7 +219,7 @@ fn the_guards_of_the_papers_machine() {
     assert_eq!(full.gfb_swap().merge_clocks, 316_864);
     assert_eq!(full.lfb_swap().merge_clocks, 1_013_965);
     assert_eq!((full.gfb_swap().way, full.gfb_swap().late), (307_200 + 64 + 4, 20 + 20 + 5));
-    // 2 T_m, with what the crossings and overheads add, and a refresh; 2 refreshes more for the average of several passes.
+    // 2 T_m with crossings and overheads, and a refresh; 2 refreshes more for the average of several passes.
     let refresh = |full: &Vc1| full.lfb_swap().overflow_clocks - 2 * full.lfb_swap().sent_clocks - 26;
     let vga = Vc1 { display: Display::VGA, ..full };
     assert_eq!(vga.lfb_swap().sent_clocks, 1_013_965 + 45 * 80 / 25 + 16);
@@ -272,7 +272,7 @@ fn the_host_reads_what_it_writes() {
     assert_eq!(seen.0, [(1, 0xabc07f), (1, 0xabc003)]);
 }
 
-/// Of the first frame: it is merged in one round or two, and waits for a blanking.
+/// The first frame: it is merged in one round or two, and waits for a blanking.
 #[test]
 fn the_host_sees_the_rounds_and_that_a_frame_is_merged() {
     let mut sim = running(&vc1(SMALL, 4, 8, 2), 7);
@@ -314,14 +314,14 @@ fn frames_follow_each_other_and_nothing_of_one_is_left_in_the_next() {
     let run = run(&machine, &drawn, 7);
     check(&machine, &drawn, &run);
     assert_eq!(run.overflows, [0; 3]);
-    // So the assertion about their distances is of whole frames.
+    // So the assertion about their distances applies to whole frames.
     let mut sim = run.sim;
     for number in 0..3 {
         assert!(sim.covered(&format!("u_lfb[{number}].u_scan_counter.a whole frame is sent")).unwrap() > 10);
     }
 }
 
-/// 8 patches in 2 pages, of one processing element in the second frame and of all in the third.
+/// 8 patches in 2 pages: overflows of one processing element in the second frame, and of all in the third.
 #[test]
 fn an_overflow_is_merged_in_a_round_of_its_own() {
     let machine = vc1(SMALL, 4, 2, 3);
@@ -338,7 +338,8 @@ fn an_overflow_is_merged_in_a_round_of_its_own() {
     assert!(covered("a swap waits for the global frame buffer alone") > 0 && covered("a swap waits for T_m alone") > 0);
 }
 
-/// Another one has swapped in an overflow just before the frame ended, so that its swap at the end comes T_m later (VC1-SW4).
+/// Another one has swapped in an overflow just before the frame ended, so its swap at the end comes T_m later
+/// (VC1-SW4).
 #[test]
 fn an_overflow_waits_for_more_than_t_m_and_a_refresh_and_no_longer_than_it_may() {
     let display = Display { period: Period::ps(2_000), blanking: Blanking::AtStart };
@@ -374,7 +375,7 @@ fn an_overflow_waits_for_more_than_t_m_and_a_refresh_and_no_longer_than_it_may()
     assert!(waited[0] > merge_clocks + refresh && waited[0] <= overflow_clocks, "{waited:?}");
 }
 
-/// One sends a packet of two words to all when they have drawn; the other one takes them late (VC1-SW1).
+/// One sends a packet of two words to all when they have drawn; the other takes them late (VC1-SW1).
 #[test]
 fn a_word_on_the_bus_or_in_a_queue_holds_the_line_low() {
     let machine = vc1(SMALL, 4, 8, 2);

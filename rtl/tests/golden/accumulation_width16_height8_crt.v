@@ -1,12 +1,12 @@
 // accumulation_width16_height8_crt
 //
-// Adds up the pictures of several passes, and shows their average.
+// Adds up the pictures of several passes and shows their average.
 //
 // Parameters  Accumulation { screen: Screen { width: 16, height: 8 }, crt: Clock { name: "crt", period: Period(7934) } }
 // Latency     a pass of 129 clocks of the merger; 1 clock of the display to read
 // Source      VC-1, section 3.3, accumulation buffer and MUACC (VC1-ACB)
-// Described   rtl/src/gfb/accumulation.rs:77
-// Stable      passes: the average means something when it has been so for a picture (rtl/src/gfb/accumulation.rs:163)
+// Described   rtl/src/gfb/accumulation.rs:81
+// Stable      passes: the average means something when it has been so for a picture (rtl/src/gfb/accumulation.rs:167)
 `default_nettype none
 
 module accumulation_width16_height8_crt (
@@ -30,31 +30,31 @@ module accumulation_width16_height8_crt (
     localparam [1:0] PASSES_EIGHT = 2'd2;
     // Not used here: PASSES_SIXTEEN = 3.
 
-    reg reads;                                                   // rtl/src/gfb/accumulation.rs:120
-    reg stores;                                                  // rtl/src/gfb/accumulation.rs:125
-    reg [6:0] stored;                                            // rtl/src/gfb/accumulation.rs:127
-    reg replaces;                                                // rtl/src/gfb/accumulation.rs:146
-    reg [3:0] may_follow;                                        // rtl/src/gfb/accumulation.rs:153
-    reg read_odd;                                                // rtl/src/gfb/accumulation.rs:164
+    reg reads;                                                   // rtl/src/gfb/accumulation.rs:124
+    reg stores;                                                  // rtl/src/gfb/accumulation.rs:129
+    reg [6:0] stored;                                            // rtl/src/gfb/accumulation.rs:131
+    reg replaces;                                                // rtl/src/gfb/accumulation.rs:150
+    reg [3:0] may_follow;                                        // rtl/src/gfb/accumulation.rs:157
+    reg read_odd;                                                // rtl/src/gfb/accumulation.rs:168
 
-    wire [35:0] so_far_picked;                                   // rtl/src/gfb/accumulation.rs:147
-    wire [35:0] sums_write_lanes;                                // rtl/src/gfb/accumulation.rs:150
-    wire [35:0] colour_picked;                                   // rtl/src/gfb/accumulation.rs:166
-    wire ends = address == 7'd127;                               // rtl/src/gfb/accumulation.rs:122
-    assign busy = reads | stores;                                // rtl/src/gfb/accumulation.rs:128
-    wire so_far_part = stored[0];                                // rtl/src/gfb/accumulation.rs:147
-    wire [35:0] so_far = replaces ? 36'd0 : so_far_picked;       // rtl/src/gfb/accumulation.rs:147
-    wire [23:0] added_part = word[23:0];                         // rtl/src/gfb/accumulation.rs:148
-    wire [12:0] asserted_product = {8'd0, 5'd16 - {1'd0, may_follow}} * 13'd255; // rtl/src/gfb/accumulation.rs:158
+    wire [35:0] so_far_picked;                                   // rtl/src/gfb/accumulation.rs:151
+    wire [35:0] sums_write_lanes;                                // rtl/src/gfb/accumulation.rs:154
+    wire [35:0] colour_picked;                                   // rtl/src/gfb/accumulation.rs:170
+    wire ends = address == 7'd127;                               // rtl/src/gfb/accumulation.rs:126
+    assign busy = reads | stores;                                // rtl/src/gfb/accumulation.rs:132
+    wire so_far_part = stored[0];                                // rtl/src/gfb/accumulation.rs:151
+    wire [35:0] so_far = replaces ? 36'd0 : so_far_picked;       // rtl/src/gfb/accumulation.rs:151
+    wire [23:0] added_part = word[23:0];                         // rtl/src/gfb/accumulation.rs:152
+    wire [12:0] asserted_product = {8'd0, 5'd16 - {1'd0, may_follow}} * 13'd255; // rtl/src/gfb/accumulation.rs:162
 
     genvar i;
 
     generate
         for (i = 0; i < 2; i = i + 1) begin : parity_row
             (* no_rw_check *)
-            reg [35:0] sums [0:63];                                      // rtl/src/gfb/accumulation.rs:133
-            reg [35:0] old;                                              // rtl/src/gfb/accumulation.rs:143
-            reg [35:0] read;                                             // rtl/src/gfb/accumulation.rs:165
+            reg [35:0] sums [0:63];                                      // rtl/src/gfb/accumulation.rs:137
+            reg [35:0] old;                                              // rtl/src/gfb/accumulation.rs:147
+            reg [35:0] read;                                             // rtl/src/gfb/accumulation.rs:169
             wire parity;
             localparam [31:0] parity_value = i;
             assign parity = parity_value[0];
@@ -73,11 +73,11 @@ module accumulation_width16_height8_crt (
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge merge_clk) begin
-                if (!merge_rst) assert (!(reads_here & stores_here));        // rtl/src/gfb/accumulation.rs:142
+                if (!merge_rst) assert (!(reads_here & stores_here));        // rtl/src/gfb/accumulation.rs:146
             end
             `else
             always @(posedge merge_clk) begin
-                if (!merge_rst && (reads_here & stores_here)) begin          // rtl/src/gfb/accumulation.rs:142
+                if (!merge_rst && (reads_here & stores_here)) begin          // rtl/src/gfb/accumulation.rs:146
                     $display("FAIL: time %0t: %m: a memory is not read and written in one clock", $time);
                     stop;
                 end
@@ -94,11 +94,11 @@ module accumulation_width16_height8_crt (
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge merge_clk) begin
-                if (!merge_rst) assert (!stores | (added <= asserted_product[11:0])); // rtl/src/gfb/accumulation.rs:159
+                if (!merge_rst) assert (!stores | (added <= asserted_product[11:0])); // rtl/src/gfb/accumulation.rs:163
             end
             `else
             always @(posedge merge_clk) begin
-                if (!merge_rst && !(!stores | (added <= asserted_product[11:0]))) begin // rtl/src/gfb/accumulation.rs:159
+                if (!merge_rst && !(!stores | (added <= asserted_product[11:0]))) begin // rtl/src/gfb/accumulation.rs:163
                     $display("FAIL: time %0t: %m: a sum is not more than the passes so far give", $time);
                     stop;
                 end
@@ -129,7 +129,7 @@ module accumulation_width16_height8_crt (
             assign so_far_picked_lanes[i] = parity_row[i].old;
         end
     endgenerate
-    assign so_far_picked = so_far_picked_lanes[so_far_part];     // rtl/src/gfb/accumulation.rs:147
+    assign so_far_picked = so_far_picked_lanes[so_far_part];     // rtl/src/gfb/accumulation.rs:151
     generate
         for (i = 0; i < 3; i = i + 1) begin : sums_write_lanes_of
             assign sums_write_lanes[i * 12 +: 12] = added_row[i].added;
@@ -141,7 +141,7 @@ module accumulation_width16_height8_crt (
             assign colour_picked_lanes[i] = parity_row[i].read;
         end
     endgenerate
-    assign colour_picked = colour_picked_lanes[read_odd];        // rtl/src/gfb/accumulation.rs:166
+    assign colour_picked = colour_picked_lanes[read_odd];        // rtl/src/gfb/accumulation.rs:170
     generate
         for (i = 0; i < 3; i = i + 1) begin : colour_of
             assign colour[i * 8 +: 8] = colour_choice_row[i].colour_sum;
@@ -196,23 +196,23 @@ module accumulation_width16_height8_crt (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) assume (!start | !busy);                     // rtl/src/gfb/accumulation.rs:129
-        if (!merge_rst) assume (!(start & !first) | (may_follow != 4'd0)); // rtl/src/gfb/accumulation.rs:156
-        if (!merge_rst) cover (stores & (may_follow == 4'd0));       // rtl/src/gfb/accumulation.rs:160
+        if (!merge_rst) assume (!start | !busy);                     // rtl/src/gfb/accumulation.rs:133
+        if (!merge_rst) assume (!(start & !first) | (may_follow != 4'd0)); // rtl/src/gfb/accumulation.rs:160
+        if (!merge_rst) cover (stores & (may_follow == 4'd0));       // rtl/src/gfb/accumulation.rs:164
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!start | !busy)) begin                   // rtl/src/gfb/accumulation.rs:129
+        if (!merge_rst && !(!start | !busy)) begin                   // rtl/src/gfb/accumulation.rs:133
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass begins when none is under way", $time);
             stop;
         end
-        if (!merge_rst && !(!(start & !first) | (may_follow != 4'd0))) begin // rtl/src/gfb/accumulation.rs:156
+        if (!merge_rst && !(!(start & !first) | (may_follow != 4'd0))) begin // rtl/src/gfb/accumulation.rs:160
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pass is the first, or one of 15 that follow it", $time);
             stop;
         end
-        if (!merge_rst && (stores & (may_follow == 4'd0)) && !is_covered) begin // rtl/src/gfb/accumulation.rs:160
+        if (!merge_rst && (stores & (may_follow == 4'd0)) && !is_covered) begin // rtl/src/gfb/accumulation.rs:164
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a pixel is the sum of 16 passes", $time);
             `endif

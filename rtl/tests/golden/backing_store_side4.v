@@ -1,11 +1,11 @@
 // backing_store_side4
 //
-// Holds a finished region, and sends it line by line while the next one is drawn.
+// Stores a finished region, and sends it line by line while the next one is drawn.
 //
 // Parameters  BackingStore { side: 4 }
 // Latency     2 clocks from the last plane; a region is sent in 192 clocks
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/backing_store.rs:19
+// Described   rtl/src/pixel_planes/backing_store.rs:22
 `default_nettype none
 
 module backing_store_side4 (
@@ -28,24 +28,24 @@ module backing_store_side4 (
     output wire [3:0]  planes_bits    // The plane's bit of each pixel of the line, from the left.
 );
 
-    reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:73
-    reg reading;                                                 // rtl/src/pixel_planes/backing_store.rs:80
-    reg [5:0] plane;                                             // rtl/src/pixel_planes/backing_store.rs:81
-    reg [1:0] line;                                              // rtl/src/pixel_planes/backing_store.rs:82
-    reg arrived;                                                 // rtl/src/pixel_planes/backing_store.rs:83
-    reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:87
-    reg [1:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:87
+    reg [15:0] region;                                           // rtl/src/pixel_planes/backing_store.rs:76
+    reg reading;                                                 // rtl/src/pixel_planes/backing_store.rs:83
+    reg [5:0] plane;                                             // rtl/src/pixel_planes/backing_store.rs:84
+    reg [1:0] line;                                              // rtl/src/pixel_planes/backing_store.rs:85
+    reg arrived;                                                 // rtl/src/pixel_planes/backing_store.rs:86
+    reg [5:0] read_plane;                                        // rtl/src/pixel_planes/backing_store.rs:90
+    reg [1:0] read_line;                                         // rtl/src/pixel_planes/backing_store.rs:90
 
-    reg [15:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:75
+    reg [15:0] bits [0:47];                                      // rtl/src/pixel_planes/backing_store.rs:78
     reg [15:0] bits_read_word;
     reg bits_read_inside;
     wire [15:0] bits_read = bits_read_inside ? bits_read_word : 16'd0;
 
-    wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:77
-    wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:90
-    wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:84
-    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:92
-    wire ends = line_ends & (line == 2'd3);                      // rtl/src/pixel_planes/backing_store.rs:93
+    wire complete = save_plane & (number == 6'd47);              // rtl/src/pixel_planes/backing_store.rs:80
+    wire planes_taken = arrived & planes_ready;                  // rtl/src/pixel_planes/backing_store.rs:93
+    wire reads = reading & (!arrived | planes_taken);            // rtl/src/pixel_planes/backing_store.rs:87
+    wire line_ends = reads & (plane == 6'd47);                   // rtl/src/pixel_planes/backing_store.rs:95
+    wire ends = line_ends & (line == 2'd3);                      // rtl/src/pixel_planes/backing_store.rs:96
 
     genvar i;
     genvar j;
@@ -128,16 +128,16 @@ module backing_store_side4 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!save_claim | free);                       // rtl/src/pixel_planes/backing_store.rs:100
-        if (!rst) assume (!save_plane | (!free & !reading & !arrived)); // rtl/src/pixel_planes/backing_store.rs:101
+        if (!rst) assume (!save_claim | free);                       // rtl/src/pixel_planes/backing_store.rs:103
+        if (!rst) assume (!save_plane | (!free & !reading & !arrived)); // rtl/src/pixel_planes/backing_store.rs:104
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:100
+        if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:103
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a region comes when the one before is gone", $time);
             stop;
         end
-        if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:101
+        if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:104
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: planes come of a region that was announced", $time);
             stop;
         end

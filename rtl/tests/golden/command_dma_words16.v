@@ -5,7 +5,7 @@
 // Parameters  CommandDma { words: 16 }
 // Latency     2 clocks from a frame that is taken to its first instruction, then one a clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/command_dma.rs:20
+// Described   rtl/src/pixelflow/command_dma.rs:21
 `default_nettype none
 
 module command_dma_words16 (
@@ -21,19 +21,19 @@ module command_dma_words16 (
     input  wire [1:0]  store_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        store_instruction_accumulates, // Results go to the accumulator.
     input  wire        store_instruction_stores,      // Results go to memory.
-    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    // What the last byte's `enabling` and `flagging` depend on: a `Condition`.
     input  wire [1:0]  store_instruction_condition,
-    // What becomes of the enable flags with the last byte: an `Enabling`.
+    // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [2:0]  store_instruction_enabling,
-    input  wire [1:0]  store_instruction_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression that come before the word; 0 without one.
+    input  wire [1:0]  store_instruction_flagging,    // The change of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression before the word; 0 without an expression.
     input  wire [2:0]  store_instruction_skip,
     input  wire [3:0]  store_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses go down, from the most significant byte on: for shifts to the right.
+    // Addresses decrease, from the most significant byte on: for shifts to the right.
     input  wire        store_instruction_descends,
     input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
-    input  wire [2:0]  store_instruction_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [2:0]  store_instruction_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] store_instruction_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] store_instruction_b,           // Coefficient B of the expression, in two's complement.
     // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
@@ -53,19 +53,19 @@ module command_dma_words16 (
     output wire [1:0]  instructions_mask,             // Which processors write: a `Mask`.
     output wire        instructions_accumulates,      // Results go to the accumulator.
     output wire        instructions_stores,           // Results go to memory.
-    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    // What the last byte's `enabling` and `flagging` depend on: a `Condition`.
     output wire [1:0]  instructions_condition,
-    // What becomes of the enable flags with the last byte: an `Enabling`.
+    // The change of the enable flags with the last byte: an `Enabling`.
     output wire [2:0]  instructions_enabling,
-    output wire [1:0]  instructions_flagging,         // What becomes of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression that come before the word; 0 without one.
+    output wire [1:0]  instructions_flagging,         // The change of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression before the word; 0 without an expression.
     output wire [2:0]  instructions_skip,
     output wire [3:0]  instructions_length,           // Bytes of the word: 1 to `LONGEST`.
-    // Addresses go down, from the most significant byte on: for shifts to the right.
+    // Addresses decrease, from the most significant byte on: for shifts to the right.
     output wire        instructions_descends,
     output wire [8:0]  instructions_read,             // The address of the first byte that is read.
     output wire [8:0]  instructions_write,            // The address of the first byte that is written.
-    output wire [2:0]  instructions_sync,             // What the instruction does besides, with the ports: a `Sync`.
+    output wire [2:0]  instructions_sync,             // The synchronization with the ports: a `Sync`.
     output wire [39:0] instructions_a,                // Coefficient A of the expression, in two's complement.
     output wire [39:0] instructions_b,                // Coefficient B of the expression, in two's complement.
     // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
@@ -75,41 +75,41 @@ module command_dma_words16 (
     output wire        frames_ready
 );
 
-    reg [4:0] left;                                              // rtl/src/pixelflow/command_dma.rs:80
-    reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:81
-    reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:85
+    reg [4:0] left;                                              // rtl/src/pixelflow/command_dma.rs:81
+    reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:82
+    reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:86
 
-    reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:77
-    reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:87
+    reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:78
+    reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:88
 
-    wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:79
-    wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:79
+    wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:80
+    wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:80
 
-    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:82
-    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:82
-    wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:87
-    wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:86
-    assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_function = memory_read[165:162];         // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_begin = memory_read[161:160];            // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_mask = memory_read[159:158];             // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_accumulates = memory_read[157];          // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_stores = memory_read[156];               // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_condition = memory_read[155:154];        // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_enabling = memory_read[153:151];         // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_flagging = memory_read[150:149];         // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_skip = memory_read[148:146];             // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_length = memory_read[145:142];           // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_descends = memory_read[141];             // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_read = memory_read[140:132];             // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_write = memory_read[131:123];            // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_sync = memory_read[122:120];             // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_a = memory_read[119:80];                 // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_b = memory_read[79:40];                  // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_c = memory_read[39:0];                   // rtl/src/pixelflow/command_dma.rs:87
-    assign idle = !u_frames_out_valid & (left == 5'd0) & !arrived; // rtl/src/pixelflow/command_dma.rs:92
+    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:83
+    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:83
+    wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:88
+    wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:87
+    assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_function = memory_read[165:162];         // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_begin = memory_read[161:160];            // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_mask = memory_read[159:158];             // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_accumulates = memory_read[157];          // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_stores = memory_read[156];               // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_condition = memory_read[155:154];        // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_enabling = memory_read[153:151];         // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_flagging = memory_read[150:149];         // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_skip = memory_read[148:146];             // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_length = memory_read[145:142];           // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_descends = memory_read[141];             // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_read = memory_read[140:132];             // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_write = memory_read[131:123];            // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_sync = memory_read[122:120];             // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_a = memory_read[119:80];                 // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_b = memory_read[79:40];                  // rtl/src/pixelflow/command_dma.rs:88
+    assign instructions_c = memory_read[39:0];                   // rtl/src/pixelflow/command_dma.rs:88
+    assign idle = !u_frames_out_valid & (left == 5'd0) & !arrived; // rtl/src/pixelflow/command_dma.rs:93
 
-    fifo_depth2_width9_storage_registers u_frames (              // rtl/src/pixelflow/command_dma.rs:79
+    fifo_depth2_width9_storage_registers u_frames (              // rtl/src/pixelflow/command_dma.rs:80
         .clk          (clk),
         .rst          (rst),
         .into_valid   (frames_valid),

@@ -3,7 +3,7 @@
 // Registers of a region's pixels, and a port that sees one pixel of each chip.
 //
 // Parameters  CommunicationRegisters { width: 8, height: 4, bytes: 32, port: Clock { name: "network", period: Period(5000) } }
-// Latency     within the clock; what is written is there after the edge
+// Latency     0 clocks to read; a write takes effect at the edge
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/registers.rs:22
 // Stable      port and array leave alone what the other one works with (rtl/src/pixelflow/registers.rs:92)

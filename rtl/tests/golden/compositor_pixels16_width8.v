@@ -5,7 +5,7 @@
 // Parameters  Compositor { pixels: 16, width: 8 }
 // Latency     1 clock, a byte a clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
-// Described   rtl/src/pixelflow/compositor.rs:51
+// Described   rtl/src/pixelflow/compositor.rs:54
 `default_nettype none
 
 module compositor_pixels16_width8 (
@@ -27,18 +27,18 @@ module compositor_pixels16_width8 (
     localparam [1:0] NEARER_UPSTREAM = 2'd2;
 
     (* no_rw_check *)
-    reg [1:0] states [0:15];                                     // rtl/src/pixelflow/compositor.rs:83
+    reg [1:0] states [0:15];                                     // rtl/src/pixelflow/compositor.rs:86
 
-    wire [1:0] states_word = states[pixel];                      // rtl/src/pixelflow/compositor.rs:84
-    wire [1:0] state = first ? NEARER_EQUAL : states_word;       // rtl/src/pixelflow/compositor.rs:84
-    reg [1:0] nearer_choice;                                     // rtl/src/pixelflow/compositor.rs:86
+    wire [1:0] states_word = states[pixel];                      // rtl/src/pixelflow/compositor.rs:87
+    wire [1:0] state = first ? NEARER_EQUAL : states_word;       // rtl/src/pixelflow/compositor.rs:87
+    reg [1:0] nearer_choice;                                     // rtl/src/pixelflow/compositor.rs:89
     always @* begin
         if (own < upstream) nearer_choice = NEARER_OWN;
         else if (upstream < own) nearer_choice = NEARER_UPSTREAM;
         else nearer_choice = NEARER_EQUAL;
     end
-    wire [1:0] nearer = (state == NEARER_EQUAL) ? nearer_choice : state; // rtl/src/pixelflow/compositor.rs:86
-    reg takes_own;                                               // rtl/src/pixelflow/compositor.rs:89
+    wire [1:0] nearer = (state == NEARER_EQUAL) ? nearer_choice : state; // rtl/src/pixelflow/compositor.rs:89
+    reg takes_own;                                               // rtl/src/pixelflow/compositor.rs:92
     always @* begin
         case (mode)
             MODE_LOAD: takes_own = 1'b1;

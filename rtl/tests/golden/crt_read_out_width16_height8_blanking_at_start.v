@@ -5,7 +5,7 @@
 // Parameters  CrtReadOut { screen: Screen { width: 16, height: 8 }, blanking: AtStart }
 // Latency     0 clocks; 1 clock; a refresh of 9328 clocks
 // Source      VC-1, section 3.3, display of the global frame buffer (VC1-GFB, VC1-SW2, VC1-59)
-// Described   rtl/src/gfb/crt.rs:67
+// Described   rtl/src/gfb/crt.rs:68
 `default_nettype none
 
 module crt_read_out_width16_height8_blanking_at_start (
@@ -20,15 +20,15 @@ module crt_read_out_width16_height8_blanking_at_start (
     output reg         window       // The banks may change.
 );
 
-    reg [7:0] x;                                                 // rtl/src/gfb/crt.rs:112
-    reg [5:0] y;                                                 // rtl/src/gfb/crt.rs:113
-    reg valid;                                                   // rtl/src/gfb/crt.rs:123
+    reg [7:0] x;                                                 // rtl/src/gfb/crt.rs:113
+    reg [5:0] y;                                                 // rtl/src/gfb/crt.rs:114
+    reg valid;                                                   // rtl/src/gfb/crt.rs:124
 
-    wire line_ends = x == 8'd175;                                // rtl/src/gfb/crt.rs:114
-    wire last_line = y == 6'd52;                                 // rtl/src/gfb/crt.rs:115
-    assign dark = y >= 6'd8;                                     // rtl/src/gfb/crt.rs:119
-    wire reads = (x < 8'd16) & !dark;                            // rtl/src/gfb/crt.rs:120
-    assign pixel_rgb = word[23:0];                               // rtl/src/gfb/crt.rs:134
+    wire line_ends = x == 8'd175;                                // rtl/src/gfb/crt.rs:115
+    wire last_line = y == 6'd52;                                 // rtl/src/gfb/crt.rs:116
+    assign dark = y >= 6'd8;                                     // rtl/src/gfb/crt.rs:120
+    wire reads = (x < 8'd16) & !dark;                            // rtl/src/gfb/crt.rs:121
+    assign pixel_rgb = word[23:0];                               // rtl/src/gfb/crt.rs:135
 
     always @(posedge clk) begin
         if (rst) begin
@@ -68,11 +68,11 @@ module crt_read_out_width16_height8_blanking_at_start (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!window | dark);                           // rtl/src/gfb/crt.rs:133
+        if (!rst) assert (!window | dark);                           // rtl/src/gfb/crt.rs:134
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!window | dark)) begin                         // rtl/src/gfb/crt.rs:133
+        if (!rst && !(!window | dark)) begin                         // rtl/src/gfb/crt.rs:134
             $display("FAIL: time %0t: %m: the banks change in a blanking", $time);
             stop;
         end

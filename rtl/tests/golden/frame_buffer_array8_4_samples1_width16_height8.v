@@ -1,11 +1,11 @@
 // frame_buffer_array8_4_samples1_width16_height8
 //
-// Holds the frame of a screen in regions.
+// Stores the frame of a screen in regions.
 //
 // Parameters  FrameBuffer { array: [8, 4], samples: 1, screen: Screen { width: 16, height: 8 } }
 // Latency     51 clocks for a region
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-LOAD)
-// Described   rtl/src/pixelflow/frame_buffer.rs:42
+// Described   rtl/src/pixelflow/frame_buffer.rs:47
 `default_nettype none
 
 module frame_buffer_array8_4_samples1_width16_height8 (
@@ -29,54 +29,54 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     output wire        pixels_last   // The pixel is the last of a line.
 );
 
-    reg shown;                                                   // rtl/src/pixelflow/frame_buffer.rs:213
-    reg is_whole;                                                // rtl/src/pixelflow/frame_buffer.rs:214
-    reg busy;                                                    // rtl/src/pixelflow/frame_buffer.rs:221
-    reg [2:0] clock;                                             // rtl/src/pixelflow/frame_buffer.rs:222
-    reg [4:0] pixel;                                             // rtl/src/pixelflow/frame_buffer.rs:223
-    reg [1:0] region;                                            // rtl/src/pixelflow/frame_buffer.rs:224
-    reg [3:0] x;                                                 // rtl/src/pixelflow/frame_buffer.rs:249
-    reg [2:0] y;                                                 // rtl/src/pixelflow/frame_buffer.rs:250
-    reg [2:0] left;                                              // rtl/src/pixelflow/frame_buffer.rs:251
-    reg has_frame;                                               // rtl/src/pixelflow/frame_buffer.rs:252
-    reg arrived;                                                 // rtl/src/pixelflow/frame_buffer.rs:259
-    reg is_odd;                                                  // rtl/src/pixelflow/frame_buffer.rs:279
-    reg first;                                                   // rtl/src/pixelflow/frame_buffer.rs:279
-    reg last;                                                    // rtl/src/pixelflow/frame_buffer.rs:279
+    reg shown;                                                   // rtl/src/pixelflow/frame_buffer.rs:220
+    reg is_whole;                                                // rtl/src/pixelflow/frame_buffer.rs:221
+    reg busy;                                                    // rtl/src/pixelflow/frame_buffer.rs:228
+    reg [2:0] clock;                                             // rtl/src/pixelflow/frame_buffer.rs:229
+    reg [4:0] pixel;                                             // rtl/src/pixelflow/frame_buffer.rs:230
+    reg [1:0] region;                                            // rtl/src/pixelflow/frame_buffer.rs:231
+    reg [3:0] x;                                                 // rtl/src/pixelflow/frame_buffer.rs:256
+    reg [2:0] y;                                                 // rtl/src/pixelflow/frame_buffer.rs:257
+    reg [2:0] left;                                              // rtl/src/pixelflow/frame_buffer.rs:258
+    reg has_frame;                                               // rtl/src/pixelflow/frame_buffer.rs:259
+    reg arrived;                                                 // rtl/src/pixelflow/frame_buffer.rs:266
+    reg is_odd;                                                  // rtl/src/pixelflow/frame_buffer.rs:286
+    reg first;                                                   // rtl/src/pixelflow/frame_buffer.rs:286
+    reg last;                                                    // rtl/src/pixelflow/frame_buffer.rs:286
 
     (* no_rw_check *)
-    reg [23:0] even [0:127];                                     // rtl/src/pixelflow/frame_buffer.rs:212
-    reg [23:0] even_read;                                        // rtl/src/pixelflow/frame_buffer.rs:277
+    reg [23:0] even [0:127];                                     // rtl/src/pixelflow/frame_buffer.rs:219
+    reg [23:0] even_read;                                        // rtl/src/pixelflow/frame_buffer.rs:284
     (* no_rw_check *)
-    reg [23:0] odd [0:127];                                      // rtl/src/pixelflow/frame_buffer.rs:212
-    reg [23:0] odd_read;                                         // rtl/src/pixelflow/frame_buffer.rs:277
+    reg [23:0] odd [0:127];                                      // rtl/src/pixelflow/frame_buffer.rs:219
+    reg [23:0] odd_read;                                         // rtl/src/pixelflow/frame_buffer.rs:284
 
-    wire runs = busy & !(is_whole & (region == 2'd0));           // rtl/src/pixelflow/frame_buffer.rs:226
-    wire turn_ends = runs & (clock == 3'd2);                     // rtl/src/pixelflow/frame_buffer.rs:227
-    wire ends = turn_ends & (pixel == 5'd16);                    // rtl/src/pixelflow/frame_buffer.rs:228
-    wire is_last = region == 2'd3;                               // rtl/src/pixelflow/frame_buffer.rs:229
-    wire reads = runs & (clock < 3'd3) & (pixel < 5'd16);        // rtl/src/pixelflow/frame_buffer.rs:235
-    wire stores = runs & (pixel != 5'd0) & (clock < 3'd1);       // rtl/src/pixelflow/frame_buffer.rs:239
-    wire [4:0] stores_at_difference = pixel - 5'd1;              // rtl/src/pixelflow/frame_buffer.rs:240
-    wire [2:0] stores_at_choice = !shown ? ({1'd0, region} + 3'd4) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:217
-    wire [6:0] stores_at = {stores_at_choice, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:241
-    wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:253
-    wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:254
-    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:283
-    wire scans = has_frame & !changes & (!arrived | pixels_taken); // rtl/src/pixelflow/frame_buffer.rs:260
-    wire is_rightmost = x == 4'd15;                              // rtl/src/pixelflow/frame_buffer.rs:261
-    wire line_ends = scans & is_rightmost;                       // rtl/src/pixelflow/frame_buffer.rs:262
-    wire frame_ends = line_ends & (y == 3'd7);                   // rtl/src/pixelflow/frame_buffer.rs:263
-    wire region_ends = line_ends & (y[1:0] == 2'd3);             // rtl/src/pixelflow/frame_buffer.rs:264
-    wire [2:0] scanned_sum = left + {2'd0, x[3]};                // rtl/src/pixelflow/frame_buffer.rs:270
-    wire [2:0] scanned = shown ? (scanned_sum + 3'd4) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:270
-    wire [6:0] scans_at = {scanned, y[0], x[2:0]};               // rtl/src/pixelflow/frame_buffer.rs:276
-    wire [23:0] colour = is_odd ? odd_read : even_read;          // rtl/src/pixelflow/frame_buffer.rs:280
-    assign pixels_red = colour[23:16];                           // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_green = colour[15:8];                          // rtl/src/pixelflow/frame_buffer.rs:281
-    assign pixels_blue = colour[7:0];                            // rtl/src/pixelflow/frame_buffer.rs:281
-    assign port_pixel = pixel[3:0];                              // rtl/src/pixelflow/frame_buffer.rs:287
-    assign port_address = {3'd0, clock};                         // rtl/src/pixelflow/frame_buffer.rs:289
+    wire runs = busy & !(is_whole & (region == 2'd0));           // rtl/src/pixelflow/frame_buffer.rs:233
+    wire turn_ends = runs & (clock == 3'd2);                     // rtl/src/pixelflow/frame_buffer.rs:234
+    wire ends = turn_ends & (pixel == 5'd16);                    // rtl/src/pixelflow/frame_buffer.rs:235
+    wire is_last = region == 2'd3;                               // rtl/src/pixelflow/frame_buffer.rs:236
+    wire reads = runs & (clock < 3'd3) & (pixel < 5'd16);        // rtl/src/pixelflow/frame_buffer.rs:242
+    wire stores = runs & (pixel != 5'd0) & (clock < 3'd1);       // rtl/src/pixelflow/frame_buffer.rs:246
+    wire [4:0] stores_at_difference = pixel - 5'd1;              // rtl/src/pixelflow/frame_buffer.rs:247
+    wire [2:0] stores_at_choice = !shown ? ({1'd0, region} + 3'd4) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:224
+    wire [6:0] stores_at = {stores_at_choice, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:248
+    wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:260
+    wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:261
+    wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:290
+    wire scans = has_frame & !changes & (!arrived | pixels_taken); // rtl/src/pixelflow/frame_buffer.rs:267
+    wire is_rightmost = x == 4'd15;                              // rtl/src/pixelflow/frame_buffer.rs:268
+    wire line_ends = scans & is_rightmost;                       // rtl/src/pixelflow/frame_buffer.rs:269
+    wire frame_ends = line_ends & (y == 3'd7);                   // rtl/src/pixelflow/frame_buffer.rs:270
+    wire region_ends = line_ends & (y[1:0] == 2'd3);             // rtl/src/pixelflow/frame_buffer.rs:271
+    wire [2:0] scanned_sum = left + {2'd0, x[3]};                // rtl/src/pixelflow/frame_buffer.rs:277
+    wire [2:0] scanned = shown ? (scanned_sum + 3'd4) : scanned_sum; // rtl/src/pixelflow/frame_buffer.rs:277
+    wire [6:0] scans_at = {scanned, y[0], x[2:0]};               // rtl/src/pixelflow/frame_buffer.rs:283
+    wire [23:0] colour = is_odd ? odd_read : even_read;          // rtl/src/pixelflow/frame_buffer.rs:287
+    assign pixels_red = colour[23:16];                           // rtl/src/pixelflow/frame_buffer.rs:288
+    assign pixels_green = colour[15:8];                          // rtl/src/pixelflow/frame_buffer.rs:288
+    assign pixels_blue = colour[7:0];                            // rtl/src/pixelflow/frame_buffer.rs:288
+    assign port_pixel = pixel[3:0];                              // rtl/src/pixelflow/frame_buffer.rs:294
+    assign port_address = {3'd0, clock};                         // rtl/src/pixelflow/frame_buffer.rs:296
 
     genvar i;
 
@@ -176,11 +176,11 @@ module frame_buffer_array8_4_samples1_width16_height8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!start | !busy);                           // rtl/src/pixelflow/frame_buffer.rs:225
+        if (!rst) assume (!start | !busy);                           // rtl/src/pixelflow/frame_buffer.rs:232
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/frame_buffer.rs:225
+        if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/frame_buffer.rs:232
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer begins when it has done", $time);
             stop;
         end

@@ -3,9 +3,9 @@
 // Swaps the global frame buffer in a vertical blanking, when a frame is merged.
 //
 // Parameters  GfbSwap { processors: 2, merge_clocks: 4, way: 4, late: 8 }
-// Latency     0 clocks, if all guards hold
+// Latency     0 clocks, if all guards are open
 // Source      VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)
-// Described   rtl/src/swap/gfb_swap.rs:19
+// Described   rtl/src/swap/gfb_swap.rs:20
 `default_nettype none
 
 module gfb_swap_processors2_merge_clocks4_way4_late8 (
@@ -24,15 +24,15 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
     output reg  shown      // Toggles with each swap of the global frame buffer.
 );
 
-    reg [3:0] since;                                             // rtl/src/swap/gfb_swap.rs:62
-    reg [2:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:65
+    reg [3:0] since;                                             // rtl/src/swap/gfb_swap.rs:63
+    reg [2:0] way_left;                                          // rtl/src/swap/gfb_swap.rs:66
 
-    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:59
-    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:78
-    wire waited = since >= 4'd4;                                 // rtl/src/swap/gfb_swap.rs:64
-    wire stored = way_left == 3'd0;                              // rtl/src/swap/gfb_swap.rs:66
-    assign merged = waited & stored;                             // rtl/src/swap/gfb_swap.rs:68
-    assign swap = merged & blanking;                             // rtl/src/swap/gfb_swap.rs:56
+    wire all_swapped;                                            // rtl/src/swap/gfb_swap.rs:60
+    wire assumed_all;                                            // rtl/src/swap/gfb_swap.rs:79
+    wire waited = since >= 4'd4;                                 // rtl/src/swap/gfb_swap.rs:65
+    wire stored = way_left == 3'd0;                              // rtl/src/swap/gfb_swap.rs:67
+    assign merged = waited & stored;                             // rtl/src/swap/gfb_swap.rs:69
+    assign swap = merged & blanking;                             // rtl/src/swap/gfb_swap.rs:57
 
     genvar i;
 
@@ -56,14 +56,14 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
             assign all_swapped_lanes[i] = row[i].all_swapped_differs;
         end
     endgenerate
-    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:59
+    assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:60
     wire [1:0] assumed_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : assumed_all_of
             assign assumed_all_lanes[i] = row[i].assumed_or;
         end
     endgenerate
-    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:78
+    assign assumed_all = &assumed_all_lanes;                     // rtl/src/swap/gfb_swap.rs:79
 
     always @(posedge clk) begin
         if (rst) begin
@@ -94,7 +94,7 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
 `endif
 
 `ifndef SYNTHESIS
-    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:77
+    reg has_past;                                                // rtl/src/swap/gfb_swap.rs:78
 
     initial has_past = 1'b0;
 
@@ -105,12 +105,12 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!swap | (blanking & stored & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:71
-        if (!rst) assert ((since != 4'd12) | stored);                // rtl/src/swap/gfb_swap.rs:75
-        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:76
-        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:77
-        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:81
-        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:82
+        if (!rst) assert (!swap | (blanking & stored & !(sending_0 | sending_1))); // rtl/src/swap/gfb_swap.rs:72
+        if (!rst) assert ((since != 4'd12) | stored);                // rtl/src/swap/gfb_swap.rs:76
+        if (!rst) assert (!merged | all_swapped);                    // rtl/src/swap/gfb_swap.rs:77
+        if (!rst) assume (!has_past | assumed_all);                  // rtl/src/swap/gfb_swap.rs:78
+        if (!rst) cover (swap);                                      // rtl/src/swap/gfb_swap.rs:82
+        if (!rst) cover (merged & !blanking);                        // rtl/src/swap/gfb_swap.rs:83
     end
 `else
     reg is_covered;
@@ -118,29 +118,29 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!swap | (blanking & stored & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:71
+        if (!rst && !(!swap | (blanking & stored & !(sending_0 | sending_1)))) begin // rtl/src/swap/gfb_swap.rs:72
             $display("FAIL: time %0t: %m: the banks change in a blanking, with all of the frame sent and stored", $time);
             stop;
         end
-        if (!rst && !((since != 4'd12) | stored)) begin              // rtl/src/swap/gfb_swap.rs:75
+        if (!rst && !((since != 4'd12) | stored)) begin              // rtl/src/swap/gfb_swap.rs:76
             $display("FAIL: time %0t: %m: all is stored soon after T_m", $time);
             stop;
         end
-        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:76
+        if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:77
             $display("FAIL: time %0t: %m: a merged frame is one that all have ended", $time);
             stop;
         end
-        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:77
+        if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:78
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends when the one before is on display", $time);
             stop;
         end
-        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:81
+        if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:82
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the banks change", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:82
+        if (!rst && (merged & !blanking) && !is_covered_2) begin     // rtl/src/swap/gfb_swap.rs:83
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a merged frame waits for the blanking", $time);
             `endif

@@ -5,7 +5,7 @@
 // Parameters  ImageGenerationController { side: 8, quadratic: false }
 // Latency     1 clock to the coefficients' bits, 7 to the control of pixels; the next instruction begins with the last bit
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-UT)
-// Described   rtl/src/pixel_planes/controller.rs:41
+// Described   rtl/src/pixel_planes/controller.rs:47
 `default_nettype none
 
 module image_generation_controller_side8 (
@@ -13,11 +13,11 @@ module image_generation_controller_side8 (
     input  wire        rst,
     // What to do.
     input  wire        instructions_valid,
-    input  wire [4:0]  instructions_operation,      // What is done: an `Operation`.
-    input  wire [5:0]  instructions_skip,           // Bits of the expression that come before the word; 0 without one.
+    input  wire [4:0]  instructions_operation,      // The operation: an `Operation`.
+    input  wire [5:0]  instructions_skip,           // Bits of the expression before the word; 0 without an expression.
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
-    input  wire [7:0]  instructions_read,           // Where the word that is read begins.
-    input  wire [7:0]  instructions_write,          // Where the word that is written begins.
+    input  wire [7:0]  instructions_read,           // The first address that is read.
+    input  wire [7:0]  instructions_write,          // The first address that is written.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
@@ -42,7 +42,7 @@ module image_generation_controller_side8 (
     // The flag changes by the comparison only where the processor is enabled.
     output wire        control_gates,
     output wire [2:0]  control_enabling,            // What becomes of the enable flags: an `Enabling`.
-    output wire        control_captures,            // The flag becomes what the enable flag becomes.
+    output wire        control_captures,            // The flag takes the new value of the enable flag.
     output wire [7:0]  control_read,                // The address that is read.
     output wire [7:0]  control_write,               // The address that is written.
     // To the backing store.
@@ -102,100 +102,100 @@ module image_generation_controller_side8 (
     reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:57
     reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:63
     reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:64
-    reg waits;                                                   // rtl/src/pixel_planes/controller.rs:108
-    reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:109
-    reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_adds;                                  // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_begins;                                // rtl/src/pixel_planes/controller.rs:109
-    reg [1:0] waiting_microcode_mask;                            // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_compares;                              // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_gates;                                 // rtl/src/pixel_planes/controller.rs:109
-    reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:109
-    reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:109
-    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:109
-    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:109
-    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:109
-    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:109
-    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:109
+    reg waits;                                                   // rtl/src/pixel_planes/controller.rs:114
+    reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:115
+    reg [1:0] waiting_microcode_source;                          // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_adds;                                  // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_begins;                                // rtl/src/pixel_planes/controller.rs:115
+    reg [1:0] waiting_microcode_mask;                            // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_compares;                              // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_gates;                                 // rtl/src/pixel_planes/controller.rs:115
+    reg [2:0] waiting_microcode_enabling;                        // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_captures;                              // rtl/src/pixel_planes/controller.rs:115
+    reg waiting_microcode_saves;                                 // rtl/src/pixel_planes/controller.rs:115
+    reg [5:0] waiting_skip;                                      // rtl/src/pixel_planes/controller.rs:115
+    reg [6:0] waiting_length;                                    // rtl/src/pixel_planes/controller.rs:115
+    reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:115
+    reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:115
+    reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:115
     reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:112
     reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:112
-    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:185
-    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:185
-    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:185
-    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:185
+    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
+    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:191
+    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:191
+    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:191
 
     (* no_rw_check *)
-    reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:105
+    reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:111
 
     initial begin : microcode_contents
         microcode[0] = 15'h5004;
@@ -219,53 +219,53 @@ module image_generation_controller_side8 (
         microcode[18] = 15'h5000;
     end
 
-    wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:106
+    wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:112
     wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:61
-    wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:106
-    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:112
-    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:113
-    wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:114
+    wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:112
+    wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:118
+    wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:119
+    wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:120
     wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:61
-    wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:115
-    wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:115
-    wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:106
-    wire memory_may = memory_may_and & (!decoded_saves | store_free); // rtl/src/pixel_planes/controller.rs:115
-    wire both_end = tree_ends & memory_ends & !waits;            // rtl/src/pixel_planes/controller.rs:116
-    wire may = (decoded_on_tree ? tree_may : memory_may) & (side_by_side | both_end); // rtl/src/pixel_planes/controller.rs:117
-    assign instructions_ready = may;                             // rtl/src/pixel_planes/controller.rs:118
-    wire [1:0] decoded_source = decoded[12:11];                  // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_adds = decoded[10];                             // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_begins = decoded[9];                            // rtl/src/pixel_planes/controller.rs:106
-    wire [1:0] decoded_mask = decoded[8:7];                      // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_compares = decoded[6];                          // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:106
-    wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:106
-    wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:106
+    wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:121
+    wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:121
+    wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:112
+    wire memory_may = memory_may_and & (!decoded_saves | store_free); // rtl/src/pixel_planes/controller.rs:121
+    wire both_end = tree_ends & memory_ends & !waits;            // rtl/src/pixel_planes/controller.rs:122
+    wire may = (decoded_on_tree ? tree_may : memory_may) & (side_by_side | both_end); // rtl/src/pixel_planes/controller.rs:123
+    assign instructions_ready = may;                             // rtl/src/pixel_planes/controller.rs:124
+    wire [1:0] decoded_source = decoded[12:11];                  // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_adds = decoded[10];                             // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_begins = decoded[9];                            // rtl/src/pixel_planes/controller.rs:112
+    wire [1:0] decoded_mask = decoded[8:7];                      // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_compares = decoded[6];                          // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:112
+    wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:112
+    wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:112
     wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:62
     assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:66
     wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:62
-    wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:118
-    wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:122
-    wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:123
-    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:124
-    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:127
-    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:129
+    wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:124
+    wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:128
+    wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:129
+    wire must_wait = for_memory & (waits | !memory_ends);        // rtl/src/pixel_planes/controller.rs:130
+    wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:133
+    wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:135
     wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
     assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
     assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
-    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:140
+    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:146
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
-    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:196
-    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:197
-    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:200
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:200
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:203
-    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:204
-    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:149
-    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:149
-    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:156
-    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:156
+    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:202
+    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:203
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:206
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:206
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:209
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:210
+    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:155
+    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:155
+    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:162
+    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:162
 
     always @(posedge clk) begin
         if (tree_begins) tree_bits <= instructions_coefficients_c;
@@ -610,51 +610,51 @@ module image_generation_controller_side8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:164
-        if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:140
-        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:146
-        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:194
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:194
-        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:194
-        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:194
-        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:194
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:194
+        if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:170
+        if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:146
+        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:152
+        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:200
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:164
+        if (!rst && !(!instructions_taken | (instructions_operation != OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:170
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only the controller of a quadratic tree takes a curve", $time);
             stop;
         end
-        if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:140
+        if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:146
             $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
             stop;
         end
-        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:146
+        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:152
             $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: what comes is an operation", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:194
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:200
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
             stop;
         end

@@ -1,7 +1,7 @@
 // image_memory_pages4_page_pixels16
 //
-// Holds two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and
-// clears what it sends.
+// Stores two buffers of pages of pixels: keeps the nearer word of each pixel drawn, and
+// clears each word that it sends.
 //
 // Parameters  ImageMemory { pages: 4, page_pixels: 16 }
 // Latency     3 clocks of the processor to draw, 1 clock of the merger to send
@@ -35,28 +35,28 @@ module image_memory_pages4_page_pixels16 (
     localparam [1:0] STAGE2_COMPARE = 2'd2;
     localparam [1:0] STAGE2_WRITE   = 2'd3;
 
-    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:84
-    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:94
-    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:95
-    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:97
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:104
+    reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:85
+    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:95
+    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:96
+    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:98
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:105
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:82
+    reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:83
     /* verilator lint_on MULTIDRIVEN */
-    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:96
-    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:102
+    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:97
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:103
 
     initial begin : words_contents
         integer i;
         for (i = 0; i < 128; i = i + 1) words[i] = 48'hffffffffffff;
     end
 
-    wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:91
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:100
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:101
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:105
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:105
+    wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:92
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:101
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:102
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:106
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:106
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;
@@ -117,11 +117,11 @@ module image_memory_pages4_page_pixels16 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!draw_valid | begins);                  // rtl/src/lfb/image_memory.rs:92
+        if (!pe_rst) assume (!draw_valid | begins);                  // rtl/src/lfb/image_memory.rs:93
     end
 `else
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:92
+        if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:93
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the second stage ends before the first has a page again", $time);
             stop;
         end

@@ -1,6 +1,6 @@
 // image_merger_units2
 //
-// Merges the images of the local frame buffers: of each pixel the nearest sample.
+// Merges the images of the local frame buffers: keeps the nearest sample of each pixel.
 //
 // Parameters  ImageMerger { units: 2 }
 // Latency     8 clocks with `enable`

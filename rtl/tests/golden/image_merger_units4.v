@@ -1,6 +1,6 @@
 // image_merger_units4
 //
-// Merges the images of the local frame buffers: of each pixel the nearest sample.
+// Merges the images of the local frame buffers: keeps the nearest sample of each pixel.
 //
 // Parameters  ImageMerger { units: 4 }
 // Latency     16 clocks with `enable`

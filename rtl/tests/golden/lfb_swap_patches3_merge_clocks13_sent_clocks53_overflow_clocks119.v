@@ -4,7 +4,7 @@
 // safe.
 //
 // Parameters  LfbSwap { patches: 3, merge_clocks: 13, sent_clocks: 53, overflow_clocks: 119 }
-// Latency     1 clock from the line to the swap, if all guards hold
+// Latency     1 clock from the line to the swap, if all guards are open
 // Source      VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)
 // Described   rtl/src/swap/lfb_swap.rs:62
 `default_nettype none

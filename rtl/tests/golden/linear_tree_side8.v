@@ -32,10 +32,10 @@ module linear_tree_side8 (
     reg b3;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
     reg b4;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
     reg b5;                                                      // rtl/src/pixel_planes/linear_tree.rs:69
-    reg x_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:96
-    reg x_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:96
-    reg y_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:96
-    reg y_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:96
+    reg x_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:97
+    reg x_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:97
+    reg y_has_come0;                                             // rtl/src/pixel_planes/linear_tree.rs:97
+    reg y_has_come1;                                             // rtl/src/pixel_planes/linear_tree.rs:97
 
     genvar i;
     genvar j;

@@ -1,7 +1,6 @@
 // multipass_control
 //
-// Says when a pass is added up, when the average of all is shown, and when the banks may
-// change.
+// Decides when a pass is added up, when the average is shown, and when the banks may change.
 //
 // Parameters  MultipassControl
 // Latency     0 clocks from a swap to its sum; 1 clock from the blanking to the average

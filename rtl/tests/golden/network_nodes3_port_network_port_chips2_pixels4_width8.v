@@ -5,7 +5,7 @@
 // Parameters  Network { nodes: 3, port: NetworkPort { chips: 2, pixels: 4, width: 8 } }
 // Latency     1 clock a node; a byte of all pixels takes 4
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
-// Described   rtl/src/pixelflow/network.rs:19
+// Described   rtl/src/pixelflow/network.rs:20
 `default_nettype none
 
 module network_nodes3_port_network_port_chips2_pixels4_width8 (
@@ -39,15 +39,15 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     output wire [15:0] nodes_2_bytes
 );
 
-    wire u_port0_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
-    wire u_port0_downstream_first;                               // rtl/src/pixelflow/network.rs:76
-    wire u_port1_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
-    wire u_port1_downstream_first;                               // rtl/src/pixelflow/network.rs:76
-    wire u_port2_downstream_valid;                               // rtl/src/pixelflow/network.rs:76
-    wire u_port2_downstream_first;                               // rtl/src/pixelflow/network.rs:76
-    wire [15:0] u_port2_downstream_bytes;                        // rtl/src/pixelflow/network.rs:76
+    wire u_port0_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
+    wire u_port0_downstream_first;                               // rtl/src/pixelflow/network.rs:77
+    wire u_port1_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
+    wire u_port1_downstream_first;                               // rtl/src/pixelflow/network.rs:77
+    wire u_port2_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
+    wire u_port2_downstream_first;                               // rtl/src/pixelflow/network.rs:77
+    wire [15:0] u_port2_downstream_bytes;                        // rtl/src/pixelflow/network.rs:77
 
-    network_port_chips2_pixels4_width8 u_port0 (                 // rtl/src/pixelflow/network.rs:76
+    network_port_chips2_pixels4_width8 u_port0 (                 // rtl/src/pixelflow/network.rs:77
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_0_mode),
@@ -65,7 +65,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
         .downstream_bytes (nodes_1_bytes)
     );
 
-    network_port_chips2_pixels4_width8 u_port1 (                 // rtl/src/pixelflow/network.rs:76
+    network_port_chips2_pixels4_width8 u_port1 (                 // rtl/src/pixelflow/network.rs:77
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_1_mode),
@@ -83,7 +83,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
         .downstream_bytes (nodes_2_bytes)
     );
 
-    network_port_chips2_pixels4_width8 u_port2 (                 // rtl/src/pixelflow/network.rs:76
+    network_port_chips2_pixels4_width8 u_port2 (                 // rtl/src/pixelflow/network.rs:77
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_2_mode),

@@ -5,7 +5,7 @@
 // Parameters  PageIdGenerator { pages: 4 }
 // Latency     1 clock
 // Source      VC-1, section 3.3, page ID generator (VC1-PIG)
-// Described   rtl/src/lfb/page_id_generator.rs:16
+// Described   rtl/src/lfb/page_id_generator.rs:17
 `default_nettype none
 
 module page_id_generator_pages4 (
@@ -14,12 +14,12 @@ module page_id_generator_pages4 (
     input  wire       restart,   // All pages are free again; wins over `take`.
     input  wire       take,      // The next free page is taken.
     output wire [1:0] page,      // The next free page, unless all are taken.
-    output reg  [2:0] used,      // How many pages are taken.
+    output reg  [2:0] used,      // The number of pages taken.
     output wire       exhausted  // All pages are taken.
 );
 
-    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:44
-    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:49
+    assign exhausted = used == 3'd4;                             // rtl/src/lfb/page_id_generator.rs:45
+    assign page = used[1:0];                                     // rtl/src/lfb/page_id_generator.rs:50
 
     always @(posedge clk) begin
         if (rst) used <= 3'd0;
@@ -42,9 +42,9 @@ module page_id_generator_pages4 (
 `endif
 
 `ifndef SYNTHESIS
-    reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:47
-    reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:48
-    reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:47
+    reg restart_past;                                            // rtl/src/lfb/page_id_generator.rs:48
+    reg exhausted_past;                                          // rtl/src/lfb/page_id_generator.rs:49
+    reg has_past;                                                // rtl/src/lfb/page_id_generator.rs:48
 
     initial has_past = 1'b0;
 
@@ -60,23 +60,23 @@ module page_id_generator_pages4 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:45
-        if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:47
-        if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:48
+        if (!rst) assume (!take | !exhausted);                       // rtl/src/lfb/page_id_generator.rs:46
+        if (!rst) assert (!has_past | (!restart_past | (used == 3'd0))); // rtl/src/lfb/page_id_generator.rs:48
+        if (!rst) cover (has_past & (exhausted & !exhausted_past));  // rtl/src/lfb/page_id_generator.rs:49
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:45
+        if (!rst && !(!take | !exhausted)) begin                     // rtl/src/lfb/page_id_generator.rs:46
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a page is taken only while one is free", $time);
             stop;
         end
-        if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:47
+        if (!rst && !(!has_past | (!restart_past | (used == 3'd0)))) begin // rtl/src/lfb/page_id_generator.rs:48
             $display("FAIL: time %0t: %m: a restart frees all pages", $time);
             stop;
         end
-        if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:48
+        if (!rst && (has_past & (exhausted & !exhausted_past)) && !is_covered) begin // rtl/src/lfb/page_id_generator.rs:49
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: all pages are taken", $time);
             `endif

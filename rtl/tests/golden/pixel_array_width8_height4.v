@@ -5,7 +5,7 @@
 // Parameters  PixelArray { width: 8, height: 4 }
 // Latency     the clocks of the instructions; a port's byte within the clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/array.rs:32
+// Described   rtl/src/pixelflow/array.rs:35
 `default_nettype none
 
 module pixel_array_width8_height4 (
@@ -20,17 +20,17 @@ module pixel_array_width8_height4 (
     input  wire [1:0]  instructions_mask,        // Which processors write: a `Mask`.
     input  wire        instructions_accumulates, // Results go to the accumulator.
     input  wire        instructions_stores,      // Results go to memory.
-    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    // What the last byte's `enabling` and `flagging` depend on: a `Condition`.
     input  wire [1:0]  instructions_condition,
-    input  wire [2:0]  instructions_enabling,    // What becomes of the enable flags with the last byte: an `Enabling`.
-    input  wire [1:0]  instructions_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
-    input  wire [2:0]  instructions_skip,        // Bytes of the expression that come before the word; 0 without one.
+    input  wire [2:0]  instructions_enabling,    // The change of the enable flags with the last byte: an `Enabling`.
+    input  wire [1:0]  instructions_flagging,    // The change of the flag with the last byte: a `Flagging`.
+    input  wire [2:0]  instructions_skip,        // Bytes of the expression before the word; 0 without an expression.
     input  wire [3:0]  instructions_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses go down, from the most significant byte on: for shifts to the right.
+    // Addresses decrease, from the most significant byte on: for shifts to the right.
     input  wire        instructions_descends,
     input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
     input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
-    input  wire [2:0]  instructions_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [2:0]  instructions_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] instructions_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] instructions_b,           // Coefficient B of the expression, in two's complement.
     // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
@@ -66,41 +66,41 @@ module pixel_array_width8_height4 (
     output wire        instructions_ready
 );
 
-    wire [7:0] u_controller_coefficients_a;                      // rtl/src/pixelflow/array.rs:125
-    wire [7:0] u_controller_coefficients_b;                      // rtl/src/pixelflow/array.rs:125
-    wire [7:0] u_controller_coefficients_c;                      // rtl/src/pixelflow/array.rs:125
-    wire u_controller_first;                                     // rtl/src/pixelflow/array.rs:125
-    wire u_controller_sends;                                     // rtl/src/pixelflow/array.rs:125
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixelflow/array.rs:125
-    wire [7:0] u_controller_control_constant;                    // rtl/src/pixelflow/array.rs:125
-    wire [3:0] u_controller_control_function;                    // rtl/src/pixelflow/array.rs:125
-    wire [1:0] u_controller_control_begin;                       // rtl/src/pixelflow/array.rs:125
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixelflow/array.rs:125
-    wire u_controller_control_accumulates;                       // rtl/src/pixelflow/array.rs:125
-    wire u_controller_control_stores;                            // rtl/src/pixelflow/array.rs:125
-    wire [1:0] u_controller_control_condition;                   // rtl/src/pixelflow/array.rs:125
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixelflow/array.rs:125
-    wire u_controller_control_by_sign;                           // rtl/src/pixelflow/array.rs:125
-    wire [1:0] u_controller_control_flagging;                    // rtl/src/pixelflow/array.rs:125
-    wire [8:0] u_controller_control_read;                        // rtl/src/pixelflow/array.rs:125
-    wire [8:0] u_controller_control_write;                       // rtl/src/pixelflow/array.rs:125
-    wire [255:0] u_evaluator_value;                              // rtl/src/pixelflow/array.rs:131
-    wire [255:0] u_bank0_word;                                   // rtl/src/pixelflow/array.rs:146
-    wire [255:0] u_bank1_word;                                   // rtl/src/pixelflow/array.rs:146
-    wire [255:0] u_texture_word;                                 // rtl/src/pixelflow/array.rs:146
+    wire [7:0] u_controller_coefficients_a;                      // rtl/src/pixelflow/array.rs:128
+    wire [7:0] u_controller_coefficients_b;                      // rtl/src/pixelflow/array.rs:128
+    wire [7:0] u_controller_coefficients_c;                      // rtl/src/pixelflow/array.rs:128
+    wire u_controller_first;                                     // rtl/src/pixelflow/array.rs:128
+    wire u_controller_sends;                                     // rtl/src/pixelflow/array.rs:128
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixelflow/array.rs:128
+    wire [7:0] u_controller_control_constant;                    // rtl/src/pixelflow/array.rs:128
+    wire [3:0] u_controller_control_function;                    // rtl/src/pixelflow/array.rs:128
+    wire [1:0] u_controller_control_begin;                       // rtl/src/pixelflow/array.rs:128
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixelflow/array.rs:128
+    wire u_controller_control_accumulates;                       // rtl/src/pixelflow/array.rs:128
+    wire u_controller_control_stores;                            // rtl/src/pixelflow/array.rs:128
+    wire [1:0] u_controller_control_condition;                   // rtl/src/pixelflow/array.rs:128
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixelflow/array.rs:128
+    wire u_controller_control_by_sign;                           // rtl/src/pixelflow/array.rs:128
+    wire [1:0] u_controller_control_flagging;                    // rtl/src/pixelflow/array.rs:128
+    wire [8:0] u_controller_control_read;                        // rtl/src/pixelflow/array.rs:128
+    wire [8:0] u_controller_control_write;                       // rtl/src/pixelflow/array.rs:128
+    wire [255:0] u_evaluator_value;                              // rtl/src/pixelflow/array.rs:134
+    wire [255:0] u_bank0_word;                                   // rtl/src/pixelflow/array.rs:149
+    wire [255:0] u_bank1_word;                                   // rtl/src/pixelflow/array.rs:149
+    wire [255:0] u_texture_word;                                 // rtl/src/pixelflow/array.rs:149
 
-    wire [31:0] u_bank0_writes;                                  // rtl/src/pixelflow/array.rs:142
-    wire [255:0] u_bank0_result;                                 // rtl/src/pixelflow/array.rs:135
-    wire [31:0] u_bank1_writes;                                  // rtl/src/pixelflow/array.rs:142
-    wire [255:0] u_bank1_result;                                 // rtl/src/pixelflow/array.rs:135
-    wire [31:0] u_texture_writes;                                // rtl/src/pixelflow/array.rs:142
-    wire [255:0] u_texture_result;                               // rtl/src/pixelflow/array.rs:135
+    wire [31:0] u_bank0_writes;                                  // rtl/src/pixelflow/array.rs:145
+    wire [255:0] u_bank0_result;                                 // rtl/src/pixelflow/array.rs:138
+    wire [31:0] u_bank1_writes;                                  // rtl/src/pixelflow/array.rs:145
+    wire [255:0] u_bank1_result;                                 // rtl/src/pixelflow/array.rs:138
+    wire [31:0] u_texture_writes;                                // rtl/src/pixelflow/array.rs:145
+    wire [255:0] u_texture_result;                               // rtl/src/pixelflow/array.rs:138
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:158
+        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:161
             for (j = 0; j < 16; j = j + 1) begin : col
                 wire [7:0] lane_result;
                 wire lane_writes_register;
@@ -149,7 +149,7 @@ module pixel_array_width8_height4 (
         end
     endgenerate
 
-    array_controller_width8_height4 u_controller (               // rtl/src/pixelflow/array.rs:125
+    array_controller_width8_height4 u_controller (               // rtl/src/pixelflow/array.rs:128
         .clk                      (array_clk),
         .rst                      (array_rst),
         .instructions_valid       (instructions_valid),
@@ -198,7 +198,7 @@ module pixel_array_width8_height4 (
         .instructions_ready       (instructions_ready)
     );
 
-    linear_evaluator_width8_height4 u_evaluator (                // rtl/src/pixelflow/array.rs:131
+    linear_evaluator_width8_height4 u_evaluator (                // rtl/src/pixelflow/array.rs:134
         .clk            (array_clk),
         .rst            (array_rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -209,7 +209,7 @@ module pixel_array_width8_height4 (
         .value          (u_evaluator_value)
     );
 
-    communication_registers_width8_height4_bytes32_port_network u_bank0 ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes32_port_network u_bank0 ( // rtl/src/pixelflow/array.rs:149
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -224,7 +224,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_0)
     );
 
-    communication_registers_width8_height4_bytes32_port_network u_bank1 ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes32_port_network u_bank1 ( // rtl/src/pixelflow/array.rs:149
         .array_clk    (array_clk),
         .network_clk  (network_clk),
         .read         (u_controller_control_read[4:0]),
@@ -239,7 +239,7 @@ module pixel_array_width8_height4 (
         .seen         (network_seen_1)
     );
 
-    communication_registers_width8_height4_bytes64_port_array u_texture ( // rtl/src/pixelflow/array.rs:146
+    communication_registers_width8_height4_bytes64_port_array u_texture ( // rtl/src/pixelflow/array.rs:149
         .array_clk    (array_clk),
         .read         (u_controller_control_read[5:0]),
         .write        (u_controller_control_write[5:0]),

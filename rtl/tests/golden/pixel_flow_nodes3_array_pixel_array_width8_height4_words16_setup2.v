@@ -1,11 +1,11 @@
 // pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2
 //
-// Nodes of PixelFlow on a network of both directions.
+// PixelFlow's nodes on a network with both directions.
 //
 // Parameters  PixelFlow { nodes: 3, node: Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 } }
 // Latency     1 clock of the network a node; instructions have their own clocks
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
-// Described   rtl/src/pixelflow/machine.rs:37
+// Described   rtl/src/pixelflow/machine.rs:40
 `default_nettype none
 
 module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
@@ -23,19 +23,19 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [1:0]  stores_0_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        stores_0_instruction_accumulates, // Results go to the accumulator.
     input  wire        stores_0_instruction_stores,      // Results go to memory.
-    // What the last byte's `enabling` and `flagging` look at: a `Condition`.
+    // What the last byte's `enabling` and `flagging` depend on: a `Condition`.
     input  wire [1:0]  stores_0_instruction_condition,
-    // What becomes of the enable flags with the last byte: an `Enabling`.
+    // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [2:0]  stores_0_instruction_enabling,
-    input  wire [1:0]  stores_0_instruction_flagging,    // What becomes of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression that come before the word; 0 without one.
+    input  wire [1:0]  stores_0_instruction_flagging,    // The change of the flag with the last byte: a `Flagging`.
+    // Bytes of the expression before the word; 0 without an expression.
     input  wire [2:0]  stores_0_instruction_skip,
     input  wire [3:0]  stores_0_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses go down, from the most significant byte on: for shifts to the right.
+    // Addresses decrease, from the most significant byte on: for shifts to the right.
     input  wire        stores_0_instruction_descends,
     input  wire [8:0]  stores_0_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  stores_0_instruction_write,       // The address of the first byte that is written.
-    input  wire [2:0]  stores_0_instruction_sync,        // What the instruction does besides, with the ports: a `Sync`.
+    input  wire [2:0]  stores_0_instruction_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] stores_0_instruction_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] stores_0_instruction_b,           // Coefficient B of the expression, in two's complement.
     // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
@@ -167,53 +167,53 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     output wire        back_2_ready
 );
 
-    wire u_node0_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
-    wire u_node0_idle;                                           // rtl/src/pixelflow/machine.rs:136
-    wire u_node0_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node0_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire forth0_valid;                                           // rtl/src/pixelflow/machine.rs:114
-    wire forth0_first;                                           // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node0_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
-    wire u_node0_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node0_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire back0_valid;                                            // rtl/src/pixelflow/machine.rs:114
-    wire back0_first;                                            // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node0_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_idle;                                           // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire forth1_valid;                                           // rtl/src/pixelflow/machine.rs:114
-    wire forth1_first;                                           // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node1_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node1_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire back1_valid;                                            // rtl/src/pixelflow/machine.rs:114
-    wire back1_first;                                            // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node1_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_texture_starts;                                 // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_idle;                                           // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_network_0_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire forth2_valid;                                           // rtl/src/pixelflow/machine.rs:114
-    wire forth2_first;                                           // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node2_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_network_1_ready;                                // rtl/src/pixelflow/machine.rs:136
-    wire u_node2_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:136
-    wire back2_valid;                                            // rtl/src/pixelflow/machine.rs:114
-    wire back2_first;                                            // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node2_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:136
+    wire u_node0_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
+    wire u_node0_idle;                                           // rtl/src/pixelflow/machine.rs:139
+    wire u_node0_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node0_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire forth0_valid;                                           // rtl/src/pixelflow/machine.rs:117
+    wire forth0_first;                                           // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node0_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
+    wire u_node0_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node0_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire back0_valid;                                            // rtl/src/pixelflow/machine.rs:117
+    wire back0_first;                                            // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node0_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_idle;                                           // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire forth1_valid;                                           // rtl/src/pixelflow/machine.rs:117
+    wire forth1_first;                                           // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node1_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node1_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire back1_valid;                                            // rtl/src/pixelflow/machine.rs:117
+    wire back1_first;                                            // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node1_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_texture_starts;                                 // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_idle;                                           // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_network_0_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_network_0_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire forth2_valid;                                           // rtl/src/pixelflow/machine.rs:117
+    wire forth2_first;                                           // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node2_network_0_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_network_1_ready;                                // rtl/src/pixelflow/machine.rs:139
+    wire u_node2_network_1_idle;                                 // rtl/src/pixelflow/machine.rs:139
+    wire back2_valid;                                            // rtl/src/pixelflow/machine.rs:117
+    wire back2_first;                                            // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node2_network_1_downstream_bytes;              // rtl/src/pixelflow/machine.rs:139
 
-    wire [15:0] u_node0_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node1_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node1_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
-    wire [15:0] u_node2_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:114
-    wire go_forth = u_node0_network_0_ready & u_node1_network_0_ready & u_node2_network_0_ready; // rtl/src/pixelflow/machine.rs:116
-    wire go_back = u_node0_network_1_ready & u_node1_network_1_ready & u_node2_network_1_ready; // rtl/src/pixelflow/machine.rs:116
-    assign textures_start = {u_node2_texture_starts, u_node1_texture_starts, u_node0_texture_starts}; // rtl/src/pixelflow/machine.rs:142
-    assign idle = {u_node2_idle, u_node1_idle, u_node0_idle};    // rtl/src/pixelflow/machine.rs:142
-    assign without_job_0 = {u_node2_network_0_idle, u_node1_network_0_idle, u_node0_network_0_idle}; // rtl/src/pixelflow/machine.rs:142
-    assign without_job_1 = {u_node2_network_1_idle, u_node1_network_1_idle, u_node0_network_1_idle}; // rtl/src/pixelflow/machine.rs:142
+    wire [15:0] u_node0_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node1_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node1_network_1_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
+    wire [15:0] u_node2_network_0_upstream_bytes;                // rtl/src/pixelflow/machine.rs:117
+    wire go_forth = u_node0_network_0_ready & u_node1_network_0_ready & u_node2_network_0_ready; // rtl/src/pixelflow/machine.rs:119
+    wire go_back = u_node0_network_1_ready & u_node1_network_1_ready & u_node2_network_1_ready; // rtl/src/pixelflow/machine.rs:119
+    assign textures_start = {u_node2_texture_starts, u_node1_texture_starts, u_node0_texture_starts}; // rtl/src/pixelflow/machine.rs:145
+    assign idle = {u_node2_idle, u_node1_idle, u_node0_idle};    // rtl/src/pixelflow/machine.rs:145
+    assign without_job_0 = {u_node2_network_0_idle, u_node1_network_0_idle, u_node0_network_0_idle}; // rtl/src/pixelflow/machine.rs:145
+    assign without_job_1 = {u_node2_network_1_idle, u_node1_network_1_idle, u_node0_network_1_idle}; // rtl/src/pixelflow/machine.rs:145
 
     genvar i;
 
@@ -253,7 +253,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
         end
     endgenerate
 
-    node_array_pixel_array_width8_height4_words16_setup2 u_node0 ( // rtl/src/pixelflow/machine.rs:136
+    node_array_pixel_array_width8_height4_words16_setup2 u_node0 ( // rtl/src/pixelflow/machine.rs:139
         .array_clk                     (array_clk),
         .array_rst                     (array_rst),
         .network_clk                   (network_clk),
@@ -321,7 +321,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
         .network_1_jobs_ready          (back_0_ready)
     );
 
-    node_array_pixel_array_width8_height4_words16_setup2 u_node1 ( // rtl/src/pixelflow/machine.rs:136
+    node_array_pixel_array_width8_height4_words16_setup2 u_node1 ( // rtl/src/pixelflow/machine.rs:139
         .array_clk                     (array_clk),
         .array_rst                     (array_rst),
         .network_clk                   (network_clk),
@@ -389,7 +389,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
         .network_1_jobs_ready          (back_1_ready)
     );
 
-    node_array_pixel_array_width8_height4_words16_setup2 u_node2 ( // rtl/src/pixelflow/machine.rs:136
+    node_array_pixel_array_width8_height4_words16_setup2 u_node2 ( // rtl/src/pixelflow/machine.rs:139
         .array_clk                     (array_clk),
         .array_rst                     (array_rst),
         .network_clk                   (network_clk),

@@ -3,9 +3,9 @@
 // Renderers around a ring, with the allocator of regions and the frame buffer.
 //
 // Parameters  PixelPlanes5 { screen: Screen { width: 16, height: 8 }, renderers: 2, side: 8, queue: 16, rate: 125, quadratic: false }
-// Latency     the clocks of the renderer that is done last; 1 clock to read a line
+// Latency     the clocks of the last renderer to finish; 1 clock to read a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/machine.rs:33
+// Described   rtl/src/pixel_planes/machine.rs:34
 `default_nettype none
 
 module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
@@ -16,11 +16,11 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire [15:0]  regions_payload,
     // The instructions of the region that each renderer has.
     input  wire         bins_0_valid,
-    input  wire [4:0]   bins_0_operation,      // What is done: an `Operation`.
-    input  wire [5:0]   bins_0_skip,           // Bits of the expression that come before the word; 0 without one.
+    input  wire [4:0]   bins_0_operation,      // The operation: an `Operation`.
+    input  wire [5:0]   bins_0_skip,           // Bits of the expression before the word; 0 without an expression.
     input  wire [6:0]   bins_0_length,         // Bits of the word: 1 to `LONGEST`.
-    input  wire [7:0]   bins_0_read,           // Where the word that is read begins.
-    input  wire [7:0]   bins_0_write,          // Where the word that is written begins.
+    input  wire [7:0]   bins_0_read,           // The first address that is read.
+    input  wire [7:0]   bins_0_write,          // The first address that is written.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0]  bins_0_coefficients_a, // Coefficient A, which is added from a column to the next.
@@ -53,56 +53,56 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     output wire         bins_1_ready
 );
 
-    wire u_ring_instructions_0_valid;                            // rtl/src/pixel_planes/machine.rs:131
-    wire [4:0] u_ring_instructions_0_operation;                  // rtl/src/pixel_planes/machine.rs:131
-    wire [5:0] u_ring_instructions_0_skip;                       // rtl/src/pixel_planes/machine.rs:131
-    wire [6:0] u_ring_instructions_0_length;                     // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_instructions_0_read;                       // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_instructions_0_write;                      // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_0_coefficients_a;            // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_0_coefficients_b;            // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_0_coefficients_c;            // rtl/src/pixel_planes/machine.rs:131
-    wire u_ring_instructions_1_valid;                            // rtl/src/pixel_planes/machine.rs:131
-    wire [4:0] u_ring_instructions_1_operation;                  // rtl/src/pixel_planes/machine.rs:131
-    wire [5:0] u_ring_instructions_1_skip;                       // rtl/src/pixel_planes/machine.rs:131
-    wire [6:0] u_ring_instructions_1_length;                     // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_instructions_1_read;                       // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_instructions_1_write;                      // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_1_coefficients_a;            // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_1_coefficients_b;            // rtl/src/pixel_planes/machine.rs:131
-    wire [39:0] u_ring_instructions_1_coefficients_c;            // rtl/src/pixel_planes/machine.rs:131
-    wire [15:0] u_ring_planes_region;                            // rtl/src/pixel_planes/machine.rs:131
-    wire [2:0] u_ring_planes_line;                               // rtl/src/pixel_planes/machine.rs:131
-    wire [5:0] u_ring_planes_plane;                              // rtl/src/pixel_planes/machine.rs:131
-    wire [7:0] u_ring_planes_bits;                               // rtl/src/pixel_planes/machine.rs:131
-    wire u_ring_finished_0_ready;                                // rtl/src/pixel_planes/machine.rs:131
-    wire u_ring_finished_1_ready;                                // rtl/src/pixel_planes/machine.rs:131
-    wire finished0_valid;                                        // rtl/src/pixel_planes/machine.rs:128
-    wire [15:0] finished0_region;                                // rtl/src/pixel_planes/machine.rs:128
-    wire [2:0] finished0_line;                                   // rtl/src/pixel_planes/machine.rs:128
-    wire [5:0] finished0_plane;                                  // rtl/src/pixel_planes/machine.rs:128
-    wire [7:0] u_renderer0_planes_bits;                          // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer0_room;                                       // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer0_takes;                                      // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer0_idle;                                       // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer0_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:136
-    wire finished1_valid;                                        // rtl/src/pixel_planes/machine.rs:128
-    wire [15:0] finished1_region;                                // rtl/src/pixel_planes/machine.rs:128
-    wire [2:0] finished1_line;                                   // rtl/src/pixel_planes/machine.rs:128
-    wire [5:0] finished1_plane;                                  // rtl/src/pixel_planes/machine.rs:128
-    wire [7:0] u_renderer1_planes_bits;                          // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer1_room;                                       // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer1_takes;                                      // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer1_idle;                                       // rtl/src/pixel_planes/machine.rs:136
-    wire u_renderer1_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:136
-    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:149
+    wire u_ring_instructions_0_valid;                            // rtl/src/pixel_planes/machine.rs:133
+    wire [4:0] u_ring_instructions_0_operation;                  // rtl/src/pixel_planes/machine.rs:133
+    wire [5:0] u_ring_instructions_0_skip;                       // rtl/src/pixel_planes/machine.rs:133
+    wire [6:0] u_ring_instructions_0_length;                     // rtl/src/pixel_planes/machine.rs:133
+    wire [7:0] u_ring_instructions_0_read;                       // rtl/src/pixel_planes/machine.rs:133
+    wire [7:0] u_ring_instructions_0_write;                      // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_0_coefficients_a;            // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_0_coefficients_b;            // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_0_coefficients_c;            // rtl/src/pixel_planes/machine.rs:133
+    wire u_ring_instructions_1_valid;                            // rtl/src/pixel_planes/machine.rs:133
+    wire [4:0] u_ring_instructions_1_operation;                  // rtl/src/pixel_planes/machine.rs:133
+    wire [5:0] u_ring_instructions_1_skip;                       // rtl/src/pixel_planes/machine.rs:133
+    wire [6:0] u_ring_instructions_1_length;                     // rtl/src/pixel_planes/machine.rs:133
+    wire [7:0] u_ring_instructions_1_read;                       // rtl/src/pixel_planes/machine.rs:133
+    wire [7:0] u_ring_instructions_1_write;                      // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_1_coefficients_a;            // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_1_coefficients_b;            // rtl/src/pixel_planes/machine.rs:133
+    wire [39:0] u_ring_instructions_1_coefficients_c;            // rtl/src/pixel_planes/machine.rs:133
+    wire [15:0] u_ring_planes_region;                            // rtl/src/pixel_planes/machine.rs:133
+    wire [2:0] u_ring_planes_line;                               // rtl/src/pixel_planes/machine.rs:133
+    wire [5:0] u_ring_planes_plane;                              // rtl/src/pixel_planes/machine.rs:133
+    wire [7:0] u_ring_planes_bits;                               // rtl/src/pixel_planes/machine.rs:133
+    wire u_ring_finished_0_ready;                                // rtl/src/pixel_planes/machine.rs:133
+    wire u_ring_finished_1_ready;                                // rtl/src/pixel_planes/machine.rs:133
+    wire finished0_valid;                                        // rtl/src/pixel_planes/machine.rs:130
+    wire [15:0] finished0_region;                                // rtl/src/pixel_planes/machine.rs:130
+    wire [2:0] finished0_line;                                   // rtl/src/pixel_planes/machine.rs:130
+    wire [5:0] finished0_plane;                                  // rtl/src/pixel_planes/machine.rs:130
+    wire [7:0] u_renderer0_planes_bits;                          // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer0_room;                                       // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer0_takes;                                      // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer0_idle;                                       // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer0_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:138
+    wire finished1_valid;                                        // rtl/src/pixel_planes/machine.rs:130
+    wire [15:0] finished1_region;                                // rtl/src/pixel_planes/machine.rs:130
+    wire [2:0] finished1_line;                                   // rtl/src/pixel_planes/machine.rs:130
+    wire [5:0] finished1_plane;                                  // rtl/src/pixel_planes/machine.rs:130
+    wire [7:0] u_renderer1_planes_bits;                          // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer1_room;                                       // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer1_takes;                                      // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer1_idle;                                       // rtl/src/pixel_planes/machine.rs:138
+    wire u_renderer1_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:138
+    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:151
 
-    wire [1:0] u_ring_room;                                      // rtl/src/pixel_planes/machine.rs:129
-    wire [7:0] u_ring_finished_0_bits;                           // rtl/src/pixel_planes/machine.rs:128
-    wire [7:0] u_ring_finished_1_bits;                           // rtl/src/pixel_planes/machine.rs:128
-    wire [1:0] u_allocator_free;                                 // rtl/src/pixel_planes/machine.rs:145
-    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:153
-    assign idle = {u_renderer1_idle, u_renderer0_idle};          // rtl/src/pixel_planes/machine.rs:143
+    wire [1:0] u_ring_room;                                      // rtl/src/pixel_planes/machine.rs:131
+    wire [7:0] u_ring_finished_0_bits;                           // rtl/src/pixel_planes/machine.rs:130
+    wire [7:0] u_ring_finished_1_bits;                           // rtl/src/pixel_planes/machine.rs:130
+    wire [1:0] u_allocator_free;                                 // rtl/src/pixel_planes/machine.rs:147
+    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:155
+    assign idle = {u_renderer1_idle, u_renderer0_idle};          // rtl/src/pixel_planes/machine.rs:145
 
     genvar i;
 
@@ -139,7 +139,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         end
     endgenerate
 
-    ring_renderers2_side8_rate125 u_ring (                       // rtl/src/pixel_planes/machine.rs:131
+    ring_renderers2_side8_rate125 u_ring (                       // rtl/src/pixel_planes/machine.rs:133
         .clk                           (clk),
         .rst                           (rst),
         .bins_0_valid                  (bins_0_valid),
@@ -203,7 +203,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .finished_1_ready              (u_ring_finished_1_ready)
     );
 
-    renderer_side8_queue16 u_renderer0 (                         // rtl/src/pixel_planes/machine.rs:136
+    renderer_side8_queue16 u_renderer0 (                         // rtl/src/pixel_planes/machine.rs:138
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_ring_instructions_0_valid),
@@ -228,7 +228,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .instructions_ready          (u_renderer0_instructions_ready)
     );
 
-    renderer_side8_queue16 u_renderer1 (                         // rtl/src/pixel_planes/machine.rs:136
+    renderer_side8_queue16 u_renderer1 (                         // rtl/src/pixel_planes/machine.rs:138
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_ring_instructions_1_valid),
@@ -253,7 +253,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .instructions_ready          (u_renderer1_instructions_ready)
     );
 
-    region_allocator_renderers2 u_allocator (                    // rtl/src/pixel_planes/machine.rs:146
+    region_allocator_renderers2 u_allocator (                    // rtl/src/pixel_planes/machine.rs:148
         .clk             (clk),
         .rst             (rst),
         .regions_valid   (regions_valid),
@@ -264,7 +264,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .regions_ready   (regions_ready)
     );
 
-    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:149
+    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:151
         .clk           (clk),
         .rst           (rst),
         .planes_valid  (plane_goes),

@@ -19,7 +19,7 @@ module pixel_processor (
     input  wire       control_compares, // The flag is set where the words are less than the ones in memory, so far.
     input  wire       control_gates,    // The flag changes by the comparison only where the processor is enabled.
     input  wire [2:0] control_enabling, // What becomes of the enable flags: an `Enabling`.
-    input  wire       control_captures, // The flag becomes what the enable flag becomes.
+    input  wire       control_captures, // The flag takes the new value of the enable flag.
     input  wire [7:0] control_read,     // The address that is read.
     input  wire [7:0] control_write,    // The address that is written.
     input  wire       expression,       // A bit of the expression at this pixel.

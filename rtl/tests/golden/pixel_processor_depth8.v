@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor { depth: 8 }
 // Latency     1 clock to the memory and the flags
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/pixel.rs:214
+// Described   rtl/src/pixelflow/pixel.rs:217
 `default_nettype none
 
 module pixel_processor_depth8 (
@@ -18,11 +18,11 @@ module pixel_processor_depth8 (
     input  wire [1:0] control_mask,        // Which processors write: a `Mask`.
     input  wire       control_accumulates, // The result goes to the accumulator.
     input  wire       control_stores,      // The result goes to memory.
-    input  wire [1:0] control_condition,   // What `enabling` and `flagging` look at: a `Condition`.
-    input  wire [2:0] control_enabling,    // What becomes of the enable flags: an `Enabling`.
-    // `enabling` looks at the expression's top bit instead: the condition holds where it is 0.
+    input  wire [1:0] control_condition,   // What `enabling` and `flagging` depend on: a `Condition`.
+    input  wire [2:0] control_enabling,    // The change of the enable flags: an `Enabling`.
+    // `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
     input  wire       control_by_sign,
-    input  wire [1:0] control_flagging,    // What becomes of the flag: a `Flagging`.
+    input  wire [1:0] control_flagging,    // The change of the flag: a `Flagging`.
     input  wire [8:0] control_read,        // The address that is read.
     input  wire [8:0] control_write,       // The address that is written.
     input  wire [7:0] expression,          // A byte of the expression at this pixel.
@@ -68,17 +68,17 @@ module pixel_processor_depth8 (
     localparam [1:0] FLAGGING_CONDITION = 2'd1;
     // Not used here: FLAGGING_ENABLED_CONDITION = 2.
 
-    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:250
-    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:251
-    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:252
-    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:308
+    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:253
+    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:254
+    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:255
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:311
 
     (* no_rw_check *)
-    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:248
+    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:251
 
-    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:249
-    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:249
-    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:253
+    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:252
+    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:252
+    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:256
     always @* begin
         case (control_source)
             SOURCE_CONSTANT: operand = control_constant;
@@ -90,7 +90,7 @@ module pixel_processor_depth8 (
             end
         endcase
     end
-    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:261
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:264
     always @* begin
         case (control_begin)
             BEGIN_KEPT: carried = carry;
@@ -98,11 +98,11 @@ module pixel_processor_depth8 (
             default: carried = 1'b1; // BEGIN_ONE
         endcase
     end
-    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:270
-    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:271
-    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:272
-    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:273
-    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:273
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:273
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:274
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:275
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:276
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:276
     always @* begin
         case (control_function)
             FUNCTION_WORD: result = word;
@@ -117,7 +117,7 @@ module pixel_processor_depth8 (
             default: result = operand;
         endcase
     end
-    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:289
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:292
     always @* begin
         case (control_function)
             FUNCTION_ADD: carry_next = carry_out;
@@ -129,7 +129,7 @@ module pixel_processor_depth8 (
             default: carry_next = carry;
         endcase
     end
-    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:300
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:303
     always @* begin
         case (control_condition)
             CONDITION_POSITIVE: holds = !operand[7];
@@ -137,8 +137,8 @@ module pixel_processor_depth8 (
             default: holds = !carry_next; // CONDITION_NO_CARRY
         endcase
     end
-    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:307
-    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:310
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:310
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:313
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enables = enable;
@@ -150,7 +150,7 @@ module pixel_processor_depth8 (
             default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
         endcase
     end
-    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:328
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:331
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;
@@ -159,8 +159,8 @@ module pixel_processor_depth8 (
             default: writes = flag; // MASK_FLAGGED
         endcase
     end
-    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:337
-    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:339
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:340
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:342
 
     always @(posedge clk) begin
         if (stores & !control_write[8]) memory[control_write[7:0]] <= result;

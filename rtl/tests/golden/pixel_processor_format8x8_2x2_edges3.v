@@ -1,11 +1,11 @@
 // pixel_processor_format8x8_2x2_edges3
 //
-// Makes fragments of windows of one sample.
+// Makes fragments from windows of one sample.
 //
 // Parameters  PixelProcessor { format: "8x8_2x2_edges3" }
 // Latency     1 clock to the fragment, and a fragment a clock
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/pixel.rs:16
+// Described   rtl/src/quadtree/pixel.rs:17
 `default_nettype none
 
 module pixel_processor_format8x8_2x2_edges3 (
@@ -47,11 +47,11 @@ module pixel_processor_format8x8_2x2_edges3 (
     output wire         leaves_ready
 );
 
-    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:52
-    assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:48
-    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:53
+    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:53
+    assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:49
+    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:54
 
-    assign word = {                                              // rtl/src/quadtree/pixel.rs:52
+    assign word = {                                              // rtl/src/quadtree/pixel.rs:53
         leaves_window_planes[39:16], leaves_window_planes[63:56],
         leaves_window_planes[103:96], leaves_window_planes[143:136]
     };
@@ -91,11 +91,11 @@ module pixel_processor_format8x8_2x2_edges3 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:64
+        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:65
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:64
+        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:65
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the windows are divided down to one sample", $time);
             stop;
         end

@@ -40,9 +40,9 @@ module quadratic_tree_side4 (
     reg f5;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg f6;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
     reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
@@ -51,12 +51,12 @@ module quadratic_tree_side4 (
     reg e3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
 
-    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:152
-    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:153
+    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:153
 
     genvar i;
     genvar j;

@@ -51,12 +51,12 @@ module quadratic_tree_side8 (
     reg f10;                                                     // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
-    reg x_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg x_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
+    reg x_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg x_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
     reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
@@ -71,17 +71,17 @@ module quadratic_tree_side8 (
     reg e7;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
     reg e_has_come1;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
-    reg y_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:152
-    reg y_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:164
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
+    reg y_curve_has_come1;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_middle_has_come1;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
+    reg y_bent1;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
 
-    wire x_middle_carry0_and = d4 & (first4 | (x_curve_has_come0 & !first2)); // rtl/src/pixel_planes/quadratic_tree.rs:152
-    wire x_middle_carry1_and = d4 & (first4 | (x_curve_has_come1 & !first3)); // rtl/src/pixel_planes/quadratic_tree.rs:152
-    wire y_middle_carry0_and = f10 & (first10 | (y_curve_has_come0 & !first8)); // rtl/src/pixel_planes/quadratic_tree.rs:152
-    wire y_middle_carry1_and = f10 & (first10 | (y_curve_has_come1 & !first9)); // rtl/src/pixel_planes/quadratic_tree.rs:152
+    wire x_middle_carry0_and = d4 & (first4 | (x_curve_has_come0 & !first2)); // rtl/src/pixel_planes/quadratic_tree.rs:153
+    wire x_middle_carry1_and = d4 & (first4 | (x_curve_has_come1 & !first3)); // rtl/src/pixel_planes/quadratic_tree.rs:153
+    wire y_middle_carry0_and = f10 & (first10 | (y_curve_has_come0 & !first8)); // rtl/src/pixel_planes/quadratic_tree.rs:153
+    wire y_middle_carry1_and = f10 & (first10 | (y_curve_has_come1 & !first9)); // rtl/src/pixel_planes/quadratic_tree.rs:153
 
     genvar i;
     genvar j;

@@ -3,9 +3,9 @@
 // Draws regions of the screen, one after another.
 //
 // Parameters  Renderer { side: 8, queue: 16, quadratic: false }
-// Latency     a primitive takes the clocks of its instructions, a region that is sent 48 clocks a line
+// Latency     a primitive takes the clocks of its instructions; a region is sent in 48 clocks a line
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)
-// Described   rtl/src/pixel_planes/renderer.rs:30
+// Described   rtl/src/pixel_planes/renderer.rs:32
 `default_nettype none
 
 module renderer_side8_queue16 (
@@ -13,11 +13,11 @@ module renderer_side8_queue16 (
     input  wire        rst,
     // What to do; all coefficients are relative to the region.
     input  wire        instructions_valid,
-    input  wire [4:0]  instructions_operation,      // What is done: an `Operation`.
-    input  wire [5:0]  instructions_skip,           // Bits of the expression that come before the word; 0 without one.
+    input  wire [4:0]  instructions_operation,      // The operation: an `Operation`.
+    input  wire [5:0]  instructions_skip,           // Bits of the expression before the word; 0 without an expression.
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
-    input  wire [7:0]  instructions_read,           // Where the word that is read begins.
-    input  wire [7:0]  instructions_write,          // Where the word that is written begins.
+    input  wire [7:0]  instructions_read,           // The first address that is read.
+    input  wire [7:0]  instructions_write,          // The first address that is written.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
@@ -42,38 +42,38 @@ module renderer_side8_queue16 (
     output wire        instructions_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:125
-    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:125
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:130
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:130
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:130
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:130
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:130
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:130
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:130
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:137
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:127
+    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:130
+    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:130
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:135
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:135
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:135
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:135
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:135
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:135
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:135
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:135
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:142
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:132
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:141
-    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:126
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:146
+    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:131
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:141
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:146
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -97,7 +97,7 @@ module renderer_side8_queue16 (
         end
     endgenerate
 
-    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:125
+    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:130
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
@@ -112,7 +112,7 @@ module renderer_side8_queue16 (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:130
+    image_generation_controller_side8 u_controller (             // rtl/src/pixel_planes/renderer.rs:135
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -148,7 +148,7 @@ module renderer_side8_queue16 (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:137
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:142
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -158,7 +158,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:145
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:150
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

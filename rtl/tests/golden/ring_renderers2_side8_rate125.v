@@ -1,12 +1,12 @@
 // ring_renderers2_side8_rate125
 //
-// Brings instructions to renderers, and their planes to the frame buffer, so many bits a
+// Carries instructions to renderers, and their planes to the frame buffer, `rate` bits a
 // clock.
 //
 // Parameters  Ring { renderers: 2, side: 8, rate: 125 }
 // Latency     none; 125 bits a clock
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/ring.rs:31
+// Described   rtl/src/pixel_planes/ring.rs:33
 `default_nettype none
 
 module ring_renderers2_side8_rate125 (
@@ -14,12 +14,12 @@ module ring_renderers2_side8_rate125 (
     input  wire        rst,
     // What each renderer is to do.
     input  wire        bins_0_valid,
-    input  wire [4:0]  bins_0_operation,              // What is done: an `Operation`.
-    // Bits of the expression that come before the word; 0 without one.
+    input  wire [4:0]  bins_0_operation,              // The operation: an `Operation`.
+    // Bits of the expression before the word; 0 without an expression.
     input  wire [5:0]  bins_0_skip,
     input  wire [6:0]  bins_0_length,                 // Bits of the word: 1 to `LONGEST`.
-    input  wire [7:0]  bins_0_read,                   // Where the word that is read begins.
-    input  wire [7:0]  bins_0_write,                  // Where the word that is written begins.
+    input  wire [7:0]  bins_0_read,                   // The first address that is read.
+    input  wire [7:0]  bins_0_write,                  // The first address that is written.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     input  wire [39:0] bins_0_coefficients_a,         // Coefficient A, which is added from a column to the next.
@@ -51,12 +51,12 @@ module ring_renderers2_side8_rate125 (
     input  wire        planes_ready,
     // To each renderer.
     output wire        instructions_0_valid,
-    output wire [4:0]  instructions_0_operation,      // What is done: an `Operation`.
-    // Bits of the expression that come before the word; 0 without one.
+    output wire [4:0]  instructions_0_operation,      // The operation: an `Operation`.
+    // Bits of the expression before the word; 0 without an expression.
     output wire [5:0]  instructions_0_skip,
     output wire [6:0]  instructions_0_length,         // Bits of the word: 1 to `LONGEST`.
-    output wire [7:0]  instructions_0_read,           // Where the word that is read begins.
-    output wire [7:0]  instructions_0_write,          // Where the word that is written begins.
+    output wire [7:0]  instructions_0_read,           // The first address that is read.
+    output wire [7:0]  instructions_0_write,          // The first address that is written.
     // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
     // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
     output wire [39:0] instructions_0_coefficients_a, // Coefficient A, which is added from a column to the next.
@@ -83,63 +83,63 @@ module ring_renderers2_side8_rate125 (
     output wire        finished_1_ready
 );
 
-    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:159
-    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:183
-    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:184
+    reg [1:0] line_of;                                           // rtl/src/pixel_planes/ring.rs:163
+    reg [8:0] credit;                                            // rtl/src/pixel_planes/ring.rs:187
+    reg [3:0] last;                                              // rtl/src/pixel_planes/ring.rs:188
 
-    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:152
-    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:152
-    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:163
-    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:163
-    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:174
-    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:185
-    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:207
-    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:210
-    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:207
-    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:209
-    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:211
-    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:210
-    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:207
-    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
-    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:211
-    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:210
-    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
-    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:207
-    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:211
-    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
-    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:186
-    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:210
-    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:207
-    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:211
-    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:210
-    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:207
-    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
-    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:211
-    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:210
-    wire wants6_or_2 = goes2 | goes3;                            // rtl/src/pixel_planes/ring.rs:214
-    wire wants6 = up_to_last[2] & (!wants6_or & !wants6_or_2);   // rtl/src/pixel_planes/ring.rs:207
-    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:209
-    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:211
-    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:206
-    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
-    wire wants7 = up_to_last[3] & (wants7_inverse & !(wants6_or_2 | goes6)); // rtl/src/pixel_planes/ring.rs:207
-    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:211
-    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:209
-    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:148
-    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:153
-    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:153
-    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:160
-    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:164
-    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:164
-    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:153
-    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:153
-    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:167
-    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:167
-    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:167
-    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:168
-    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:170
-    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:211
-    wire [8:0] credit_sum = credit7 + 9'd125;                    // rtl/src/pixel_planes/ring.rs:196
+    wire requests_and_3;                                         // rtl/src/pixel_planes/ring.rs:156
+    wire requests_and_4;                                         // rtl/src/pixel_planes/ring.rs:156
+    wire requests_and = finished_1_valid & ((line_of == 2'd0) | line_of[1]); // rtl/src/pixel_planes/ring.rs:167
+    wire requests_and_2 = finished_0_valid & ((line_of == 2'd0) | line_of[0]); // rtl/src/pixel_planes/ring.rs:167
+    wire [3:0] requests = {requests_and, requests_and_2, requests_and_3, requests_and_4}; // rtl/src/pixel_planes/ring.rs:178
+    wire [3:0] behind_last = requests & ~(last | (last - 4'd1)); // rtl/src/pixel_planes/ring.rs:189
+    wire wants0 = behind_last[0];                                // rtl/src/pixel_planes/ring.rs:211
+    wire wants1_and = wants0 & (credit < 9'd154);                // rtl/src/pixel_planes/ring.rs:214
+    wire wants1 = behind_last[1] & !wants1_and;                  // rtl/src/pixel_planes/ring.rs:211
+    wire goes0 = wants0 & (credit >= 9'd154);                    // rtl/src/pixel_planes/ring.rs:213
+    wire [8:0] credit0 = goes0 ? (credit - 9'd154) : credit;     // rtl/src/pixel_planes/ring.rs:215
+    wire wants2_or = wants1_and | (wants1 & (credit0 < 9'd154)); // rtl/src/pixel_planes/ring.rs:214
+    wire wants2 = behind_last[2] & !wants2_or;                   // rtl/src/pixel_planes/ring.rs:211
+    wire goes1 = wants1 & (credit0 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:213
+    wire [8:0] credit1 = goes1 ? (credit0 - 9'd154) : credit0;   // rtl/src/pixel_planes/ring.rs:215
+    wire wants3_or = wants2_or | (wants2 & (credit1 < 9'd8));    // rtl/src/pixel_planes/ring.rs:214
+    wire goes2 = wants2 & (credit1 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:213
+    wire wants3 = behind_last[3] & (!wants3_or & !goes2);        // rtl/src/pixel_planes/ring.rs:211
+    wire [8:0] credit2 = goes2 ? (credit1 - 9'd8) : credit1;     // rtl/src/pixel_planes/ring.rs:215
+    wire goes3 = wants3 & (credit2 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:213
+    wire [3:0] up_to_last = requests & (last | (last - 4'd1));   // rtl/src/pixel_planes/ring.rs:190
+    wire wants4_or = wants3_or | (wants3 & (credit2 < 9'd8));    // rtl/src/pixel_planes/ring.rs:214
+    wire wants4 = up_to_last[0] & !wants4_or;                    // rtl/src/pixel_planes/ring.rs:211
+    wire [8:0] credit3 = goes3 ? (credit2 - 9'd8) : credit2;     // rtl/src/pixel_planes/ring.rs:215
+    wire wants5_or = wants4_or | (wants4 & (credit3 < 9'd154));  // rtl/src/pixel_planes/ring.rs:214
+    wire wants5 = up_to_last[1] & !wants5_or;                    // rtl/src/pixel_planes/ring.rs:211
+    wire goes4 = wants4 & (credit3 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:213
+    wire [8:0] credit4 = goes4 ? (credit3 - 9'd154) : credit3;   // rtl/src/pixel_planes/ring.rs:215
+    wire wants6_or = wants5_or | (wants5 & (credit4 < 9'd154));  // rtl/src/pixel_planes/ring.rs:214
+    wire wants6_or_2 = goes2 | goes3;                            // rtl/src/pixel_planes/ring.rs:218
+    wire wants6 = up_to_last[2] & (!wants6_or & !wants6_or_2);   // rtl/src/pixel_planes/ring.rs:211
+    wire goes5 = wants5 & (credit4 >= 9'd154);                   // rtl/src/pixel_planes/ring.rs:213
+    wire [8:0] credit5 = goes5 ? (credit4 - 9'd154) : credit4;   // rtl/src/pixel_planes/ring.rs:215
+    wire wants7_inverse = !(wants6_or | (wants6 & (credit5 < 9'd8))); // rtl/src/pixel_planes/ring.rs:210
+    wire goes6 = wants6 & (credit5 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:213
+    wire wants7 = up_to_last[3] & (wants7_inverse & !(wants6_or_2 | goes6)); // rtl/src/pixel_planes/ring.rs:211
+    wire [8:0] credit6 = goes6 ? (credit5 - 9'd8) : credit5;     // rtl/src/pixel_planes/ring.rs:215
+    wire goes7 = wants7 & (credit6 >= 9'd8);                     // rtl/src/pixel_planes/ring.rs:213
+    wire [3:0] granted = {goes3 | goes7, goes2 | goes6, goes1 | goes5, goes0 | goes4}; // rtl/src/pixel_planes/ring.rs:152
+    assign bins_0_ready = granted[0];                            // rtl/src/pixel_planes/ring.rs:157
+    assign bins_1_ready = granted[1];                            // rtl/src/pixel_planes/ring.rs:157
+    wire [1:0] of_plane = granted[3:2];                          // rtl/src/pixel_planes/ring.rs:164
+    assign finished_0_ready = of_plane[0];                       // rtl/src/pixel_planes/ring.rs:168
+    assign finished_1_ready = of_plane[1];                       // rtl/src/pixel_planes/ring.rs:168
+    assign instructions_0_valid = granted[0];                    // rtl/src/pixel_planes/ring.rs:157
+    assign instructions_1_valid = granted[1];                    // rtl/src/pixel_planes/ring.rs:157
+    assign planes_region = of_plane[1] ? finished_1_region : finished_0_region; // rtl/src/pixel_planes/ring.rs:171
+    assign planes_line = of_plane[1] ? finished_1_line : finished_0_line; // rtl/src/pixel_planes/ring.rs:171
+    assign planes_plane = of_plane[1] ? finished_1_plane : finished_0_plane; // rtl/src/pixel_planes/ring.rs:171
+    assign planes_valid = |of_plane;                             // rtl/src/pixel_planes/ring.rs:172
+    wire line_ends = planes_plane == 6'd47;                      // rtl/src/pixel_planes/ring.rs:174
+    wire [8:0] credit7 = goes7 ? (credit6 - 9'd8) : credit6;     // rtl/src/pixel_planes/ring.rs:215
+    wire [8:0] credit_sum = credit7 + 9'd125;                    // rtl/src/pixel_planes/ring.rs:200
 
     genvar i;
 
@@ -149,8 +149,8 @@ module ring_renderers2_side8_rate125 (
         end
     endgenerate
 
-    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:152
-    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:152
+    assign requests_and_3 = bins_1_valid & room[1];              // rtl/src/pixel_planes/ring.rs:156
+    assign requests_and_4 = bins_0_valid & room[0];              // rtl/src/pixel_planes/ring.rs:156
     generate
         for (i = 0; i < 8; i = i + 1) begin : planes_bits_of
             assign planes_bits[i] = row[i].planes_bits_choice;
@@ -214,21 +214,21 @@ module ring_renderers2_side8_rate125 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:154
-        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:154
-        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:169
+        if (!rst) assume (!instructions_0_valid | instructions_0_ready); // rtl/src/pixel_planes/ring.rs:158
+        if (!rst) assume (!instructions_1_valid | instructions_1_ready); // rtl/src/pixel_planes/ring.rs:158
+        if (!rst) assume (!planes_valid | planes_ready);             // rtl/src/pixel_planes/ring.rs:173
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:154
+        if (!rst && !(!instructions_0_valid | instructions_0_ready)) begin // rtl/src/pixel_planes/ring.rs:158
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:154
+        if (!rst && !(!instructions_1_valid | instructions_1_ready)) begin // rtl/src/pixel_planes/ring.rs:158
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a queue that has room takes an instruction", $time);
             stop;
         end
-        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:169
+        if (!rst && !(!planes_valid | planes_ready)) begin           // rtl/src/pixel_planes/ring.rs:173
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer takes each plane", $time);
             stop;
         end

@@ -1,11 +1,11 @@
 // swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f1eef5f4
 //
-// Says when each local frame buffer, and when the global one, exchange their buffers.
+// Decides when each local frame buffer, and when the global one, exchange their buffers.
 //
 // Parameters  SwapControl { local: LfbSwap { patches: 3, merge_clocks: 13, sent_clocks: 53, overflow_clocks: 119 }, global: GfbSwap { processors: 2, merge_clocks: 4, way: 4, late: 8 } }
 // Latency     0 clocks from the last guard to a swap
 // Source      VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)
-// Described   rtl/src/swap/control.rs:31
+// Described   rtl/src/swap/control.rs:32
 `default_nettype none
 
 module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f1eef5f4 (
@@ -37,7 +37,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
     genvar i;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_lfb_swap             // rtl/src/swap/control.rs:96
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb_swap             // rtl/src/swap/control.rs:97
             wire ready;
             wire lane_swap;
             wire lane_resume;
@@ -67,7 +67,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
         end
     endgenerate
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:108
+    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:109
         .clk     (pe_clk),
         .rst     (pe_rst),
         .ready_0 (u_lfb_swap[0].ready),
@@ -77,7 +77,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks4_way4_late8 u_gfb_swap (   // rtl/src/swap/control.rs:112
+    gfb_swap_processors2_merge_clocks4_way4_late8 u_gfb_swap (   // rtl/src/swap/control.rs:113
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (u_lfb_swap[0].frame),

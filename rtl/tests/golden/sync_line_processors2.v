@@ -1,6 +1,6 @@
 // sync_line_processors2
 //
-// One bit that is high when nobody holds it low.
+// One bit that is high when no processing element holds it low.
 //
 // Parameters  SyncLine { processors: 2 }
 // Latency     0 clocks; 0 clocks

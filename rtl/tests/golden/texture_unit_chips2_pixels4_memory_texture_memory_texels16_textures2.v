@@ -5,7 +5,7 @@
 // Parameters  TextureUnit { chips: 2, pixels: 4, memory: TextureMemory { texels: 16, textures: 2 } }
 // Latency     180 clocks for a region
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-SHADE)
-// Described   rtl/src/pixelflow/texture_unit.rs:33
+// Described   rtl/src/pixelflow/texture_unit.rs:36
 `default_nettype none
 
 module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
@@ -32,22 +32,22 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
     output wire        done              // All pixels have their texels.
 );
 
-    reg busy;                                                    // rtl/src/pixelflow/texture_unit.rs:90
-    reg [4:0] clock;                                             // rtl/src/pixelflow/texture_unit.rs:91
-    reg [2:0] turn;                                              // rtl/src/pixelflow/texture_unit.rs:92
+    reg busy;                                                    // rtl/src/pixelflow/texture_unit.rs:93
+    reg [4:0] clock;                                             // rtl/src/pixelflow/texture_unit.rs:94
+    reg [2:0] turn;                                              // rtl/src/pixelflow/texture_unit.rs:95
 
-    wire u_memory_valid;                                         // rtl/src/pixelflow/texture_unit.rs:117
-    wire [191:0] u_memory_texels;                                // rtl/src/pixelflow/texture_unit.rs:117
+    wire u_memory_valid;                                         // rtl/src/pixelflow/texture_unit.rs:120
+    wire [191:0] u_memory_texels;                                // rtl/src/pixelflow/texture_unit.rs:120
 
-    wire turn_ends = busy & (clock == 5'd29);                    // rtl/src/pixelflow/texture_unit.rs:93
-    wire ends = turn_ends & (turn == 3'd5);                      // rtl/src/pixelflow/texture_unit.rs:94
-    wire reads = busy & (turn < 3'd4) & (clock < 5'd6);          // rtl/src/pixelflow/texture_unit.rs:101
-    wire seeks = busy & (turn != 3'd0) & (turn <= 3'd4) & (clock < 5'd2); // rtl/src/pixelflow/texture_unit.rs:106
-    wire writes = busy & (turn >= 3'd2) & (clock >= 5'd6) & (clock < 5'd30); // rtl/src/pixelflow/texture_unit.rs:122
-    wire [2:0] port_pixel_choice = reads ? turn : (turn - 3'd2); // rtl/src/pixelflow/texture_unit.rs:126
-    assign port_pixel = port_pixel_choice[1:0];                  // rtl/src/pixelflow/texture_unit.rs:126
-    wire [7:0] port_address_choice = reads ? {3'd0, clock} : ({3'd0, clock} + 8'd2); // rtl/src/pixelflow/texture_unit.rs:127
-    assign port_address = port_address_choice[5:0];              // rtl/src/pixelflow/texture_unit.rs:127
+    wire turn_ends = busy & (clock == 5'd29);                    // rtl/src/pixelflow/texture_unit.rs:96
+    wire ends = turn_ends & (turn == 3'd5);                      // rtl/src/pixelflow/texture_unit.rs:97
+    wire reads = busy & (turn < 3'd4) & (clock < 5'd6);          // rtl/src/pixelflow/texture_unit.rs:104
+    wire seeks = busy & (turn != 3'd0) & (turn <= 3'd4) & (clock < 5'd2); // rtl/src/pixelflow/texture_unit.rs:109
+    wire writes = busy & (turn >= 3'd2) & (clock >= 5'd6) & (clock < 5'd30); // rtl/src/pixelflow/texture_unit.rs:125
+    wire [2:0] port_pixel_choice = reads ? turn : (turn - 3'd2); // rtl/src/pixelflow/texture_unit.rs:129
+    assign port_pixel = port_pixel_choice[1:0];                  // rtl/src/pixelflow/texture_unit.rs:129
+    wire [7:0] port_address_choice = reads ? {3'd0, clock} : ({3'd0, clock} + 8'd2); // rtl/src/pixelflow/texture_unit.rs:130
+    assign port_address = port_address_choice[5:0];              // rtl/src/pixelflow/texture_unit.rs:130
 
     genvar i;
 
@@ -91,7 +91,7 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
         end
     endgenerate
 
-    texture_memory_texels16_textures2 u_memory (                 // rtl/src/pixelflow/texture_unit.rs:117
+    texture_memory_texels16_textures2 u_memory (                 // rtl/src/pixelflow/texture_unit.rs:120
         .clk              (clk),
         .rst              (rst),
         .write_valid      (write_valid),
@@ -150,11 +150,11 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!start | !busy);                           // rtl/src/pixelflow/texture_unit.rs:95
+        if (!rst) assume (!start | !busy);                           // rtl/src/pixelflow/texture_unit.rs:98
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/texture_unit.rs:95
+        if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/texture_unit.rs:98
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
             stop;
         end

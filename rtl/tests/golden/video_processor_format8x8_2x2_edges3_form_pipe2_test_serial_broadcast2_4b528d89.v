@@ -1,11 +1,11 @@
 // video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89
 //
-// Draws the pixels of polygons that are its own: every p-th of every q-th line.
+// Draws a polygon's pixels in its own raster: every p-th pixel of every q-th line.
 //
 // Parameters  VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } }
-// Latency     a polygon takes a clock for each edge, but at least 4, and those of the windows that it covers
+// Latency     a polygon takes a clock for each edge, but at least 4, and the clocks of the windows that it covers
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)
-// Described   rtl/src/quadtree/processor.rs:37
+// Described   rtl/src/quadtree/processor.rs:38
 `default_nettype none
 
 module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89 (
@@ -57,58 +57,58 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     output wire         packets_ready
 );
 
-    reg drawn;                                                   // rtl/src/quadtree/processor.rs:89
+    reg drawn;                                                   // rtl/src/quadtree/processor.rs:90
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/processor.rs:78
-    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/processor.rs:78
-    wire u_set_up_roots_valid;                                   // rtl/src/quadtree/processor.rs:79
-    wire [2:0] u_set_up_roots_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:79
-    wire [50:0] u_set_up_roots_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:79
-    wire [50:0] u_set_up_roots_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:79
-    wire [2:0] u_set_up_roots_polygon_right;                     // rtl/src/quadtree/processor.rs:79
-    wire [2:0] u_set_up_roots_polygon_lower;                     // rtl/src/quadtree/processor.rs:79
-    wire [159:0] u_set_up_roots_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:79
-    wire [159:0] u_set_up_roots_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:79
-    wire [1:0] u_set_up_roots_window_size;                       // rtl/src/quadtree/processor.rs:79
-    wire [1:0] u_set_up_roots_window_x;                          // rtl/src/quadtree/processor.rs:79
-    wire [1:0] u_set_up_roots_window_y;                          // rtl/src/quadtree/processor.rs:79
-    wire [95:0] u_set_up_roots_window_edges;                     // rtl/src/quadtree/processor.rs:79
-    wire [12:0] u_set_up_roots_window_bounds_left;               // rtl/src/quadtree/processor.rs:79
-    wire [12:0] u_set_up_roots_window_bounds_top;                // rtl/src/quadtree/processor.rs:79
-    wire [12:0] u_set_up_roots_window_bounds_right;              // rtl/src/quadtree/processor.rs:79
-    wire [12:0] u_set_up_roots_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:79
-    wire [159:0] u_set_up_roots_window_planes;                   // rtl/src/quadtree/processor.rs:79
-    wire u_set_up_idle;                                          // rtl/src/quadtree/processor.rs:79
-    wire u_set_up_packets_ready;                                 // rtl/src/quadtree/processor.rs:79
-    wire u_raster_parts_valid;                                   // rtl/src/quadtree/processor.rs:82
-    wire [2:0] u_raster_parts_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:82
-    wire [50:0] u_raster_parts_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:82
-    wire [50:0] u_raster_parts_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:82
-    wire [2:0] u_raster_parts_polygon_right;                     // rtl/src/quadtree/processor.rs:82
-    wire [2:0] u_raster_parts_polygon_lower;                     // rtl/src/quadtree/processor.rs:82
-    wire [159:0] u_raster_parts_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:82
-    wire [159:0] u_raster_parts_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:82
-    wire [1:0] u_raster_parts_window_size;                       // rtl/src/quadtree/processor.rs:82
-    wire [1:0] u_raster_parts_window_x;                          // rtl/src/quadtree/processor.rs:82
-    wire [1:0] u_raster_parts_window_y;                          // rtl/src/quadtree/processor.rs:82
-    wire [95:0] u_raster_parts_window_edges;                     // rtl/src/quadtree/processor.rs:82
-    wire [12:0] u_raster_parts_window_bounds_left;               // rtl/src/quadtree/processor.rs:82
-    wire [12:0] u_raster_parts_window_bounds_top;                // rtl/src/quadtree/processor.rs:82
-    wire [12:0] u_raster_parts_window_bounds_right;              // rtl/src/quadtree/processor.rs:82
-    wire [12:0] u_raster_parts_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:82
-    wire [159:0] u_raster_parts_window_planes;                   // rtl/src/quadtree/processor.rs:82
-    wire u_raster_idle;                                          // rtl/src/quadtree/processor.rs:82
-    wire u_raster_works_ready;                                   // rtl/src/quadtree/processor.rs:82
-    wire u_pixel_fragment_valid;                                 // rtl/src/quadtree/processor.rs:84
-    wire [1:0] u_pixel_fragment_x;                               // rtl/src/quadtree/processor.rs:84
-    wire [1:0] u_pixel_fragment_y;                               // rtl/src/quadtree/processor.rs:84
-    wire [47:0] u_pixel_fragment_word;                           // rtl/src/quadtree/processor.rs:84
-    wire u_pixel_leaves_ready;                                   // rtl/src/quadtree/processor.rs:84
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/processor.rs:79
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/processor.rs:79
+    wire u_set_up_roots_valid;                                   // rtl/src/quadtree/processor.rs:80
+    wire [2:0] u_set_up_roots_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:80
+    wire [50:0] u_set_up_roots_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:80
+    wire [50:0] u_set_up_roots_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:80
+    wire [2:0] u_set_up_roots_polygon_right;                     // rtl/src/quadtree/processor.rs:80
+    wire [2:0] u_set_up_roots_polygon_lower;                     // rtl/src/quadtree/processor.rs:80
+    wire [159:0] u_set_up_roots_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:80
+    wire [159:0] u_set_up_roots_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:80
+    wire [1:0] u_set_up_roots_window_size;                       // rtl/src/quadtree/processor.rs:80
+    wire [1:0] u_set_up_roots_window_x;                          // rtl/src/quadtree/processor.rs:80
+    wire [1:0] u_set_up_roots_window_y;                          // rtl/src/quadtree/processor.rs:80
+    wire [95:0] u_set_up_roots_window_edges;                     // rtl/src/quadtree/processor.rs:80
+    wire [12:0] u_set_up_roots_window_bounds_left;               // rtl/src/quadtree/processor.rs:80
+    wire [12:0] u_set_up_roots_window_bounds_top;                // rtl/src/quadtree/processor.rs:80
+    wire [12:0] u_set_up_roots_window_bounds_right;              // rtl/src/quadtree/processor.rs:80
+    wire [12:0] u_set_up_roots_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:80
+    wire [159:0] u_set_up_roots_window_planes;                   // rtl/src/quadtree/processor.rs:80
+    wire u_set_up_idle;                                          // rtl/src/quadtree/processor.rs:80
+    wire u_set_up_packets_ready;                                 // rtl/src/quadtree/processor.rs:80
+    wire u_raster_parts_valid;                                   // rtl/src/quadtree/processor.rs:83
+    wire [2:0] u_raster_parts_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:83
+    wire [50:0] u_raster_parts_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:83
+    wire [50:0] u_raster_parts_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:83
+    wire [2:0] u_raster_parts_polygon_right;                     // rtl/src/quadtree/processor.rs:83
+    wire [2:0] u_raster_parts_polygon_lower;                     // rtl/src/quadtree/processor.rs:83
+    wire [159:0] u_raster_parts_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:83
+    wire [159:0] u_raster_parts_polygon_plane_y;                 // rtl/src/quadtree/processor.rs:83
+    wire [1:0] u_raster_parts_window_size;                       // rtl/src/quadtree/processor.rs:83
+    wire [1:0] u_raster_parts_window_x;                          // rtl/src/quadtree/processor.rs:83
+    wire [1:0] u_raster_parts_window_y;                          // rtl/src/quadtree/processor.rs:83
+    wire [95:0] u_raster_parts_window_edges;                     // rtl/src/quadtree/processor.rs:83
+    wire [12:0] u_raster_parts_window_bounds_left;               // rtl/src/quadtree/processor.rs:83
+    wire [12:0] u_raster_parts_window_bounds_top;                // rtl/src/quadtree/processor.rs:83
+    wire [12:0] u_raster_parts_window_bounds_right;              // rtl/src/quadtree/processor.rs:83
+    wire [12:0] u_raster_parts_window_bounds_bottom;             // rtl/src/quadtree/processor.rs:83
+    wire [159:0] u_raster_parts_window_planes;                   // rtl/src/quadtree/processor.rs:83
+    wire u_raster_idle;                                          // rtl/src/quadtree/processor.rs:83
+    wire u_raster_works_ready;                                   // rtl/src/quadtree/processor.rs:83
+    wire u_pixel_fragment_valid;                                 // rtl/src/quadtree/processor.rs:85
+    wire [1:0] u_pixel_fragment_x;                               // rtl/src/quadtree/processor.rs:85
+    wire [1:0] u_pixel_fragment_y;                               // rtl/src/quadtree/processor.rs:85
+    wire [47:0] u_pixel_fragment_word;                           // rtl/src/quadtree/processor.rs:85
+    wire u_pixel_leaves_ready;                                   // rtl/src/quadtree/processor.rs:85
 
-    wire idle_and = u_set_up_idle & u_raster_idle & !u_pixel_fragment_valid; // rtl/src/quadtree/processor.rs:91
-    assign idle = idle_and & !drawn;                             // rtl/src/quadtree/processor.rs:91
+    wire idle_and = u_set_up_idle & u_raster_idle & !u_pixel_fragment_valid; // rtl/src/quadtree/processor.rs:92
+    assign idle = idle_and & !drawn;                             // rtl/src/quadtree/processor.rs:92
 
-    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/processor.rs:78
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/processor.rs:79
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
@@ -123,7 +123,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .into_ready   (packets_ready)
     );
 
-    set_up_format8x8_2x2_edges3 u_set_up (                       // rtl/src/quadtree/processor.rs:79
+    set_up_format8x8_2x2_edges3 u_set_up (                       // rtl/src/quadtree/processor.rs:80
         .clk                        (clk),
         .rst                        (rst),
         .packets_valid              (u_queue_out_valid),
@@ -167,7 +167,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .packets_ready              (u_set_up_packets_ready)
     );
 
-    raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 u_raster ( // rtl/src/quadtree/processor.rs:82
+    raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 u_raster ( // rtl/src/quadtree/processor.rs:83
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_set_up_roots_valid),
@@ -215,7 +215,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .works_ready                (u_raster_works_ready)
     );
 
-    pixel_processor_format8x8_2x2_edges3 u_pixel (               // rtl/src/quadtree/processor.rs:84
+    pixel_processor_format8x8_2x2_edges3 u_pixel (               // rtl/src/quadtree/processor.rs:85
         .clk                         (clk),
         .rst                         (rst),
         .leaves_valid                (u_raster_parts_valid),
@@ -243,7 +243,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .leaves_ready                (u_pixel_leaves_ready)
     );
 
-    video_buffer_format8x8_2x2_edges3 u_buffer (                 // rtl/src/quadtree/processor.rs:86
+    video_buffer_format8x8_2x2_edges3 u_buffer (                 // rtl/src/quadtree/processor.rs:87
         .clk         (clk),
         .rst         (rst),
         .draw_valid  (u_pixel_fragment_valid),

@@ -1,4 +1,4 @@
-//! The broadcast bus clock by clock, by example, and in [`model`] against a plain software model.
+//! The broadcast bus clock by clock: by example, and in [`model`] against a plain software model.
 
 mod model;
 
@@ -21,7 +21,8 @@ fn packet(words: &[u64]) -> Words {
     (0..).zip(words).map(|(place, word)| BusWord { word: *word, last: u64::from(place == last) }).collect()
 }
 
-/// Has the senders send, each its packets, and all processors receive so many words; gives what each received.
+/// Sends each sender's packets while all processors receive, until each has received `words` words; returns what each
+/// received.
 fn broadcast(sim: &mut Sim, packets: Vec<Vec<Words>>, pauses: impl Fn(usize) -> Pauses) -> Vec<Words> {
     let (senders, received) = (sim.i.senders.clone(), sim.o.received.clone());
     let count = packets.iter().flatten().map(Vec::len).sum();
@@ -153,7 +154,7 @@ fn a_full_queue_holds_the_bus_for_all() {
     );
 }
 
-/// 26.7 Mbyte/s (VC1-NET), from a processor as from the host.
+/// 26.7 Mbyte/s (VC1-NET), from a processor and from the host.
 #[test]
 fn a_word_takes_6_clocks() {
     for sender in [3, 16] {
@@ -164,7 +165,7 @@ fn a_word_takes_6_clocks() {
         packets[sender] = vec![packet(&(0..words).collect::<Vec<_>>())];
         let received = broadcast(&mut sim, packets.clone(), |_| Pauses::NONE);
         assert!(received.iter().all(|words| *words == packets[sender][0]));
-        // The last one is on the bus for 6 clocks, too, and in the clock after them it is shown, and received.
+        // The last word is also on the bus for 6 clocks; the clock after them shows it and receives it.
         let clocks = (sim.time() - start) / PE.period.picoseconds();
         assert_eq!(clocks, 1 + 6 * words + 1);
         let megabytes_a_second = (4_000_000 * words) as f64 / ((clocks - 2) * PE.period.picoseconds()) as f64;
@@ -172,7 +173,7 @@ fn a_word_takes_6_clocks() {
     }
 }
 
-/// All senders at once, with queues so small that every word holds the bus; one of the processors is slow.
+/// All senders send at once. The queues are so small that every word stalls the bus, and one processor is slow.
 #[test]
 fn all_get_the_packets_of_all_by_turns() {
     let mut sim = bus(3, 2, 1);

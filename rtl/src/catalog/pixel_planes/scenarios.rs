@@ -1,5 +1,5 @@
-//! Scenarios of Pixel-planes 5's blocks. A scenario does not look at what the block answers, so what has to wait is held for as long as it is
-//! known to.
+//! Scenarios of Pixel-planes 5's blocks. A scenario ignores the block's outputs. So it keeps a waiting input for as
+//! many clocks as the block needs.
 
 use tilewright_hdl::{Bits, Codes, Scenario, Script, Stream};
 
@@ -21,7 +21,8 @@ use crate::pixel_planes::quadratic_tree::{Curve, QuadraticTree, QuadraticTreeIn}
 use crate::pixel_planes::renderer::{Renderer, RendererIn};
 use crate::pixel_planes::ring::{Ring, RingIn};
 
-/// The edges of a triangle that leaves out a margin at the left and upper sides of the region, and what is below its diagonal.
+/// The edges of a triangle. It leaves out a margin at the left and upper sides of the region, and everything below the
+/// diagonal.
 fn triangle(side: u32) -> [Expression; 3] {
     let side = i64::from(side);
     [
@@ -37,7 +38,7 @@ fn surface() -> Surface {
     Surface { z: Coefficients { a: 1 << 16, b: 0, c: 1000 << 16 }, rgb: [grey; 3] }
 }
 
-/// Clocks of an instruction, when each begins as the one before ends.
+/// The clocks of an instruction when each begins as the one before ends.
 fn clocks(instruction: &Instruction<u64>) -> u64 {
     instruction.skip + instruction.length
 }
@@ -55,7 +56,7 @@ pub(super) fn a_triangle(renderer: &Renderer) -> Scenario {
 pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
     let side = i64::from(renderer.side());
     let inside = Quadratic { a: 0, b: 0, c: 9 * side * side / 64, d: -1, e: 0, f: -1 };
-    // From so much at its edge, in the middle as much more.
+    // Starts with this value at the edge, and has twice as much in the middle.
     let over = |edge: i64, more: i64| {
         let times = (more << 16) / inside.c.max(1);
         let over = Quadratic { c: (edge << 16) + inside.c * times, ..inside.times(times) };
@@ -66,7 +67,7 @@ pub(super) fn a_sphere(renderer: &Renderer) -> Scenario {
     drawn(renderer, &sphere, "a region is cleared, a sphere is drawn in it, and it is saved and sent")
 }
 
-/// A region that is cleared, drawn so, and saved.
+/// A region that is cleared, drawn with these instructions, and saved.
 fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str) -> Scenario {
     let side = renderer.side();
     let program = [&clear(0x10_20_30), primitive, &save(3)].concat();
@@ -83,7 +84,7 @@ fn drawn(renderer: &Renderer, primitive: &[Instruction<u64>], says: &'static str
         }
     }
     script.clock(&instructions(0, program[0]));
-    // Of a large region the first lines are enough.
+    // The first lines of a large region are enough.
     script.wait(program.iter().map(clocks).sum::<u64>() + 30 + u64::from(renderer.lag() + WORD.bits * side.min(8)));
     script.finish(says)
 }
@@ -112,7 +113,8 @@ pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
     // The clocks in which the ring has credit again.
     let pause = u64::from(Ring::INSTRUCTION.max(side) / rate);
     for first in (0..count).step_by(renderers as usize) {
-        // All are idle, so the lowest gets the next region, and then the others. Each is done long before there are more.
+        // All renderers are idle, so the lowest gets the next region, then the others. Each finishes long before there
+        // are more regions.
         let given = (count - first).min(renderers);
         for number in 0..given {
             script.clock(&inputs(Some(first + number), (1 << number) - 1, None));
@@ -127,7 +129,7 @@ pub(super) fn all_regions(machine: &PixelPlanes5, rate: u32) -> Scenario {
         script.clock(&inputs(None, 0, None));
         script.wait(200 + given * WORD.bits * side * (1 + side / rate));
     }
-    script.finish("regions are given, cleared, drawn and saved, and come to the frame buffer")
+    script.finish("regions are given, cleared, drawn and saved, and reach the frame buffer")
 }
 
 pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
@@ -135,7 +137,7 @@ pub(super) fn by_turns(ring: &Ring, renderers: u32) -> Scenario {
         bins: (0..renderers).map(|number| Stream::of(valid, clear(number)[0])).collect(),
         room,
         finished: (0..u64::from(renderers))
-            // Of each line the last plane, behind which another renderer may send.
+            // The last plane of each line; behind it another renderer may send.
             .map(|region| Stream::of(finished, BitPlane { region, line: 0, plane: 47, bits: region % 2 }))
             .collect(),
     };
@@ -167,11 +169,12 @@ pub(super) fn one_after_another(controller: &ImageGenerationController) -> Scena
         script.hold(&inputs(1, instruction, 0), before);
         before = clocks(&instruction);
     }
-    // Side by side: while the last one is busy with the memory, the tree has the first edge of the next primitive.
+    // The tree and the memory overlap: while the last instruction uses the memory, the tree takes the first edge of the
+    // next primitive.
     script.clock(&inputs(1, program[0], 1));
     script.clock(&inputs(0, program[0], 1));
     script.wait(before + 2 * u64::from(side.trailing_zeros()));
-    script.finish("a primitive's instructions, one at a time; then the first of the next one, beside the last")
+    script.finish("a primitive's instructions, one at a time; then the next one's first beside the last")
 }
 
 pub(super) fn two_expressions(tree: &LinearTree) -> Scenario {
@@ -237,7 +240,7 @@ pub(super) fn write_add_and_compare() -> Scenario {
     }
     script.clock(&PixelProcessorIn { control: idle, expression: 0 });
     script.wait(1);
-    script.finish("5 is written and 7 added; 11 is less than 12, so it is written in its place")
+    script.finish("5 is written and 7 added; 11 is less than 12, so it replaces the sum")
 }
 
 pub(super) fn a_region(store: &BackingStore) -> Scenario {
@@ -261,13 +264,13 @@ pub(super) fn a_region(store: &BackingStore) -> Scenario {
     script.wait(5);
     script.ready("planes", true);
     script.wait(WORD.bits * store.side.min(8));
-    script.finish("a region comes plane by plane and goes line by line; its receiver stops for 5 clocks")
+    script.finish("a region arrives plane by plane and leaves line by line; its receiver pauses for 5 clocks")
 }
 
 pub(super) fn four_free(allocator: &RegionAllocator) -> Scenario {
     let mut script = Script::new(allocator, PERIOD);
     let all = u64::MAX >> (64 - allocator.renderers);
-    // Whoever has got a region is no longer free.
+    // A renderer that has got a region is no longer free.
     for given in 0..allocator.renderers.min(4) {
         let regions = Stream::of(1, 100 + u64::from(given));
         script.clock(&RegionAllocatorIn { regions, free: all >> given << given });
@@ -275,7 +278,7 @@ pub(super) fn four_free(allocator: &RegionAllocator) -> Scenario {
     script.hold(&RegionAllocatorIn { regions: Stream::of(1, 200), free: 0 }, 2);
     script.clock(&RegionAllocatorIn { regions: Stream::of(1, 200), free: all & !(all >> 1) });
     script.clock(&RegionAllocatorIn { regions: Stream::of(0, 0), free: 0 });
-    script.finish("renderers that are free get regions, the lowest first; then one waits until the last is free")
+    script.finish("free renderers get regions, the lowest first; then a region waits until the last is free")
 }
 
 pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
@@ -287,7 +290,7 @@ pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
     let last = u64::from(frame.side() - 1);
     for (line, word) in [(0, 0x1234u64), (last, 0x8000_0000_0001)] {
         for plane in 0..u64::from(WORD.bits) {
-            // The same word at all pixels of the line, which are 64 at most here.
+            // The same word at all pixels of the line; a line has at most 64 here.
             let bits = if word >> plane & 1 == 1 { u64::MAX >> (64 - frame.side().min(64)) } else { 0 };
             let planes = Stream::of(1, BitPlane { region: 0, line, plane, bits });
             script.clock(&FrameBufferIn { planes, ..quiet });
@@ -298,5 +301,5 @@ pub(super) fn two_lines(frame: &FrameBuffer) -> Scenario {
     }
     script.clock(&quiet);
     script.wait(1);
-    script.finish("the first and the last line of a region come plane by plane, and are read")
+    script.finish("the first and the last line of a region arrive plane by plane, and are read")
 }

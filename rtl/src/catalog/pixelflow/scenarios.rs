@@ -1,4 +1,5 @@
-//! Scenarios of PixelFlow's blocks. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
+//! Scenarios of PixelFlow's blocks. A scenario ignores the block's outputs. So it keeps a waiting input for as many
+//! clocks as the block needs.
 
 use tilewright_hdl::{Bits, Codes, Scenario, Script, Stream};
 
@@ -24,12 +25,13 @@ use crate::pixelflow::texture_memory::{
 use crate::pixelflow::texture_unit::{TextureUnit, TextureUnitIn};
 use crate::pixelflow::{ARRAY, TRANSFER};
 
-/// Words of two bytes, of upstream and of the node, which pixels have in turn: the first is less than the other, then its second
-/// byte is more, then they are equal.
+/// Words of two bytes, from upstream and from the node, cycling over three kinds of pixels. In the first, upstream is
+/// less; in the second, its second byte is greater; in the third, both are equal.
 const WORDS: [[[u64; 2]; 2]; 3] =
     [[[0x10, 0x99], [0x20, 0x11]], [[0x30, 0x55], [0x30, 0x44]], [[0x40, 0x40], [0x40, 0x40]]];
 
-/// The bytes of all pixels as they come: whether it is the first of its word, the pixel, the bytes of upstream and of the node.
+/// The bytes of all pixels, in the sequence of arrival. Each item has four parts: whether the byte is the first of its
+/// word, the pixel, the upstream byte, and the node's byte.
 fn bytes(pixels: u32) -> impl Iterator<Item = (u64, u64, [u64; 2])> {
     let byte = move |number: usize| {
         (0..u64::from(pixels)).map(move |pixel| {
@@ -47,7 +49,7 @@ pub(super) fn two_bytes(compositor: &Compositor) -> Scenario {
         script.clock(&CompositorIn { mode, advances: 1, first, pixel, upstream, own });
     }
     script.wait(1);
-    script.finish("words of two bytes: of three pixels the first is less, then the node's own, then they are equal")
+    script.finish("words of two bytes for three pixels: upstream is less, the node's own is less, both are equal")
 }
 
 pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
@@ -69,8 +71,7 @@ pub(super) fn composed_and_unloaded(port: &NetworkPort) -> Scenario {
         }
     }
     script.clock_bits(&idle(port));
-    script
-        .finish("words of two bytes come and are composed with the node's, then it takes others, then it sends its own")
+    script.finish("words of two bytes are composed with the node's; then the node takes others, and sends its own")
 }
 
 pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
@@ -79,7 +80,7 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
     let mut script = Script::new(network, TRANSFER);
     for clock in 0..bytes.len() + nodes as usize {
         let node = |number: u32| {
-            // Each node is a clock behind the one before.
+            // Each node is one clock behind its predecessor.
             let turn = clock.checked_sub(number as usize).and_then(|turn| bytes.get(turn));
             let (first, own) = turn.map_or((0, 0), |(first, _, words)| (*first, words[number as usize % 2]));
             let mode = match number {
@@ -96,7 +97,7 @@ pub(super) fn from_the_first_to_the_last(network: &Network) -> Scenario {
         };
         script.clock_bits(&NetworkIn { nodes: (0..nodes).map(node).collect() });
     }
-    script.finish("words of two bytes: the first node sends, those behind it compose, and the last one has the least")
+    script.finish("words of two bytes: the first node sends, those behind it compose, and the last one gets the least")
 }
 
 fn in_each_chip(chips: u32, width: u32, byte: u64) -> Bits {
@@ -104,7 +105,7 @@ fn in_each_chip(chips: u32, width: u32, byte: u64) -> Bits {
     (1..chips).fold(byte.clone(), |bytes, _| bytes.concat(&byte))
 }
 
-/// A byte of depth inside an edge, in the bank that the network has next.
+/// A byte of depth inside an edge, in the bank that the network gets next.
 fn depth_inside_an_edge() -> [Instruction<u64>; 4] {
     let (source, everybody) = (Source::Expression.code(), Mask::Everybody.code());
     let fill = Instruction { mask: everybody, stores: 1, length: 2, write: 256, c: 0xffff, ..Instruction::NOTHING };
@@ -146,14 +147,14 @@ pub(super) fn drawn_and_given(controller: &ArrayController) -> Scenario {
         script.hold(&inputs(1, instruction, 0), before);
         before = instruction.clocks();
     }
-    // The bank is awaited, and the network has done with it in the last clock of these.
+    // The scenario waits for the bank; the network releases it in the last of these clocks.
     let wait = Instruction { sync: Sync::AwaitBank.code(), ..Instruction::NOTHING };
     script.hold(&inputs(1, wait, 0), 4);
     script.clock(&inputs(1, wait, 1));
     script.clock(&inputs(1, wait, 0));
     script.clock(&inputs(0, wait, 0));
     script.wait(controller.width.max(controller.height).trailing_zeros() + 2);
-    script.finish("a word is cleared, and evaluated inside an edge; its bank is given to the network, and awaited")
+    script.finish("a word is cleared, and evaluated inside an edge; its bank is given to the network and awaited")
 }
 
 pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
@@ -202,8 +203,9 @@ pub(super) fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
         script.clock(&PixelProcessorIn { control, expression: 0x3c, register_byte: 0 });
     }
     script.wait(1);
-    script
-        .finish("0x01f0 is written and 0x20 added; inside an edge, and not less than 0x0210, it goes to the registers")
+    script.finish(
+        "0x01f0 is written and 0x20 added; inside an edge, the sum is at least 0x0210 and goes to the registers",
+    )
 }
 
 pub(super) fn two_frames(dma: &CommandDma) -> Scenario {
@@ -225,7 +227,7 @@ pub(super) fn two_frames(dma: &CommandDma) -> Scenario {
     script.clock(&inputs(None, Some(1)));
     script.clock(&inputs(None, None));
     script.wait(words + 6);
-    script.finish("instructions are written; a frame of all is fetched, one a clock, and then one of the first alone")
+    script.finish("instructions are written; a frame with all of them is fetched, then one with only the first")
 }
 
 pub(super) fn loaded_and_forwarded(sequencer: &NetworkSequencer) -> Scenario {
@@ -248,7 +250,7 @@ pub(super) fn loaded_and_forwarded(sequencer: &NetworkSequencer) -> Scenario {
     }
     script.clock(&none);
     script.wait(1);
-    script.finish("a word of two bytes is loaded from a bank that is given; then one is forwarded")
+    script.finish("a word of two bytes is loaded from a bank; then another is forwarded")
 }
 
 pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
@@ -274,14 +276,14 @@ pub(super) fn drawn_and_sent(node: &Node) -> Scenario {
         script.clock(&NodeIn { store: Store { writes: 1, address, instruction }, ..quiet.clone() });
     }
     script.clock(&NodeIn { frames: Stream::of(1, quiet.frames.payload), ..quiet.clone() });
-    // The network's clock is twice as fast: a job is shown for one of its edges alone.
+    // The network's clock is twice as fast: a job is shown for only one of its edges.
     script.in_clocks_of(TRANSFER);
     script.clock(&NodeIn { network: vec![direction(1), direction(0)], ..quiet.clone() });
     script.clock(&quiet);
     let array = program.iter().map(Instruction::clocks).sum::<u64>() + u64::from(node.array().latency()) + 10;
     let network = u64::from(node.setup() + 2 * node.port().pixels) + 10;
     script.wait(2 * array + network);
-    script.finish("instructions are written and fetched; a word is drawn, its bank given, and the network sends it off")
+    script.finish("instructions are written and fetched; a word is drawn, its bank is given, and the network sends it")
 }
 
 pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
@@ -296,7 +298,7 @@ pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
         };
         Stream::of(shown, Job { mode: mode.code(), bank: 0, bytes: 2 })
     };
-    // All nodes have the same to draw; nothing goes back.
+    // All nodes draw the same; nothing goes back.
     let inputs = |store, frames, jobs| PixelFlowIn {
         stores: vec![store; nodes as usize],
         frames: vec![Stream::of(frames, Commands { base: 0, length: written as u64 }); nodes as usize],
@@ -312,7 +314,7 @@ pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
         script.clock(&inputs(Store { writes: 1, address, instruction }, 0, 0));
     }
     script.clock(&inputs(none, 1, 0));
-    // The network's clock is twice as fast: a job is shown for one of its edges alone.
+    // The network's clock is twice as fast: a job is shown for only one of its edges.
     script.in_clocks_of(TRANSFER);
     script.clock(&inputs(none, 0, 1));
     script.clock(&inputs(none, 0, 0));
@@ -324,7 +326,7 @@ pub(super) fn drawn_by_all_and_composed(machine: &PixelFlow) -> Scenario {
     )
 }
 
-/// A texture of 2 x 2 texels and the one above them, as the memory is told: where it is, and what is written.
+/// A texture of 2 x 2 texels and the level above it, as the memory gets them: the writes, and where the texture is.
 fn checkers(memory: &TextureMemory) -> (Describe<u64>, Vec<TexelWrite<u64>>) {
     let finest = if u64::from(memory.texels) < TextureMemory::size(1) { 0 } else { 1 };
     let texels = (0..=finest).flat_map(|level| {
@@ -363,7 +365,7 @@ pub(super) fn a_region_of_texels(unit: &TextureUnit) -> Scenario {
         write: TexelWrite { valid: 0, bank: 0, address: 0, texel: 0 },
         describe: Describe { valid: 0, texture: 0, base: 0, finest: 0 },
         start: 0,
-        // All ask for a place at the left, on level 0.
+        // All pixels ask for a place at the left, on level 0.
         seen: 0,
     };
     let mut script = Script::new(unit, ARRAY.period);
@@ -383,7 +385,7 @@ pub(super) fn a_frame_is_shown(buffer: &FrameBuffer) -> Scenario {
     let mut script = Script::new(buffer, ARRAY.period);
     script.ready("pixels", true);
     let ([across, down], clocks) = (buffer.regions(), buffer.clocks());
-    // Of a large array one takes long enough.
+    // One region of a large array takes long enough.
     let regions = u64::from(across * down).min((1000 / clocks).clamp(1, 4));
     for region in 0..regions {
         script.clock_bits(&inputs(1, 0));
@@ -391,5 +393,5 @@ pub(super) fn a_frame_is_shown(buffer: &FrameBuffer) -> Scenario {
     }
     script.clock_bits(&inputs(0, 0));
     script.wait(40);
-    script.finish("regions are loaded, byte by byte of each chip; with the last of them the frame is shown")
+    script.finish("regions are loaded, byte by byte from each chip; after the last one the frame is shown")
 }

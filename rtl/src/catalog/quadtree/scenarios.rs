@@ -1,5 +1,6 @@
-//! Each scenario has the same polygon, of which a triangle is left where no more than three edges are asked for; on 8x8 pixels it covers
-//! those with x + y <= 6. A scenario does not look at what the block answers, so what has to wait is held for as long as it is known to.
+//! All scenarios share one polygon, cut to a triangle where a block has only three edges. On 8x8 pixels the triangle
+//! covers the pixels with x + y <= 6. A scenario ignores the block's outputs. So it keeps a waiting input for as many
+//! clocks as the block needs.
 
 use tilewright_hdl::{Bits, Block, DEFAULT_PERIOD, Scenario, Script, Stream};
 
@@ -16,8 +17,8 @@ use crate::quadtree::processor::{VideoProcessor, VideoProcessorIn};
 use crate::quadtree::set_up::{SetUp, SetUpIn};
 use crate::quadtree::video_buffer::{Scan, VideoBuffer, VideoBufferIn};
 
-/// A polygon with so many edges as there may be, of which the first three are those of a triangle in the upper left of the screen; it is
-/// within 16x16 pixels, so that it is drawn soon.
+/// A polygon with as many edges as the format allows. The first three edges form a triangle in the upper left of the
+/// screen. The triangle lies within 16x16 pixels, so it is drawn quickly.
 fn polygon(format: &Format) -> Convex {
     let [w, h] = [format.screen().width, format.screen().height].map(i64::from);
     let edges = [
@@ -37,7 +38,7 @@ fn polygon(format: &Format) -> Convex {
     }
 }
 
-/// A polygon of the same edges that is nowhere on the screen, by its bounds.
+/// A polygon with the same edges whose bounds keep it off the screen.
 fn beyond(format: &Format) -> Convex {
     let Screen { width, height } = format.screen();
     Convex { bounds: [width, height, width - 1, height - 1], ..polygon(format) }
@@ -52,7 +53,7 @@ fn yes() -> Bits {
     Bits::ones(1)
 }
 
-/// A stream that shows a word.
+/// A stream that offers a word.
 fn sent<P>(payload: P) -> Stream<P, Bits> {
     Stream { valid: yes(), ready: Bits::zero(1), payload }
 }
@@ -68,7 +69,7 @@ pub(super) fn test_quarters(block: &CoverageTest) -> Scenario {
     let mut script = Script::new(block, DEFAULT_PERIOD);
     script.ready("parts", true);
     script.clock_bits(&works(&polygon));
-    // The next window is shown until the last clock of the first one; the receiver is away in the midst of that.
+    // The next window is shown until the last clock of the first one; the receiver pauses in the middle of that.
     script.clock_bits(&works(&beyond(&block.format)));
     script.wait(tests / 2);
     script.ready("parts", false);
@@ -82,7 +83,7 @@ pub(super) fn test_quarters(block: &CoverageTest) -> Scenario {
     )
 }
 
-/// Whatever the form is: a unit alone takes longest.
+/// Long enough for every form: a single unit takes longest.
 pub(super) fn find_pixels<B: Block<In = DividerIn, Out = DividerOut>>(
     block: &B,
     (format, test): (Format, Test),
@@ -98,8 +99,9 @@ pub(super) fn find_pixels<B: Block<In = DividerIn, Out = DividerOut>>(
     script.wait(10);
     script.ready("parts", true);
     script.wait(clocks.div_ceil(2) + 4);
-    script
-        .finish("the window of all samples is divided down to single ones; half-way their receiver stops for 10 clocks")
+    script.finish(
+        "the window of all samples is divided down to single ones; half-way their receiver pauses for 10 clocks",
+    )
 }
 
 pub(super) fn two_packets(set_up: &SetUp) -> Scenario {
@@ -130,7 +132,7 @@ pub(super) fn four_pixels(processor: &PixelProcessor) -> Scenario {
     }
     script.clock_bits(&idle(processor));
     script.wait(2);
-    script.finish("the first four windows of one sample that the coverage tests leave, a clock each")
+    script.finish("the first four windows of one sample that pass the coverage tests, a clock each")
 }
 
 pub(super) fn draw_thrice_and_send(buffer: &VideoBuffer) -> Scenario {
@@ -169,7 +171,7 @@ pub(super) fn a_picture(controller: &VideoController) -> Scenario {
     script.wait(3);
     script.ready("pixels", true);
     script.wait((format.columns() * format.screen().height).min(200));
-    script.finish("a picture, a group of pixels a clock, while one buffer is empty; the receiver stops for 3 clocks")
+    script.finish("a picture, a group of pixels a clock; one buffer is empty, and the receiver pauses for 3 clocks")
 }
 
 pub(super) fn draw_and_send(processor: &VideoProcessor) -> Scenario {

@@ -1,4 +1,4 @@
-//! The paper's Figure 6 as a scenario: four frames, of which the last overflows a local frame buffer.
+//! The paper's Figure 6 as a scenario of four frames; the last one overflows a local frame buffer.
 
 use tilewright_hdl::{Bits, Scenario, Script, below};
 
@@ -6,19 +6,19 @@ use crate::catalog::shared::idle;
 use crate::clocks::PE;
 use crate::swap::{SwapControl, SwapControlIn};
 
-/// Clocks of a processing element until the merger knows of a swap, and has stored what its chain holds, beside T_m.
+/// The processor clocks, in addition to T_m, until the merger has seen a swap and stored the contents of its chain.
 const CROSSINGS: u64 = 18;
-/// Clocks of a processing element in which the merger and then a local frame buffer see a blanking, and swap.
+/// The processor clocks in which the merger, and then a local frame buffer, see a blanking and swap.
 const BLANKING: u64 = 8;
 
 type Inputs = SwapControlIn<Bits>;
 
-/// The inputs of a script, of all processing elements or of some.
+/// The inputs of a script, for all processing elements or for some.
 struct Figure<'a> {
     control: &'a SwapControl,
     script: Script<SwapControl>,
     all: Bits,
-    /// The one that overflows, and those that do not.
+    /// The processing element that overflows, and the others.
     first: Bits,
     others: Bits,
 }
@@ -30,12 +30,12 @@ impl Figure<'_> {
         SwapControlIn { idle: self.all.clone(), bus, host, enable, ..idle(self.control) }
     }
 
-    /// T_m, in which all is sent.
+    /// Waits T_m, in which everything is sent.
     fn merge_clocks(&self) -> u64 {
         self.control.local.merge_clocks
     }
 
-    /// Those processing elements clear their tables, and draw for some clocks.
+    /// These processing elements clear their tables and draw for some clocks.
     fn clear_and_draw(&mut self, who: &Bits, clocks: u64, others: &Inputs) {
         let width = below(self.control.local.patches).bits();
         for entry in 0..u64::from(self.control.local.patches) {
@@ -48,7 +48,7 @@ impl Figure<'_> {
         }
     }
 
-    /// All have drawn, the first one some clocks before the others; in the clock after that the line is seen.
+    /// All finish drawing, the first some clocks before the others; one clock later the line is high for all to see.
     fn end(&mut self, inputs: &Inputs) {
         let early = SwapControlIn { done: self.first.clone(), draws: self.others.clone(), ..inputs.clone() };
         (0..2).for_each(|_| self.script.clock_bits(&early));
@@ -56,7 +56,7 @@ impl Figure<'_> {
         self.script.clock_bits(inputs);
     }
 
-    /// What is sent since a swap some clocks ago is sent and merged, and the banks change in the blanking behind that.
+    /// What has been sent since a swap some clocks ago is merged, and the banks change in the next blanking.
     fn merge(&mut self, ago: u64, inputs: &Inputs) {
         let sending = SwapControlIn { sending: self.all.clone(), ..inputs.clone() };
         (ago..self.merge_clocks()).for_each(|_| self.script.clock_bits(&sending));
@@ -66,7 +66,7 @@ impl Figure<'_> {
     }
 }
 
-/// Events 1 to 8, in this order.
+/// Events 1 to 8, in this sequence.
 pub(super) fn figure_6(control: &SwapControl) -> Scenario {
     let all = Bits::ones(control.global.processors);
     let first = Bits::new(1, 1).resize(all.width());
@@ -82,12 +82,13 @@ pub(super) fn figure_6(control: &SwapControl) -> Scenario {
     figure.end(&rests);
     figure.clear_and_draw(&all, 3, &sends);
     figure.merge(clears + 3, &rests);
-    // The second frame ends after that, and the third one long before the second is shown: 5.
+    // 5: The second frame ends after that, and the third one long before the second is shown.
     figure.end(&rests);
     figure.clear_and_draw(&all, 1, &sends);
     figure.end(&sends);
     figure.merge(clears + 5, &rests);
-    // 6: in the fourth frame the first finds no page, when the others have drawn theirs. 7: it alone swaps. 8: it draws on.
+    // 6: In the fourth frame the first element finds no page after the others have finished. 7: it alone swaps. 8: it
+    // draws on.
     figure.clear_and_draw(&all, 1, &sends);
     let overflows = SwapControlIn { done: others.clone(), overflow: first.clone(), idle: others, ..rests.clone() };
     figure.merge(clears + 1, &overflows);

@@ -1,4 +1,4 @@
-//! The accumulation buffer clock by clock, by example, and in [`model`] against sums in plain software.
+//! The accumulation buffer clock by clock: by example, and in [`model`] against sums in plain software.
 
 mod model;
 
@@ -15,15 +15,15 @@ fn accumulation(width: u32, height: u32) -> Sim {
     sim
 }
 
-/// One clock of the merger, with the global frame buffer in software: after it, there is the word that the address before it asks for.
+/// One clock of the merger, with a software global frame buffer that returns the word of the previous address.
 fn clock(sim: &mut Sim, picture: &[u64]) {
     let asked = sim.get_u64(sim.o.address) as usize;
     sim.step_clock(MERGE, 1);
-    // A depth, of which nothing is to be seen.
+    // A depth that must not show.
     sim.set(sim.i.word, 0xabcdef << 24 | picture[asked]);
 }
 
-/// A pass; gives the clocks in which it is busy.
+/// Runs a pass; returns the clocks for which it is busy.
 fn pass(sim: &mut Sim, first: bool, picture: &[u64]) -> u64 {
     sim.set(sim.i.start, 1);
     sim.set(sim.i.first, first);
@@ -39,7 +39,7 @@ fn pass(sim: &mut Sim, first: bool, picture: &[u64]) -> u64 {
     clocks
 }
 
-/// What the display reads of each pixel.
+/// What the display reads at each pixel.
 fn shown(sim: &mut Sim, passes: Passes, pixels: usize) -> Vec<u64> {
     sim.set(sim.i.passes, passes.code());
     let read = |pixel: usize| {
@@ -119,13 +119,13 @@ fn as_many_white_passes_as_the_average_is_of_are_white() {
     }
 }
 
-/// A half is rounded up, less is rounded down; each component by itself.
+/// A half is rounded up and less is rounded down, for each component by itself.
 #[test]
 fn the_average_is_rounded() {
     for passes in Passes::ALL {
         let half = passes.count() / 2;
         let mut sim = accumulation(2, 1);
-        // The first pixel has half as many ones as passes in red and blue, the other one has one less.
+        // In red and blue, half as many ones as passes at the first pixel, and one fewer at the second.
         for number in 0..passes.count() {
             let [all, one_less] = [half, half - 1].map(|ones| u64::from(number < ones));
             pass(&mut sim, number == 0, &[all << 16 | all, one_less << 16 | one_less << 8]);
@@ -144,7 +144,7 @@ fn a_first_pass_replaces_what_was_there() {
     assert_eq!(shown(&mut sim, Passes::Two, 4), [0x112233; 4]);
 }
 
-/// What stops the simulation when a pass is started.
+/// The assertion that stops the simulation when a pass is started.
 fn problem(sim: &mut Sim, first: bool) -> Option<String> {
     sim.set(sim.i.start, 1);
     sim.set(sim.i.first, first);
@@ -173,7 +173,7 @@ fn a_pass_without_a_first_one_or_a_17th_is_an_error() {
     assert!(problem(&mut accumulation(2, 1), false).is_some_and(|text| text.contains(sentence)));
     for (passes, before) in [(1, 0), (15, 0), (16, 0), (15, 9), (16, 9), (16, 16)] {
         let mut sim = accumulation(2, 1);
-        // A first pass begins anew.
+        // A first pass begins afresh.
         for number in (0..before).chain(0..passes) {
             pass(&mut sim, number == 0, &[0; 2]);
         }
@@ -182,7 +182,7 @@ fn a_pass_without_a_first_one_or_a_17th_is_an_error() {
     }
 }
 
-/// A reset in the middle of a pass ends it, and the next one has to be a first one.
+/// A reset in the middle of a pass ends it; the next pass must be a first one.
 #[test]
 fn a_pass_ends_with_a_reset() {
     let mut sim = accumulation(4, 1);

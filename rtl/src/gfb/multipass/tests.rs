@@ -1,4 +1,4 @@
-//! Pictures of several passes clock by clock, by example and against the rules in plain software.
+//! Pictures of several passes clock by clock: by example, and against the rules in plain software.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -13,7 +13,7 @@ fn control() -> Sim {
     sim
 }
 
-/// A clock with a swap, a sum and a blanking, or without.
+/// A clock with or without a swap, a sum and a blanking.
 fn clock(sim: &mut Sim, [swap, busy, blanking]: [u64; 3]) {
     sim.set(sim.i.swap, swap);
     sim.set(sim.i.busy, busy);
@@ -93,7 +93,7 @@ fn frames_without_accumulation_follow_an_average() {
     assert_eq!(sim.covered("a frame without accumulation follows an average").unwrap(), 1);
 }
 
-/// What stops the simulation in a clock.
+/// The assertion that stops the simulation in a clock.
 fn problem(sim: &mut Sim, inputs: [u64; 3]) -> String {
     sim.set(sim.i.swap, inputs[0]);
     sim.set(sim.i.busy, inputs[1]);
@@ -105,7 +105,7 @@ fn problem(sim: &mut Sim, inputs: [u64; 3]) -> String {
 fn a_swap_at_the_wrong_time_is_an_error() {
     let under_way = "the banks do not change while a sum is under way";
     let too_soon = "the banks do not change before the average was shown for a whole refresh";
-    // The passes of a picture, and what is wrong with a swap in a clock after the last one.
+    // The number of passes of the picture, and what is wrong with a swap in a clock after the last pass.
     let after = [([0, 1, 1], under_way), ([0, 0, 0], too_soon), ([0, 0, 1], too_soon), ([0, 0, 1], too_soon)];
     for clocks in 0..=after.len() {
         let mut sim = control();
@@ -127,10 +127,10 @@ fn a_swap_at_the_wrong_time_is_an_error() {
 /// The control by its rules.
 #[derive(Default)]
 struct Plain {
-    /// Passes of the picture that are on display or were, and of how many it is.
+    /// The passes of the picture shown so far, and its total number of passes.
     seen: u32,
     passes: u64,
-    /// Of the complete picture: whether its average is shown, and whether the blanking in which that began is over.
+    /// For a complete picture: whether its average is shown, and whether the blanking in which that began has ended.
     averages: bool,
     may_end: bool,
 }
@@ -144,7 +144,7 @@ impl Plain {
         blanking && if self.is_complete() { self.may_end } else { !busy }
     }
 
-    /// An edge; gives whether a sum starts and whether it is the first.
+    /// An edge; returns whether a sum starts and whether it is the first.
     fn clock(&mut self, swap: bool, (accumulates, passes): (bool, u64), busy: bool, blanking: bool) -> Option<bool> {
         let mut starts = None;
         if swap {
@@ -167,7 +167,8 @@ impl Plain {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Sums and blankings of any length; swaps as soon as they may come, or later; a host that says something else in each clock.
+    /// Sums and blankings of any length; swaps as early as allowed, or later; a host whose settings change in each
+    /// clock.
     #[test]
     fn the_control_goes_by_its_rules(
         clocks in prop::collection::vec((prop::bool::weighted(0.7), prop::bool::weighted(0.8), 0..4u64), 400),

@@ -56,7 +56,8 @@ fn the_scan_clock_by_clock() {
     );
 }
 
-/// The clocks from the first pixel that enters the chain after a restart to the last one stored, and from each first pixel of a round to the next.
+/// The clocks from the first pixel that enters the chain after a restart to the last pixel stored, and between the
+/// first pixels of successive rounds.
 fn measured(screen: Screen, units: u32, overhead: u32) -> (u64, Vec<u64>) {
     let sequencer = GfbSequencer { screen, units, overhead };
     let mut sim = Simulation::of(&sequencer).unwrap();
@@ -78,7 +79,8 @@ fn measured(screen: Screen, units: u32, overhead: u32) -> (u64, Vec<u64>) {
     (stored_at.unwrap() - rounds[0], rounds.windows(2).map(|pair| pair[1] - pair[0]).collect())
 }
 
-/// T_m of the VC-1 is 316800 + 64 clocks: 25.35 ms of 80 ns each. A chain of 256 units is longer than a line, and holds for an overhead.
+/// T_m of the VC-1 is 316800 + 64 clocks: 25.35 ms at 80 ns each. A chain of 256 units is longer than a line and stops
+/// for an overhead.
 #[test]
 fn a_frame_takes_t_m_and_rounds_follow_with_their_period() {
     for (units, clocks) in [(16, 316_864), (256, 317_844)] {
@@ -107,7 +109,7 @@ fn a_chain_of_no_units_and_a_line_without_overhead_are_refused_in_a_sentence() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Against numbers of clocks since the restart (VC1-TM, VC1-FREE), with restarts and resets at any time.
+    /// Compared with the number of clocks since the restart (VC1-TM, VC1-FREE), with restarts and resets at any time.
     #[test]
     fn the_scan_follows_the_timetable(
         (width, height, units, overhead) in (1..9u64, 1..6u64, 1..5u64, 1..7u64),
@@ -119,7 +121,8 @@ proptest! {
         let mut sim = Simulation::of(&sequencer).unwrap().seeded(seed);
         sim.reset();
         let pixels = width * height;
-        // Clocks since a restart, and those of them in which the chain advanced; the clock after a reset is one of a restart.
+        // The clocks since a restart, and the number of them in which the chain advanced. The clock after a reset is a
+        // restart.
         let (mut since, mut advanced, mut first, mut later) = (None, 0, 0, 0);
         for (restart, reset) in restarts {
             sim.drive(GfbSequencerIn { restart: restart.into() });

@@ -1,4 +1,4 @@
-//! Frames of several rounds, with a chain in software, and the host's accesses beside them.
+//! Frames of several rounds, with a software chain and concurrent host accesses.
 
 mod accumulation;
 
@@ -12,29 +12,29 @@ use crate::gfb::{Blanking, SCAN_LATENCY};
 
 const BLANK: u64 = 0xffffff << 24;
 
-/// What the host does in each clock: nothing, or an access to a pixel, which is a write if there is a word.
+/// The host's action in each clock: nothing, or an access to a pixel, which is a write if there is a word.
 type Accesses = Vec<Option<(usize, Option<u64>)>>;
 
-/// A host at work beside the frames, and the bank on display by its rules.
+/// A host that accesses the unit while frames are made, and the expected contents of the bank on display.
 struct HostModel {
-    /// Over and over.
+    /// Repeated without end.
     accesses: Accesses,
     next: usize,
-    /// Nothing is known of a pixel before it is written or the first frame is on display.
+    /// Nothing is known about a pixel before it is written or the first frame is on display.
     bank: Vec<Option<u64>>,
 }
 
-/// A global frame buffer with a chain in software, which merges what enters it with an image.
+/// A global frame buffer with a software chain, which merges the pixels that enter it with an image.
 struct Bench {
     sim: Simulation<GfbUnitIn, GfbUnitOut>,
     unit: GfbUnit,
     chain: VecDeque<u64>,
-    /// What the chain merges with, one in each round from the first on.
+    /// The images to merge, one in each round from the first on.
     images: Vec<Vec<u64>>,
     first: usize,
     /// Clocks with `enable` since the restart.
     advanced: usize,
-    /// What the display got in the refresh under way, and in those before.
+    /// What the display got in the current refresh, and in earlier ones.
     refresh: Vec<u64>,
     refreshes: Vec<Vec<u64>>,
     frame_time: u64,
@@ -46,7 +46,7 @@ fn unit(width: u32, height: u32, units: u32, overhead: u32) -> GfbUnit {
 }
 
 impl Bench {
-    /// From any values in the banks, and in registers without a reset.
+    /// Starts with arbitrary values in the banks and in registers without a reset.
     fn new(unit: GfbUnit, seed: u64) -> Bench {
         let mut sim = Simulation::of(&unit).unwrap().seeded(seed);
         sim.reset();
@@ -61,7 +61,7 @@ impl Bench {
         self.unit.screen.pixels() as usize
     }
 
-    /// Clocks of the merger, in each of which the host does what its model says, until there is an end.
+    /// Runs clocks of the merger until the end condition; in each, the host acts as its model says.
     fn with_host(&mut self, model: &mut HostModel, mut ends: impl FnMut(&mut Bench) -> bool) {
         while !ends(self) {
             let access = model.accesses[model.next % model.accesses.len()];
@@ -81,7 +81,7 @@ impl Bench {
         }
     }
 
-    /// A clock of the merger, with those of the display in it.
+    /// A clock of the merger, with the display's clocks in it.
     fn clock(&mut self) {
         self.sim.set(self.sim.i.merged, self.chain[0]);
         let scan = self.sim.o.scan;
@@ -111,7 +111,7 @@ impl Bench {
         }
     }
 
-    /// Merges with the images, one in each round that is still to come, and swaps at the next blanking after them.
+    /// Merges the images, one in each remaining round, and swaps at the next blanking after them.
     fn frame(&mut self, images: &[Vec<u64>]) {
         self.merge(images);
         self.sim.set(self.sim.i.swap, 1);
@@ -128,7 +128,7 @@ impl Bench {
         self.images.clear();
     }
 
-    /// Begins to merge with the images; gives how far the scan is when all is stored.
+    /// Starts merging the images; returns how far the scan is when all is stored.
     fn begin(&mut self, images: &[Vec<u64>]) -> usize {
         self.images = images.to_vec();
         self.first = self.advanced.div_ceil(self.pixels());
@@ -140,7 +140,7 @@ impl Bench {
         self.advanced > end && self.sim.get_u64(self.sim.o.blanking) == 1
     }
 
-    /// One access of the host, a write if there is a word; gives what is read, if the unit says that it has read.
+    /// One host access, a write if there is a word; returns the word read, if the unit says that it has read.
     fn access(&mut self, address: usize, word: Option<u64>) -> Option<u64> {
         let accesses = self.sim.i.host.accesses;
         assert_eq!(self.sim.get_u64(accesses.ready), 1, "an access is taken in every clock");
@@ -149,7 +149,7 @@ impl Bench {
         self.sim.set(accesses.writes, word.is_some());
         self.sim.set(accesses.word, word.unwrap_or(0));
         self.clock();
-        // It is there while the next access may be at the port.
+        // The word is there while the next access may be at the port.
         let view = self.sim.o.view;
         let read = (self.sim.get_u64(view.read_valid) == 1).then(|| self.sim.get_u64(view.read_word));
         self.sim.set(accesses.valid, 0);
@@ -165,7 +165,7 @@ impl Bench {
         self.refreshes[next - 1].clone()
     }
 
-    /// The bank on display, through the host's port.
+    /// The bank on display, read through the host's port.
     fn picture(&mut self) -> Vec<u64> {
         let mut picture = Vec::new();
         for pixel in 0..self.pixels() {
@@ -191,11 +191,13 @@ fn a_later_round_feeds_the_chain_with_what_the_first_has_stored() {
     assert_eq!(left[14..21], [5, 1, 7, 5, 6, 2, 8]);
 }
 
-/// A bit that crosses from a clock to another is there two clocks of that one later, and begins with its reset, which comes some edges later.
+/// A bit that crosses from one clock to another arrives two clocks of the latter later. It starts with its reset value,
+/// which comes some edges later.
 fn know_of_each_other(phase: u32) {
     let mut bench = Bench::new(unit(7, 2, 1, 1), 7);
     let peek = |bench: &mut Bench, name| bench.sim.peek(name).unwrap().to_u64().unwrap();
-    // A chain that changes nothing, of pixels that are 0; then a reset while both bits are other than behind one.
+    // A chain that changes nothing, with pixels that are 0; then a reset while both bits differ from their reset
+    // values.
     bench.sim.set(bench.sim.i.host.background, 0);
     bench.frame(&[vec![0; 14]]);
     while ["window", "window_meta", "shown_bank"].map(|name| peek(&mut bench, name)) != [1, 1, 0] {
@@ -266,7 +268,7 @@ fn the_host_writes_and_reads_in_every_clock() {
     bench.access(6, Some(98));
     bench.clock();
     assert_eq!(bench.sim.get_u64(bench.sim.o.view.read_valid), 0);
-    // The word stays until the next read, also over a swap.
+    // The word stays until the next read, even across a swap.
     bench.frame(&[vec![50; 14]]);
     (0..3).for_each(|_| bench.clock());
     assert_eq!(bench.sim.get_u64(bench.sim.o.view.read_word), 15);
@@ -311,7 +313,7 @@ fn an_access_in_the_clock_of_a_swap_goes_to_the_frame_before() {
 fn a_pixel_that_is_changed_after_a_swap_is_an_error() {
     let mut bench = Bench::new(unit(7, 2, 2, 1), 7);
     bench.frame(&[vec![9; 14]]);
-    // The chain changes a pixel that entered it before the swap, and whose bank is on display now.
+    // The chain changes a pixel that entered it before the swap, and whose bank is now on display.
     bench.chain.iter_mut().for_each(|word| *word = 3);
     bench.sim.set(bench.sim.i.merged, 3);
     let problem = (0..100).find_map(|_| bench.sim.try_step().err()).unwrap().to_string();
@@ -345,7 +347,7 @@ fn a_chain_longer_than_a_frame_is_refused_in_a_sentence() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Frames of some rounds each. The display shows the frame before, whole, in each refresh.
+    /// Frames of some rounds each. In each refresh the display shows the previous frame, whole.
     #[test]
     fn rounds_accumulate_behind_the_picture_on_display(
         (width, height, units, overhead) in (4..9u32, 2..6u32, 1..2u32, 1..4u32),
@@ -357,7 +359,7 @@ proptest! {
         for rounds in &frames {
             let images: Vec<Vec<u64>> = rounds.iter().map(|image| image[..bench.pixels()].to_vec()).collect();
             bench.frame(&images);
-            // The refresh before the swap was not of this frame.
+            // The refresh before the swap did not show this frame.
             let before = bench.refreshes.len();
             let is_same = |refresh: &Vec<u64>| filled.iter().zip(refresh).all(|(word, rgb)| word & 0xffffff == *rgb);
             if !filled.is_empty() {
@@ -371,7 +373,7 @@ proptest! {
             prop_assert!(bench.refreshes.len() >= before);
             bench.refreshes = Vec::from([vec![]]);
         }
-        // A refresh later the last frame has been shown as a whole.
+        // One refresh later the last frame has been shown whole.
         let end = bench.sim.time() + 2 * bench.frame_time;
         while bench.sim.time() < end {
             bench.clock();
@@ -380,8 +382,8 @@ proptest! {
         prop_assert!(bench.refreshes.len() > 1 && bench.refreshes[1..].iter().all(|refresh| *refresh == shown));
     }
 
-    /// A host that reads and writes at all times, also in the clock of a swap (VC1-HOSTP). What it leaves is on display, and its words
-    /// are not in the frames.
+    /// A host that reads and writes at all times, including the clock of a swap (VC1-HOSTP). Its writes are on display,
+    /// and its words are not in the frames.
     #[test]
     fn the_host_has_a_port_of_the_picture_on_display(
         (width, height, units, overhead) in (4..9u32, 2..6u32, 1..2u32, 1..4u32),

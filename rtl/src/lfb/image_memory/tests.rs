@@ -1,4 +1,4 @@
-//! The image memory clock by clock, by example, and in [`model`] against a plain software model.
+//! The image memory clock by clock: by example, and in [`model`] against a plain software model.
 
 mod model;
 
@@ -17,7 +17,7 @@ fn memory() -> Sim {
     sim
 }
 
-/// Draws as soon as the second stage takes a pixel; gives the states on the way.
+/// Draws as soon as the second stage takes a pixel; returns the states on the way.
 fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
     let i = sim.i.draw;
     for (port, value) in [(i.page, page), (i.offset, offset), (i.word, word)] {
@@ -48,7 +48,7 @@ fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
     (0..n).map(clock).collect()
 }
 
-/// What the scan gets from a place of a buffer.
+/// What the scan gets from an address of a buffer.
 fn take(sim: &mut Sim, [buffer, page, offset]: [u64; 3]) -> u64 {
     let i = sim.i.send;
     for (port, value) in [(i.enable, 1), (i.resident, 1), (i.page, page), (i.offset, offset), (i.buffer, buffer)] {
@@ -70,7 +70,7 @@ fn a_pixel_takes_3_clocks_and_the_smaller_word_stays() {
     assert_eq!([[0, 2, 5], [0, 1, 5], [0, 0, 5]].map(|place| take(&mut sim, place)), [60, 80, EMPTY]);
 }
 
-/// Pages of 25 pixels: each place has a word of its own.
+/// Pages of 25 pixels: each address has a word of its own.
 #[test]
 fn a_page_may_have_any_number_of_pixels() {
     let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 25 }).unwrap();
@@ -85,7 +85,7 @@ fn a_page_may_have_any_number_of_pixels() {
     }
 }
 
-/// What is read, and what is found of it, is held until the next pixel.
+/// The word read, and the result of its comparison, stay until the next pixel.
 #[test]
 fn an_access_clock_by_clock() {
     let mut sim = Simulation::of(&ImageMemory { pages: 3, page_pixels: 16 }).unwrap().seeded(1);
@@ -165,7 +165,7 @@ fn the_word_sent_stays_while_the_scan_does_not_advance() {
     assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
 }
 
-/// The third clock is that of the write, in which the next pixel may come.
+/// The third clock writes, and the next pixel may come in it.
 #[test]
 fn a_pixel_less_than_3_clocks_after_another_is_an_error() {
     for (clock, is_error) in [(1, true), (2, true), (3, false)] {

@@ -1,4 +1,4 @@
-//! The patch table clock by clock, by example, and in [`model`] against a plain software model.
+//! The patch table clock by clock: by example, and in [`model`] against a plain software model.
 
 mod model;
 
@@ -16,13 +16,13 @@ fn table(patches: u32, pages: u32) -> Sim {
     sim
 }
 
-/// Asks for the page of a patch until that is accepted; gives the states on the way.
+/// Requests a patch's page until the request is accepted; returns the states on the way.
 fn look_up(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
     let (valid, number, ready) = (sim.i.look_up.valid, sim.i.look_up.patch, sim.i.look_up.ready);
     offer(sim, [valid, number], patch, ready)
 }
 
-/// As [`look_up`], to clear an entry.
+/// Like [`look_up`], to clear an entry.
 fn clear(sim: &mut Sim, patch: u64) -> Vec<&'static str> {
     let (valid, number, ready) = (sim.i.clear.valid, sim.i.clear.patch, sim.i.clear.ready);
     offer(sim, [valid, number], patch, ready)
@@ -43,7 +43,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
     panic!("it is never accepted: {states:?}");
 }
 
-/// Lets clocks pass; gives the states in them.
+/// Lets clocks pass; returns the states in them.
 fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
     let state = |sim: &mut Sim| {
         let code = sim.peek("stage1").unwrap().to_u64().unwrap();
@@ -192,11 +192,11 @@ fn an_overflow_holds_the_look_up_until_it_is_resumed() {
     assert_eq!(clocks(&mut sim, 5), ["Read", "Examine", "Overflow", "Overflow", "Overflow"]);
     assert_eq!((sim.get_u64(sim.o.overflow), sim.get_u64(sim.i.look_up.ready)), (1, 0));
 
-    // Nothing is free yet: the overflow goes on.
+    // No page is free yet: the overflow continues.
     pulse(sim.i.resume, &mut sim);
     assert_eq!(clocks(&mut sim, 3), ["Read", "Examine", "Overflow"]);
 
-    // The processor swaps, clears, and resumes while the last clear still goes on.
+    // The processor swaps, clears, and resumes while the last clear still runs.
     sim.set(sim.i.front, 1);
     pulse(sim.i.restart, &mut sim);
     assert_eq!((0..6).map(|patch| clear(&mut sim, patch).len()).collect::<Vec<_>>(), [1, 3, 3, 3, 3, 3]);

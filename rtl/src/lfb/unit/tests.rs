@@ -28,13 +28,13 @@ impl Model {
     }
 }
 
-/// A unit with its processor, a scan that goes from round to round, and the model.
+/// A unit with its processor, a scan that runs round after round, and the model.
 struct Bench {
     sim: Simulation<LfbUnitIn, LfbUnitOut>,
     unit: LfbUnit,
     /// The front buffer.
     model: Model,
-    /// What the back buffer has to send, and what it has sent.
+    /// The pixels that the back buffer has to send, and those it has sent.
     expected: BTreeMap<(u64, u64), u64>,
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
@@ -43,10 +43,11 @@ struct Bench {
     advanced: u64,
     /// How many pixels were sent since the last swap.
     since_swap: u64,
-    /// Clocks in which the scan went on with nothing left to send.
+    /// Clocks in which the scan advanced with nothing left to send.
     again: u64,
     overflows: u64,
-    /// The first clock in which the first stage ends its last look-up, and in which it can read the table again.
+    /// The first clock in which the first stage ends its last look-up, and the first in which it can read the table
+    /// again.
     found: u64,
     table_free: u64,
 }
@@ -54,7 +55,7 @@ struct Bench {
 impl Bench {
     fn new(screen: Screen, edge: u32, pages: u32, position: u32) -> Bench {
         let unit = LfbUnit { patches: Patches::new(screen, edge).unwrap(), pages };
-        // Registers without a reset start with any value.
+        // Registers without a reset start with arbitrary values.
         let mut sim = Simulation::of(&unit).unwrap().seeded(7);
         sim.reset();
         let (x, y) = (sim.i.preset.x, sim.i.preset.y);
@@ -90,7 +91,7 @@ impl Bench {
         self.sim.cycles(PE).unwrap()
     }
 
-    /// Lets a clock of the processor pass, and takes what the merger gets meanwhile.
+    /// Lets a clock of the processor pass, and takes the merger's words meanwhile.
     fn clock(&mut self) {
         let now = self.now();
         let (i, o) = (&self.sim.i, &self.sim.o);
@@ -124,7 +125,7 @@ impl Bench {
         if self.sim.get_u64(scan.restart) == 1 {
             self.advanced = 0;
         }
-        // The chain holds now and then, as it does after each line.
+        // The chain pauses now and then, as it does after each line.
         let merged = self.sim.cycles(MERGE).unwrap();
         self.sim.set(scan.restart, 0);
         self.sim.set(scan.enable, merged % 11 > 1);
@@ -142,8 +143,8 @@ impl Bench {
         }
     }
 
-    /// Draws as soon as that is accepted; gives the clock of the acceptance. After an overflow, goes on with the next
-    /// buffer.
+    /// Draws as soon as the access is accepted; returns the clock of the acceptance. After an overflow, continues with
+    /// the next buffer.
     fn draw(&mut self, (x, y): (u64, u64), word: u64) -> u64 {
         self.sim.set(self.sim.i.request.valid, 1);
         self.sim.set(self.sim.i.request.x, x);
@@ -167,14 +168,14 @@ impl Bench {
             self.clock();
             self.sim.set(self.sim.i.resume, 0);
         }
-        // Read, examine, for a miss allocate: the next clock is the last.
+        // Read, examine, and for a miss allocate: the next clock is the last.
         let miss = u64::from(!self.model.resident.contains(&patch));
         self.found = self.now().max(self.table_free) + 2 + miss;
         self.model.draw(patch, (x, y), word);
         accepted
     }
 
-    /// Lets clocks pass until an output is high, which takes at most 9: a clear and both stages, or a swap.
+    /// Lets clocks pass until an output is high. This takes at most 9: a clear and both stages, or a swap.
     fn wait_until(&mut self, port: Port) {
         let start = self.now();
         while self.sim.get(port) != 1 {
@@ -200,7 +201,7 @@ impl Bench {
         }
     }
 
-    /// Clears an entry of the patch table as soon as that is accepted; gives the clock of the acceptance.
+    /// Clears an entry of the patch table as soon as the request is accepted; returns the clock of the acceptance.
     fn clear(&mut self, patch: u32) -> u64 {
         self.sim.set(self.sim.i.clear.valid, 1);
         self.sim.set(self.sim.i.clear.patch, patch);
@@ -212,15 +213,15 @@ impl Bench {
         accepted
     }
 
-    /// Waits until the scan has advanced so far in a frame.
+    /// Waits until the scan has reached this position in a frame.
     fn wait_for_scan(&mut self, advanced: u64) {
         while self.advanced % self.frame() != advanced {
             self.clock();
         }
     }
 
-    /// Waits until every pixel of the back buffer has been sent, and sees that it was what had been drawn. The merger follows a swap
-    /// after 2 clocks, and a word comes 2 clocks after its pixel is counted.
+    /// Waits until every pixel of the back buffer has been sent, and checks it against what was drawn. The merger
+    /// follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
     fn finish_scan(&mut self) {
         while self.sim.get_u64(self.sim.o.sending) == 1 || self.since_swap < self.frame() {
             assert!(self.since_swap <= self.frame() + 5, "it does not say that all is sent");
@@ -229,7 +230,7 @@ impl Bench {
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
     }
 
-    /// The number of words of each buffer that are not empty.
+    /// The number of words in each buffer that are not empty.
     fn words_held(&self) -> [usize; 2] {
         let words = self.unit.pages * self.unit.patches.pixels();
         [0, 1].map(|buffer| {
@@ -351,7 +352,7 @@ fn a_page_for_each_patch_is_the_most() {
     );
 }
 
-/// What the processor does next.
+/// The processor's next action.
 #[derive(Debug, Clone)]
 enum Step {
     Draw { x: u64, y: u64, word: u64 },

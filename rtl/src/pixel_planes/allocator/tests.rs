@@ -1,4 +1,4 @@
-//! The allocator clock by clock, and against a queue of those that are free.
+//! The allocator clock by clock, and against a queue of free renderers.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -47,7 +47,8 @@ fn of_those_free_in_a_clock_the_lowest_is_served_first() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Renderers that are busy for as long as their region takes; each region goes to the one that has been free longest, of equal ones the lowest.
+    /// Renderers that are busy for as long as their region takes. Each region goes to the renderer that has been free
+    /// longest; ties go to the lowest.
     #[test]
     fn each_region_goes_to_the_first_that_is_free(
         (renderers, loads) in (1..9u32, prop::collection::vec(1..40u64, 1..30)),
@@ -70,7 +71,7 @@ proptest! {
                 let first = (0..busy_until.len()).min_by_key(|renderer| (busy_until[*renderer].max(
                     last_clock.map_or(0, |(_, clock)| clock + 1)), *renderer)).unwrap();
                 prop_assert_eq!(renderer, first);
-                // Nobody waited while it could have been given.
+                // No renderer waited while a region was available.
                 prop_assert_eq!(clock, busy_until[first].max(last_clock.map_or(0, |(_, clock)| clock + 1)));
                 busy_until[renderer] = clock + 1 + loads[next];
                 last_clock = Some((next, clock));

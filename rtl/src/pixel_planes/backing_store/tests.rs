@@ -1,4 +1,4 @@
-//! The backing store clock by clock, and with regions at random and a receiver that pauses.
+//! The backing store clock by clock, and with random regions and a receiver that pauses.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
@@ -96,7 +96,7 @@ fn a_plane_without_a_region_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each region as it came, line by line, plane by plane, however long the receiver waits.
+    /// Each region leaves as it came, line by line, plane by plane, however long the receiver waits.
     #[test]
     fn regions_go_as_they_came(
         regions in prop::collection::vec(prop::collection::vec(0..1u64 << 48, 64), 1..3),

@@ -1,14 +1,14 @@
-//! Where an instruction is while its bits are sent.
+//! A slot: the place of an instruction while its bits are sent.
 
 use super::super::instruction::{Instruction, LONGEST, Microcode};
 use super::super::pixel::{Control, Enabling, Mask};
 use crate::prelude::*;
 
 bundle! {
-    /// What a slot is to do.
+    /// The work for a slot.
     pub struct Order<T> { pub microcode: Microcode<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
 
-    /// What a slot knows of its order.
+    /// A slot's copy of its work.
     struct Held<T> { microcode: Microcode<T>, length: T }
 }
 
@@ -25,20 +25,20 @@ impl Order {
         Order { microcode, skip, length, read, write, constant: coefficients.c }
     }
 
-    /// The number of clocks that it is, in as many bits as those of two words have.
+    /// The number of clocks it takes, in enough bits for two words.
     pub fn clocks(number: Signal) -> Signal {
         number.zext(up_to(2 * LONGEST))
     }
 }
 
-/// An instruction, bit by bit.
+/// The progress of an instruction, bit by bit.
 pub struct Slot {
     held: Reg<Held>,
-    /// Bits to send, with this one.
+    /// There are bits to send, including this one.
     pub left: Reg,
-    /// There is none to send, or the last.
+    /// There is none to send, or this is the last.
     pub ends: Signal,
-    /// This is one of the word.
+    /// This bit is part of the word.
     pub is_word: Signal,
     read: Reg,
     write: Reg,
@@ -67,7 +67,7 @@ impl Slot {
         }
     }
 
-    /// Takes an order at an edge where `begins` is high; else it goes on.
+    /// Takes new work at an edge where `begins` is high; otherwise continues.
     pub fn begin(&self, begins: Signal, order: Order) {
         self.held.when(begins, Held { microcode: order.microcode, length: order.length });
         let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
@@ -77,17 +77,17 @@ impl Slot {
         self.bits.when(begins, order.constant).otherwise(self.bits >> 1);
     }
 
-    /// It needs the memory now, or will.
+    /// It needs the memory now, or will need it.
     pub fn on_memory(&self) -> Signal {
         self.left.ne(0) & self.held.microcode.on_memory
     }
 
-    /// What is read goes to the backing store.
+    /// The bit read goes to the backing store.
     pub fn saves(&self) -> Signal {
         self.held.microcode.saves
     }
 
-    /// What the pixels do.
+    /// The control of the pixels.
     pub fn control(&self) -> Control {
         let code = self.held.microcode;
         let is_last = self.is_word & self.left.eq(1);

@@ -1,4 +1,4 @@
-//! The controller clock by clock, the clocks of a primitive, and what it does not take.
+//! The controller clock by clock, the clocks of a primitive, and the instructions that it refuses.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -30,12 +30,12 @@ fn instruction(operation: Operation, skip: u64, length: u64, write: u64) -> Inst
     Instruction { operation: operation.code(), skip, length, read: 9, write, coefficients }
 }
 
-/// Shows instructions one after another, for so many clocks; gives the clocks in which they are taken.
+/// Offers instructions one after another for `clocks` clocks; returns the clocks in which they are taken.
 fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> Vec<u64> {
     watched(sim, instructions, clocks, |_, _| {})
 }
 
-/// The same; what is done is looked at in each clock.
+/// The same; each clock's control is inspected.
 fn watched(
     sim: &mut Controller,
     instructions: &[Instruction<u64>],
@@ -84,7 +84,7 @@ fn the_control_of_pixels_comes_with_the_expression() {
     let program = [
         instruction(Operation::Add, 1, 3, 20),
         instruction(Operation::Fill, 0, 3, 30),
-        // Its two lower bits need no memory.
+        // The two skipped bits need no memory.
         instruction(Operation::TestLast, 2, 1, 0),
     ];
     run(&mut sim, &program, 14);
@@ -135,13 +135,14 @@ fn one_at_a_time_each_begins_with_the_last_bit_of_the_one_before() {
 fn side_by_side_only_what_meets_waits() {
     let taken = |program: &[Instruction<u64>]| run(&mut started(2), program, 100);
     let copy = instruction(Operation::CopyFlagged, 0, 40, 64);
-    // A test does not; a word of memory, and what captures into the flag that the copy looks at, begins with the copy's last bit.
+    // A test does not have to wait. A word of memory does, and so does a capture into the flag that the copy uses: it
+    // begins with the copy's last bit.
     assert_eq!(taken(&[copy, instruction(Operation::Test, 9, 1, 0)]), [0, 1]);
     assert_eq!(taken(&[copy, instruction(Operation::Evaluate, 16, 8, 0)]), [0, 24]);
     assert_eq!(taken(&[copy, instruction(Operation::TestLast, 9, 1, 0)]), [0, 31]);
     assert_eq!(taken(&[copy, instruction(Operation::Flag, 0, 1, 0)]), [0, 40]);
     assert_eq!(taken(&[copy, instruction(Operation::Enable, 0, 1, 0)]), [0, 1]);
-    // What comes behind a word on its way to the memory waits for its end.
+    // An instruction behind a word that is on its way to the memory waits for that word's end.
     assert_eq!(taken(&[instruction(Operation::Evaluate, 16, 8, 0), copy]), [0, 24]);
     assert_eq!(taken(&[instruction(Operation::TestLast, 9, 1, 0), copy]), [0, 10]);
     assert_eq!(taken(&[instruction(Operation::Test, 9, 1, 0), copy]), [0, 1]);
@@ -156,7 +157,7 @@ fn a_region_is_saved_when_the_store_is_free() {
     assert_eq!(sim.get_u64(sim.o.save.claim), 0);
     sim.set(sim.i.store_free, 1);
     assert_eq!([sim.get_u64(sim.o.save.claim), sim.get_u64(sim.o.save.region)], [1, 77]);
-    // The planes come when the pixels have read them: 2 log2 S clocks after the controller says so.
+    // The planes arrive when the pixels have read them, 2 log2 S clocks after the controller's signal.
     let planes: Vec<u64> = (0..60)
         .map(|clock| {
             let taken = run(&mut sim, &program[..usize::from(clock == 0)], 1);
@@ -168,12 +169,12 @@ fn a_region_is_saved_when_the_store_is_free() {
     assert_eq!(planes, [idle(6), busy(48), idle(6)].concat());
 }
 
-/// Clocks from the first instruction of a primitive to that of the next, when many of a kind come (PP5-UT).
+/// Clocks from the first instruction of a primitive to that of the next, for many equal primitives (PP5-UT).
 fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     clocks_of(false, program, side_by_side)
 }
 
-/// The same, of a controller that may take curves.
+/// The same, for a controller that may take curves.
 fn clocks_of(quadratic: bool, program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
     let mut sim = started_with(ImageGenerationController { side: 128, quadratic });
@@ -186,7 +187,7 @@ fn clocks_of(quadratic: bool, program: &[Instruction<u64>], side_by_side: u64) -
     last - before
 }
 
-/// Edges through the region, whose values there are numbers of so many bits.
+/// Edges through the region, whose values there have this number of bits.
 fn edges(count: u32, bits: u32) -> Vec<Expression> {
     let c = -1 << (bits - 4);
     (0..count).map(|_| Coefficients { a: 1 << (bits - 9), b: -1 << (bits - 9), c }).collect()
@@ -213,7 +214,7 @@ fn a_primitive_takes_the_clocks_of_its_edges_and_planes() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each bit of each instruction in its clock, and nothing in all others.
+    /// Each bit of each instruction in its clock, and nothing in all other clocks.
     #[test]
     fn every_bit_comes_in_its_clock(
         (quadratic, program) in any::<bool>()
@@ -237,7 +238,7 @@ proptest! {
             source: 0, constant: 0, adds: 0, first: 0, mask: Mask::Nobody.code(), compares: 0, gates: 0,
             enabling: Enabling::Keep.code(), captures: 0, read: 0, write: 0,
         };
-        // What a clock's pixels do, so far as anything comes of it.
+        // The action of a clock's pixels, as far as it has an effect.
         let mut expected = vec![nothing; seen.len()];
         let mut first = vec![0; seen.len()];
         let mut curve = [0; 3];
@@ -285,7 +286,7 @@ proptest! {
         }
         for (clock, (out, expected)) in seen.iter().zip(&expected).enumerate() {
             prop_assert_eq!(out.first, first[clock], "clock {}", clock);
-            // What has an effect, whatever else is there.
+            // The fields that have an effect, whatever the others are.
             let does = |c: Control<u64>| {
                 let writes = c.mask != Mask::Nobody.code();
                 let works = writes || c.compares == 1;
@@ -302,7 +303,7 @@ proptest! {
             };
             prop_assert_eq!(does(out.control), does(*expected), "clock {}", clock);
             prop_assert_eq!([out.save.plane, out.save.claim], [0, 0]);
-            // Nothing is left of what was before the reset.
+            // Nothing from before the reset is left.
             prop_assert!(clock as u64 >= late || out.control == nothing, "clock {}", clock);
         }
         prop_assert_eq!(seen.last().unwrap().idle, 1);

@@ -1,4 +1,4 @@
-//! The frame buffer clock by clock, and with regions of a picture in any order.
+//! The frame buffer clock by clock, and with the regions of a picture in any sequence.
 
 use std::ops::Range;
 
@@ -26,7 +26,7 @@ fn send(sim: &mut Frame, region: u64, line: u64, words: &[u64], planes: Range<u6
         }
         sim.step();
     }
-    // What is not valid is not looked at.
+    // Inputs that are not valid are ignored.
     sim.set(sim.i.planes.valid, 0);
     sim.set(sim.i.planes.payload.region, 0xffff);
 }
@@ -88,7 +88,7 @@ proptest! {
         const SIDE: u32 = 8;
         let frame = FrameBuffer::new(Screen { width, height }, SIDE).unwrap();
         let mut sim = started(&frame);
-        // Lines of all regions, mixed up; a word tells where its pixel is.
+        // Lines of all regions, mixed up; each word encodes its pixel's position.
         let mut lines: Vec<(u32, u32)> = (0..frame.regions()).flat_map(|region| (0..SIDE).map(move |line| (region, line))).collect();
         lines.sort_by_key(|(region, line)| (u64::from(region * SIDE + line) + 1).wrapping_mul(order | 1) >> 7 & 0xff);
         let word = |x: u32, y: u32| u64::from(y) << 40 | u64::from(x) << 3 | 5;

@@ -1,4 +1,4 @@
-//! The tree clock by clock, for all small coefficients, and at random.
+//! The tree clock by clock, for all small coefficients, and for random ones.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -56,7 +56,7 @@ fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Of any length from log2 S on, right behind one another or with pauses.
+    /// Expressions of any length from log2 S on, without a gap or with pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         (side, all) in (0..5u32).prop_flat_map(|level| {

@@ -1,5 +1,5 @@
-//! The machine draws regions as the meaning of their instructions says, whoever draws them. Its clocks are those of the transaction model, which
-//! is compared where that is (`tilewright-machines`).
+//! The machine draws each region as its instructions say, whichever renderer draws it. Its clocks are those of the
+//! transaction model, and are compared there (`tilewright-machines`).
 
 use std::collections::VecDeque;
 
@@ -14,7 +14,7 @@ use super::*;
 
 const SIDE: u32 = 8;
 
-/// What a host is to have drawn: the instructions of each region, without clear and save.
+/// The host's picture: the instructions of each region, without clear and save.
 fn draw(
     machine: &PixelPlanes5,
     regions: &[Vec<Instruction<u64>>],
@@ -57,7 +57,7 @@ fn draw(
     sim
 }
 
-/// The instructions of a triangle, or of a sphere, if renderers evaluate quadratics.
+/// The instructions of a triangle, or of a sphere if renderers evaluate quadratics.
 fn drawings(quadratic: bool) -> impl Strategy<Value = Vec<Instruction<u64>>> {
     let triangle = primitives(SIDE).prop_map(|it| smooth_least(SIDE, &it.edges, &it.surface));
     let sphere = spheres(SIDE).prop_map(|it| SMOOTH_LEAST.draw_sphere(SIDE, &it.inside, &it.surface));

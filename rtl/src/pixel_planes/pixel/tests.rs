@@ -1,4 +1,4 @@
-//! The pixel processor clock by clock, and against what its control means.
+//! The pixel processor clock by clock, and against the meaning of its control.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -59,7 +59,7 @@ fn a_word_is_added_to_and_compared_from_its_lowest_bit_on() {
     );
 }
 
-/// What a processor holds, and what its control makes of it: by the words of [`Control`] alone.
+/// The state of a processor, and the effect of its control, from the words of [`Control`] alone.
 #[derive(Debug, Clone)]
 struct Held {
     memory: Vec<u64>,
@@ -95,7 +95,7 @@ impl Held {
 }
 
 fn controls() -> impl Strategy<Value = Control<u64>> {
-    // Few addresses, so that what is written is read.
+    // Few addresses, so that written bits are read again.
     let address = || prop_oneof![Just(0), Just(207), 0..4u64];
     let flags = prop::array::uniform6(0..2u64);
     (0..3u64, 0..4u64, 0..5u64, flags, address(), address()).prop_map(|(source, mask, enabling, flags, read, write)| {

@@ -1,4 +1,4 @@
-//! Empties a region: nothing is farther, and the colour is the background's.
+//! Empties a region: sets the farthest depth and the background's colour.
 
 use super::super::fields::{DEPTH, RGB};
 use super::super::instruction::{Instruction, Operation};
@@ -12,7 +12,7 @@ pub const CLEAR: Program = Program {
     steps: &[Step::on(Operation::Fill, Operand::Number, RGB), Step::on(Operation::Fill, Operand::Farthest, DEPTH)],
 };
 
-/// The instructions that empty a region, with a background of that colour.
+/// The instructions that empty a region, with that background colour.
 pub fn clear(background: u32) -> Vec<Instruction<u64>> {
     CLEAR.of_region(background)
 }

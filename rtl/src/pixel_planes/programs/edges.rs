@@ -1,12 +1,12 @@
-//! How edges are sent: which of them, as what, and in how many bits.
+//! How edges are sent: which ones, in which form, and in how many bits.
 //!
 //! Source: facts E0 (widths), E3 (reduced edges).
 
 use super::super::instruction::{Instruction, Operation};
 use super::{Expression, alone, half_plane, modular};
 
-/// The form in which edges that cross a region are sent; all draw the same pixels. An edge that has all pixels of the region inside is left out,
-/// and with one that has none so is the primitive.
+/// The form in which edges that cross a region are sent; all forms draw the same pixels. An edge with the whole region
+/// inside is left out. A primitive is left out if one of its edges has the whole region outside.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Edges, Expression};
@@ -16,11 +16,11 @@ use super::{Expression, alone, half_plane, modular};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Edges {
-    /// As they are, in as many bits as any edge may need: 18 + log2 S, 25 where S is 128.
+    /// Unchanged, with the bits that any edge may need: 18 + log2 S, or 25 for S = 128.
     Fixed,
-    /// As they are, in as many bits as their values in the region need.
+    /// Unchanged, with the bits that its values in the region need.
     Own,
-    /// As the [least half-plane](half_plane) with the same pixels inside, in as many bits as its values need.
+    /// As the [least half-plane](half_plane) with the same pixels inside, with the bits that its values need.
     Least,
 }
 
@@ -28,7 +28,7 @@ impl Edges {
     /// All forms.
     pub const ALL: [Edges; 3] = [Edges::Fixed, Edges::Own, Edges::Least];
 
-    /// As the command line and reports name it.
+    /// Its name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
             Edges::Fixed => "fixed",
@@ -37,14 +37,14 @@ impl Edges {
         }
     }
 
-    /// The bits of an edge that crosses a region of `side` x `side` pixels, which are the clocks that it takes; 0 of any other. At least as many as
-    /// the trees have levels.
+    /// The bits of an edge that crosses a region of `side` x `side` pixels, and so the clocks that it takes; 0 for any
+    /// other edge. There are at least as many bits as the trees have levels.
     pub fn bits(self, side: u32, edge: &Expression) -> u32 {
         let [least, greatest] = range(side, edge);
         if least < 0 && greatest >= 0 { self.sent(side, edge).1 } else { 0 }
     }
 
-    /// As what it is sent, and in how many bits, if it crosses the region.
+    /// The form in which it is sent, and its number of bits, if it crosses the region.
     fn sent(self, side: u32, edge: &Expression) -> (Expression, u32) {
         let levels = side.trailing_zeros();
         let own = |edge: Expression| {
@@ -59,8 +59,8 @@ impl Edges {
         }
     }
 
-    /// Instructions that enable the pixels inside all edges; `None` if one of them leaves nothing of the region. There is always one, and what
-    /// is first needs no memory.
+    /// The instructions that enable the pixels inside all edges; `None` if one edge has the whole region outside. There
+    /// is always at least one, and the first needs no memory.
     pub(super) fn tests(self, side: u32, edges: &[Expression]) -> Option<Vec<Instruction<u64>>> {
         let mut program = Vec::new();
         for edge in edges {
@@ -93,7 +93,7 @@ pub(super) fn bits(number: i64) -> u32 {
     65 - number.max(!number).leading_zeros()
 }
 
-/// The sign of an expression, whose values are numbers of so many bits.
+/// The sign of an expression whose values have this number of bits.
 pub(super) fn sign(operation: Operation, edge: &Expression, bits: u32) -> Instruction<u64> {
     Instruction { skip: (bits - 1).into(), coefficients: modular(edge), ..alone(operation) }
 }

@@ -1,4 +1,4 @@
-//! A primitive of one colour without depth, the last one in front.
+//! A primitive in one colour without depth: the last one drawn is in front.
 
 use super::super::fields::RGB;
 use super::super::instruction::{Instruction, Operation};
@@ -12,7 +12,7 @@ pub const FLAT: Program = Program {
     steps: &[Step::on(Operation::FillFlagged, Operand::Number, RGB)],
 };
 
-/// The instructions that draw a primitive, its edges the least half-planes.
+/// The instructions that draw a primitive, with its edges as least half-planes.
 pub fn flat(side: u32, edges: &[Expression], rgb: u32) -> Vec<Instruction<u64>> {
     let nowhere = Expression { a: 0, b: 0, c: 0 };
     FLAT.draw(side, Edges::Least, edges, &Surface::of_one_colour(nowhere, rgb))

@@ -1,4 +1,4 @@
-//! A primitive of one colour; the least word z || rgb stays.
+//! A primitive in one colour; each pixel keeps the least word z || rgb.
 
 use super::super::fields::{DEPTH, RGB};
 use super::super::instruction::{Instruction, Operation};
@@ -18,7 +18,7 @@ pub const FLAT_LEAST: Program = Program {
     ],
 };
 
-/// The instructions that draw a primitive, its edges the least half-planes.
+/// The instructions that draw a primitive, with its edges as least half-planes.
 pub fn flat_least(side: u32, edges: &[Expression], z: &Expression, rgb: u32) -> Vec<Instruction<u64>> {
     FLAT_LEAST.draw(side, Edges::Least, edges, &Surface::of_one_colour(*z, rgb))
 }

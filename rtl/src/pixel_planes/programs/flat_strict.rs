@@ -1,4 +1,4 @@
-//! A primitive of one colour; depth alone decides, and of equal depths the first stays.
+//! A primitive in one colour; depth alone decides, and of equal depths the first is kept.
 
 use super::super::fields::{DEPTH, RGB};
 use super::super::instruction::{Instruction, Operation};
@@ -16,7 +16,7 @@ pub const FLAT_STRICT: Program = Program {
     ],
 };
 
-/// The instructions that draw a primitive, its edges the least half-planes.
+/// The instructions that draw a primitive, with its edges as least half-planes.
 pub fn flat_strict(side: u32, edges: &[Expression], z: &Expression, rgb: u32) -> Vec<Instruction<u64>> {
     FLAT_STRICT.draw(side, Edges::Least, edges, &Surface::of_one_colour(*z, rgb))
 }

@@ -1,7 +1,8 @@
-//! The microprograms that draw a primitive in a region, clear one and save one (facts E0, E3).
+//! The microprograms that draw a primitive in a region, clear a region, and save it (facts E0, E3).
 //!
-//! Each is a record in a file of its own: the operations, the words that they read and write, and what they work with. [`Program::draw`] makes
-//! the instructions of one, as whoever controls a renderer would. What is less is nearer; a pixel keeps what its rule says:
+//! Each program is a record in a file of its own: the operations, the words they read and write, and their operands.
+//! [`Program::draw`] makes a program's instructions, as the host of a renderer would. Less is nearer. The rule says
+//! what a pixel keeps:
 //!
 //! | rule | a fragment is kept if | primitives of one colour | with colour planes |
 //! |---|---|---|---|
@@ -9,14 +10,16 @@
 //! | strict | its depth is less: of equal ones the first stays | [`FLAT_STRICT`] | [`SMOOTH_STRICT`] |
 //! | least word | its z \|\| rgb is less, in whatever order they come | [`FLAT_LEAST`] | [`SMOOTH_LEAST`] |
 //!
-//! A triangle, a polygon and a vector differ only in the number of their edges; a vector is a polygon of four. In which form edges are sent is a
-//! choice: [`Edges`].
+//! Triangles, polygons and vectors differ only in the number of their edges; a vector is a polygon with four. [`Edges`]
+//! chooses the form in which edges are sent.
 //!
-//! N is the clocks from a primitive's first operation to the next one's (PP5-UT), in regions of 128 x 128 pixels: at worst, of many equal primitives whose
-//! edges take as many bits as any's, and on the mean, of random vectors of 50 pixels and of the teapot's triangles at 640x480. One at a time all instructions add
-//! up; side by side the memory works while the tree has the next primitive's edges, and the worst [`FLAT_LEAST`] is as fast as its memory, 4 times 24. The paper's
-//! 239 ns a vector are 94 clocks (PP5-UTV); its text does not say of what bits. `cargo test --release -p tilewright-machines the_table_of -- --nocapture`
-//! prints this table:
+//! The table gives N: the clocks from a primitive's first operation to the next one's (PP5-UT), in regions of 128 x 128
+//! pixels. "Worst" is for many equal primitives whose edges take the most bits. "Mean" is over random vectors of 50
+//! pixels, or the teapot's triangles at 640x480. "One at a time" adds up all instructions. "Side by side", the memory
+//! works while the tree has the next primitive's edges; there the worst [`FLAT_LEAST`] is as fast as its memory, 4
+//! times 24. The paper's 239 ns a vector are 94 clocks (PP5-UTV); its text does not say for which bits.
+//!
+//! This command prints the table: `cargo test --release -p tilewright-machines the_table_of -- --nocapture`.
 //!
 //! | program | primitives | edges | one at a time: worst | mean | side by side: worst | mean |
 //! |---|---|---|---|---|---|---|
@@ -51,8 +54,9 @@
 //! | `smooth_least` | polygons of 8 edges | own | 350 | | 303 | |
 //! | `smooth_least` | polygons of 8 edges | least | 280 | | 233 | |
 //!
-//! A [sphere](Program::draw_sphere) has one quadratic in place of the edges, and quadratics as planes (PP5-ARCH, facts C). With n bits of its silhouette, all planes
-//! bent, N is, as `cargo test -p tilewright-rtl --lib a_sphere_takes` holds it:
+//! A [sphere](Program::draw_sphere) has one quadratic instead of edges, and quadratic planes (PP5-ARCH, facts C). With
+//! n bits of its silhouette and all planes curved, N is as follows (tested by
+//! `cargo test -p tilewright-rtl --lib a_sphere_takes`):
 //!
 //! | program | one at a time | side by side |
 //! |---|---|---|
@@ -98,14 +102,14 @@ pub use save::{SAVE, save};
 pub use smooth_least::{SMOOTH_LEAST, smooth_least};
 pub use smooth_strict::{SMOOTH_STRICT, smooth_strict};
 
-/// A x + B y + C over the pixels of a region, (0, 0) at its upper left. An edge is inside where it is 0 or more; a plane counts modulo 2^40,
-/// a colour modulo 2^24, with 16 bits of fraction.
+/// A x + B y + C over the pixels of a region, with (0, 0) at its upper left. A pixel is inside an edge where the value
+/// is at least 0. A plane counts modulo 2^40; a colour counts modulo 2^24, with 16 bits of fraction.
 pub type Expression = Coefficients<i64>;
 
 /// The fraction bits of planes.
 const FRACTION: u32 = 16;
 
-/// The planes of a primitive; of a sphere they are [quadratics](Quadratic).
+/// The planes of a primitive; for a sphere they are [quadratics](Quadratic).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Surface<E = Expression> {
     /// Depth.
@@ -115,14 +119,14 @@ pub struct Surface<E = Expression> {
 }
 
 impl<E: Copy + From<Expression> + Into<Quadratic>> Surface<E> {
-    /// A surface of one colour.
+    /// A surface in one colour.
     pub fn of_one_colour(z: E, rgb: u32) -> Surface<E> {
         let [_, rgb @ ..] = rgb.to_be_bytes();
         let plane = |channel: u8| Expression { a: 0, b: 0, c: i64::from(channel) << FRACTION };
         Surface { z, rgb: rgb.map(|channel| plane(channel).into()) }
     }
 
-    /// Its colour at the upper left pixel, which is that of all where planes of colour have no slope.
+    /// Its colour at the upper left pixel; if the planes of colour have no slope, the colour of every pixel.
     pub fn colour(&self) -> u32 {
         let [r, g, b] = self.rgb.map(|plane| (plane.into().c >> FRACTION) as u8);
         u32::from_be_bytes([0, r, g, b])
@@ -143,76 +147,76 @@ impl<E: Copy + From<Expression> + Into<Quadratic>> Surface<E> {
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Program {
-    /// As reports name it.
+    /// Its name in reports.
     pub name: &'static str,
-    /// What the edges do, which come first.
+    /// The use of the edges, which come first.
     pub edges: EdgeUse,
-    /// Whether it takes one colour for all pixels.
+    /// Whether it draws all pixels in one colour.
     pub is_flat: bool,
-    /// What follows.
+    /// The steps after the edges.
     pub steps: &'static [Step],
 }
 
-/// What the edges of a program do.
+/// The use of edges in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeUse {
-    /// It has none: it is done to a whole region.
+    /// There are none: the program works on the whole region.
     None,
     /// They enable the pixels inside all of them.
     Enable,
-    /// They do, and set the flags of these.
+    /// They enable the pixels inside all of them, and set these pixels' flags.
     EnableAndFlag,
 }
 
 /// An instruction of a program: an operation on words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// What is done.
+    /// The operation.
     pub operation: Operation,
-    /// With what.
+    /// The operand.
     pub operand: Operand,
     /// The word that is read.
     pub read: Field,
-    /// The word that is written, which tells the bits of all.
+    /// The word that is written; its length is the instruction's.
     pub write: Field,
 }
 
-/// What a step works with, beside the word that it reads.
+/// The operand of a step, apart from the word that it reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operand {
-    /// Nothing else.
+    /// No operand.
     Nothing,
     /// The whole part of the depth plane.
     Depth,
-    /// That of red.
+    /// The whole part of the red plane.
     Red,
-    /// That of green.
+    /// The whole part of the green plane.
     Green,
-    /// That of blue.
+    /// The whole part of the blue plane.
     Blue,
-    /// A number that comes with the program: a colour, or that of a region.
+    /// The number given with the program: a colour, or a region's number.
     Number,
-    /// The depth that is farther than any.
+    /// The farthest depth.
     Farthest,
 }
 
 impl Step {
-    /// An operation with a plane, beside what is kept of it; its value is written as a new one.
+    /// An operation with a plane, compared with the stored value; writes the new value.
     const fn beside(operation: Operation, operand: Operand, field: Field) -> Step {
         Step { operation, operand, read: field, write: field.new_value() }
     }
 
-    /// An operation with a field alone.
+    /// An operation with only a field.
     const fn on(operation: Operation, operand: Operand, field: Field) -> Step {
         Step { operation, operand, read: field, write: field }
     }
 
-    /// Where the flag is set, the new value is kept.
+    /// Keeps the new value where the flag is set.
     const fn keep(field: Field) -> Step {
         Step { operation: Operation::CopyFlagged, operand: Operand::Nothing, read: field.new_value(), write: field }
     }
 
-    /// Its instruction, and a curve before it if that needs one.
+    /// Its instruction, preceded by a curve where needed.
     fn instructions<E: Copy + Into<Quadratic>>(
         &self,
         number: i64,
@@ -243,20 +247,23 @@ impl Step {
 }
 
 impl Program {
-    /// Those that draw primitives.
+    /// The programs that draw primitives.
     pub const PRIMITIVES: [&Program; 5] = [&FLAT, &FLAT_STRICT, &FLAT_LEAST, &SMOOTH_STRICT, &SMOOTH_LEAST];
 
-    /// The instructions that draw a primitive in a region of `side` x `side` pixels, all coefficients relative to that. None if an edge leaves
-    /// nothing of it there. A program of one colour takes that of the [upper left pixel](Surface::colour).
+    /// The instructions that draw a primitive in a region of `side` x `side` pixels, with all coefficients relative to
+    /// the region. There are none if an edge has the whole region outside. A program in one colour takes that of the
+    /// [upper left pixel](Surface::colour).
     ///
-    /// What is first needs the tree alone: so the clocks of a primitive do not depend on how the next one begins.
+    /// The first instruction needs the tree alone, so the clocks of a primitive do not depend on how the next one
+    /// begins.
     pub fn draw(&self, side: u32, form: Edges, edges: &[Expression], surface: &Surface) -> Vec<Instruction<u64>> {
         form.tests(side, edges).map_or_else(Vec::new, |tests| self.behind(tests, surface))
     }
 
-    /// The instructions that draw a sphere, or what else is inside where one quadratic is 0 or more, in a region of `side` x `side` pixels, all coefficients
-    /// [relative to that](Quadratic::moved). None if it leaves nothing of it there. They need a renderer that [evaluates
-    /// quadratics](super::renderer::Renderer::quadratic); what is linear needs no [`Curve`](Operation::Curve).
+    /// The instructions that draw a sphere, or anything else that is inside where one quadratic is at least 0. The
+    /// region has `side` x `side` pixels, and all coefficients are [relative to it](Quadratic::moved). There are none
+    /// if no pixel is inside. They need a renderer that [evaluates quadratics](super::renderer::Renderer::quadratic).
+    /// Linear expressions need no [`Curve`](Operation::Curve).
     ///
     /// The values of `inside` in the region fit 40 bits in two's complement.
     ///
@@ -278,7 +285,7 @@ impl Program {
         inside.test(side).map_or_else(Vec::new, |test| self.behind(test, surface))
     }
 
-    /// The program behind the tests of what is inside.
+    /// The program after its tests.
     fn behind<E: Copy + From<Expression> + Into<Quadratic>>(
         &self,
         mut program: Vec<Instruction<u64>>,
@@ -303,14 +310,14 @@ impl Program {
         self.steps.iter().flat_map(move |step| step.instructions(number, surface))
     }
 
-    /// The instructions of a program that is done to a region.
+    /// The instructions of a program that works on a whole region.
     fn of_region(&self, number: u32) -> Vec<Instruction<u64>> {
         let nothing = Expression { a: 0, b: 0, c: 0 };
         self.with(number.into(), &Surface { z: nothing, rgb: [nothing; 3] }).collect()
     }
 }
 
-/// What needs neither word nor expression.
+/// An instruction that needs neither word nor expression.
 fn alone(operation: Operation) -> Instruction<u64> {
     let coefficients = Coefficients { a: 0, b: 0, c: 0 };
     Instruction { operation: operation.code(), skip: 0, length: 1, read: 0, write: 0, coefficients }

@@ -1,11 +1,11 @@
-//! Quadratic expressions, and the test of one: what a sphere is drawn by (facts C).
+//! Quadratic expressions, and the test for spheres (facts C).
 
 use super::super::instruction::{Instruction, Operation};
 use super::edges::{bits, sign};
 use super::{Expression, alone, modular};
 
-/// A x + B y + C + D x² + E x y + F y² over the pixels of a region, (0, 0) at its upper left. As a test it is inside where it is 0 or more; as a plane it
-/// counts as an [`Expression`] does.
+/// A x + B y + C + D x² + E x y + F y² over the pixels of a region, with (0, 0) at its upper left. As a test, a pixel
+/// is inside where the value is at least 0. As a plane it counts as an [`Expression`] does.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -15,17 +15,17 @@ use super::{Expression, alone, modular};
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Quadratic {
-    /// What x is multiplied by.
+    /// The factor of x.
     pub a: i64,
-    /// What y is.
+    /// The factor of y.
     pub b: i64,
     /// The value at the upper left pixel.
     pub c: i64,
-    /// What x² is multiplied by.
+    /// The factor of x².
     pub d: i64,
-    /// What x y is.
+    /// The factor of x y.
     pub e: i64,
-    /// What y² is.
+    /// The factor of y².
     pub f: i64,
 }
 
@@ -44,7 +44,7 @@ impl Quadratic {
         along(self.d, across, x).wrapping_add(along(self.f, self.b, y)).wrapping_add(self.c)
     }
 
-    /// The same over a region whose upper left pixel is there: exact, but for what is a multiple of 2^64.
+    /// The same expression in a region with this upper left pixel: exact modulo 2^64.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -60,7 +60,7 @@ impl Quadratic {
         Quadratic { a: grown(a, d, x, y), b: grown(b, f, y, x), c: self.at(x, y), d, e, f }
     }
 
-    /// So many times it, modulo 2^64.
+    /// The expression times a number, modulo 2^64.
     #[must_use]
     pub fn times(&self, factor: i64) -> Quadratic {
         let &Quadratic { a, b, c, d, e, f } = self;
@@ -79,7 +79,7 @@ impl Quadratic {
         let last = i64::from(side) - 1;
         let values = (0..=last).flat_map(|y| {
             let slope = self.a.wrapping_add(self.e.wrapping_mul(y));
-            // Of a line the ends, and the pixels about the vertex.
+            // For each line, the ends and the pixels around the vertex.
             let vertex = slope.wrapping_neg().checked_div_euclid(self.d.wrapping_mul(2)).unwrap_or(0);
             let near = [-1, 0, 1].map(|by| vertex.saturating_add(by).clamp(0, last));
             near.into_iter().chain([0, last]).map(move |x| self.at(x, y))
@@ -87,8 +87,8 @@ impl Quadratic {
         values.fold([i64::MAX, i64::MIN], |[least, greatest], value| [least.min(value), greatest.max(value)])
     }
 
-    /// The bits in which its sign is sent to a region of `side` x `side` pixels, if some are inside and some are not; 0 if not. The clocks that the test takes are
-    /// one more, of its curve.
+    /// The bits in which its sign is sent to a region of `side` x `side` pixels if some are inside and some are not;
+    /// otherwise 0. The test takes one clock more, for its curve.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -100,7 +100,7 @@ impl Quadratic {
         if least < 0 && greatest >= 0 { bits(least).max(bits(greatest)).max(side.trailing_zeros()) } else { 0 }
     }
 
-    /// Instructions that enable the pixels inside; `None` if there are none.
+    /// The instructions that enable the pixels inside; `None` if there are none.
     pub(super) fn test(&self, side: u32) -> Option<Vec<Instruction<u64>>> {
         match self.bits(side) {
             0 if self.c < 0 => None,
@@ -109,13 +109,13 @@ impl Quadratic {
         }
     }
 
-    /// It without its squares.
+    /// The expression without its quadratic terms.
     pub(super) fn linear(&self) -> Expression {
         let &Quadratic { a, b, c, .. } = self;
         Expression { a, b, c }
     }
 
-    /// The instruction that comes before one with this expression, if it is not linear.
+    /// The instruction that has to precede one with this expression, if it is not linear.
     pub(super) fn curve(&self) -> Option<Instruction<u64>> {
         let &Quadratic { d, e, f, .. } = self;
         let curve = Expression { a: d, b: e, c: f };

@@ -1,4 +1,4 @@
-//! Saves a region, under its number, when the one saved before is sent.
+//! Saves a region under its number, once the previous region has been sent.
 
 use super::super::fields::WORD;
 use super::super::instruction::{Instruction, Operation};
@@ -12,7 +12,7 @@ pub const SAVE: Program = Program {
     steps: &[Step::on(Operation::Save, Operand::Number, WORD)],
 };
 
-/// The instruction that saves a region of that number.
+/// The instruction that saves a region with that number.
 pub fn save(region: u32) -> Vec<Instruction<u64>> {
     SAVE.of_region(region)
 }

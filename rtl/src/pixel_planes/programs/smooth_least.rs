@@ -1,4 +1,4 @@
-//! A primitive with planes of colour; the least word z || rgb stays.
+//! A primitive with planes of colour; each pixel keeps the least word z || rgb.
 
 use super::super::fields::{BLUE, DEPTH, GREEN, RED, WORD};
 use super::super::instruction::{Instruction, Operation};
@@ -19,7 +19,7 @@ pub const SMOOTH_LEAST: Program = Program {
     ],
 };
 
-/// The instructions that draw a primitive, its edges the least half-planes.
+/// The instructions that draw a primitive, with its edges as least half-planes.
 pub fn smooth_least(side: u32, edges: &[Expression], surface: &Surface) -> Vec<Instruction<u64>> {
     SMOOTH_LEAST.draw(side, Edges::Least, edges, surface)
 }

@@ -1,4 +1,4 @@
-//! A primitive with planes of colour; depth alone decides, and of equal depths the first stays.
+//! A primitive with planes of colour; depth alone decides, and of equal depths the first is kept.
 
 use super::super::fields::{BLUE, DEPTH, GREEN, RED};
 use super::super::instruction::{Instruction, Operation};
@@ -18,7 +18,7 @@ pub const SMOOTH_STRICT: Program = Program {
     ],
 };
 
-/// The instructions that draw a primitive, its edges the least half-planes.
+/// The instructions that draw a primitive, with its edges as least half-planes.
 pub fn smooth_strict(side: u32, edges: &[Expression], surface: &Surface) -> Vec<Instruction<u64>> {
     SMOOTH_STRICT.draw(side, Edges::Least, edges, surface)
 }

@@ -1,4 +1,4 @@
-//! What a primitive is made of, and its edges at the limits of the contract.
+//! The instructions of a primitive, and its edges at the limits of the contract.
 
 use proptest::prelude::*;
 
@@ -70,7 +70,7 @@ fn a_sphere_is_its_test_and_the_steps_of_a_program_with_curves_where_they_bend()
             "CopyFlagged"
         ]
     );
-    // All of the region is inside, nothing is, and what is inside is a half-plane.
+    // The whole region is inside; the whole region is outside; the inside is a half-plane.
     assert_eq!(drawn(&FLAT, &Quadratic { c: 90, ..inside }, plane, plane), ["Enable", "Flag", "FillFlagged"]);
     assert_eq!(drawn(&FLAT, &Quadratic { c: -26, ..inside }, plane, plane), [""; 0]);
     assert_eq!(drawn(&FLAT, &edge(1, 0, -3).into(), plane, plane), ["TestFirst", "Flag", "FillFlagged"]);
@@ -102,7 +102,7 @@ fn a_sign_has_as_many_bits_as_the_values_in_the_region() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Of all pixels, of whatever form; and the bit that is looked at is the sign.
+    /// At all pixels, in every form; and the bit tested is the sign.
     #[test]
     fn a_quadratic_has_its_range_and_its_sign_in_a_region(
         (side, sphere) in prop::sample::select(vec![2, 4, 8, 16, 32]).prop_flat_map(|side| (Just(side), spheres(side))),
@@ -116,7 +116,7 @@ proptest! {
         let test = program.iter().find(|it| it.operation == Operation::TestFirst.code());
         prop_assert_eq!(test.map_or(0, |test| test.skip as u32 + 1), inside.bits(side));
         prop_assert_eq!(program.is_empty(), range[1] < 0);
-        // No bit less tells it, but for the levels of the trees.
+        // One bit less would not do, except for the trees' minimum.
         let fits = |bits: u32| range.iter().all(|value| (-(1 << (bits - 1))..1 << (bits - 1)).contains(value));
         if let Some(test) = test {
             let bits = test.skip as u32 + 1;
@@ -143,7 +143,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In all forms the bit that is looked at is the sign of the edge, at every pixel, of triangles anywhere in the guard band.
+    /// In all forms the bit tested is the sign of the edge, at every pixel, for triangles anywhere in the guard band.
     #[test]
     fn the_sign_does_not_wrap(primitive in super::super::testing::primitives(128)) {
         const SIDE: u32 = 128;

@@ -1,4 +1,4 @@
-//! The tree clock by clock, for all small coefficients, and at random.
+//! The tree clock by clock, for all small coefficients, and for random ones.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -58,7 +58,7 @@ fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Of any length from log2 S on, right behind one another or with pauses.
+    /// Expressions of any length from log2 S on, without a gap or with pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         (side, all) in (0..5u32).prop_flat_map(|level| {
@@ -73,7 +73,7 @@ proptest! {
         expect_sums(side, &all);
     }
 
-    /// Without a curve it is the linear tree, 2 log2 S clocks later.
+    /// Without a curve it equals the linear tree, 2 log2 S clocks later.
     #[test]
     fn without_a_curve_it_is_the_linear_tree(level in 1..5u32, sent in prop::collection::vec((any::<[u64; 3]>(), 5..41u32), 1..5)) {
         let side = 1 << level;

@@ -1,4 +1,4 @@
-//! The renderer against what its instructions mean, and against the contract of geometry.
+//! The renderer against the meaning of its instructions, and against the contract of geometry.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
@@ -14,7 +14,7 @@ use super::super::testing::{Primitive, Shape, Sphere, instructions, polygons, pr
 use super::super::{PERIOD, SIDE};
 use super::*;
 
-/// Which renderer it is, and how both sides behave.
+/// The renderer's parameters, and the behaviour of both its neighbours.
 #[derive(Debug, Clone, Copy)]
 struct Manner {
     quadratic: bool,
@@ -32,7 +32,7 @@ fn manners() -> impl Strategy<Value = Manner> {
     )
 }
 
-/// Runs instructions in a renderer; gives the regions that it sends, each with the words of its pixels line by line.
+/// Runs instructions in a renderer; returns the regions that it sends, each with its pixels' words line by line.
 fn sent(side: u32, instructions: &[Instruction<u64>], manner: Manner) -> Vec<(u64, Vec<u64>)> {
     let renderer = Renderer::new(side, manner.queue).unwrap().quadratic(manner.quadratic);
     let mut sim = Simulation::of(&renderer).unwrap().seeded(manner.seed);
@@ -82,7 +82,7 @@ fn constant(operation: Operation, write: u64, length: u64) -> Instruction<u64> {
     Instruction { operation: operation.code(), skip: 0, length, read: 0, write, coefficients }
 }
 
-/// Gives every bit of memory a value and both flags 0, as they have any at first.
+/// Gives every bit of memory a value, which it otherwise lacks at first, and clears both flags.
 fn filled() -> Vec<Instruction<u64>> {
     let words = [(0, 64), (64, 64), (128, 64), (192, 16)];
     let words = words.map(|(write, length)| constant(Operation::Fill, write, length));
@@ -101,14 +101,14 @@ fn all_memory() -> Vec<Instruction<u64>> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever overlaps, memory and flags are as if each instruction began when the one before has ended.
+    /// Whatever overlaps, memory and flags end as if each instruction began when its predecessor had ended.
     #[test]
     fn instructions_do_what_they_do_one_after_another(
         (side, program, manner) in (prop::sample::select(vec![2, 4, 8]), manners()).prop_flat_map(|(side, manner)| {
             (Just(side), prop::collection::vec(instructions(side, manner.quadratic), 1..60), Just(manner))
         }),
     ) {
-        // In the end the flags are in the memory, too.
+        // At the end the flags are in the memory, too.
         let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207, 1) };
         let flags = vec![constant(Operation::FillFlagged, 206, 1), enable];
         let program = [filled(), program, flags, all_memory()].concat();
@@ -118,7 +118,7 @@ proptest! {
     }
 }
 
-/// A rule, the program that keeps it, and what a pixel keeps by it of its word and a fragment's.
+/// A rule, the program that implements it, and what a pixel keeps of its word and a fragment's.
 #[derive(Debug, Clone, Copy)]
 struct Rule {
     program: &'static Program,
@@ -202,7 +202,7 @@ proptest! {
     }
 }
 
-/// The machine's own size, with triangles that cover a good part of it.
+/// The machine's own size, with triangles that cover much of it.
 #[test]
 fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
     let edge = |a, b, c| Coefficients { a, b, c };
@@ -225,7 +225,7 @@ fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
 
-/// The machine's own size, with spheres that go through each other.
+/// The machine's own size, with spheres that intersect.
 #[test]
 fn spheres_in_a_region_of_128_x_128_pixels_are_what_the_contract_says() {
     let ball = |[x, y]: [i64; 2], radius: i64, depth: i64, shades: [i64; 3]| {
@@ -251,7 +251,8 @@ fn spheres_in_a_region_of_128_x_128_pixels_are_what_the_contract_says() {
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
 
-/// PP5-UT: N clocks for each primitive and a start-up that is the same for any number of them. The clocks of programs are tested with the controller.
+/// PP5-UT: N clocks for each primitive, and the same start-up for any number of them. The clocks of programs are tested
+/// with the controller.
 #[test]
 fn the_array_never_waits_while_the_queue_has_instructions() {
     let edge = |a, b, c| Coefficients { a, b, c };
@@ -309,7 +310,8 @@ fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
     let region = 48 * 8;
     let is_without_pause = |clocks: &[u64]| clocks.last().unwrap() - clocks[0] == region - 1;
     assert!(clocks.chunks(region as usize).all(is_without_pause));
-    // Between them the store is free, the planes of the second region are read, and come through the pixels' pipeline; its clear was long done.
+    // Between them the store is free, and the planes of the second region are read and pass the pixels' pipeline. Its
+    // clear ended long before.
     let between = clocks[region as usize] - clocks[region as usize - 1];
     assert_eq!(between, 1 + 48 + u64::from(LinearTree { side: 8 }.latency()) + 2);
 }

@@ -1,4 +1,4 @@
-//! The ring clock by clock, and against turns that are taken in a plain loop.
+//! The ring clock by clock, and against a plain loop with round robin.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -6,13 +6,13 @@ use tilewright_sim::Simulation;
 use super::super::linear_tree::Coefficients;
 use super::*;
 
-/// An instruction that is known by a number.
+/// An instruction identified by a number.
 fn instruction(number: u64) -> Instruction<u64> {
     let coefficients = Coefficients { a: 0, b: 0, c: number };
     Instruction { operation: 0, skip: 0, length: 1, read: 0, write: 0, coefficients }
 }
 
-/// What is in front of the ring: the numbers of instructions, and regions' planes.
+/// The inputs of the ring: the numbers of instructions, and regions' planes.
 #[derive(Debug, Clone)]
 struct Waiting {
     bins: Vec<Option<u64>>,
@@ -44,7 +44,7 @@ impl Plain {
         Plain { ring: ring.clone(), credit: ring.most_credit(), last: None, line_of: None }
     }
 
-    /// The numbers of those whose message goes in a clock, in the order of their turns.
+    /// The numbers of the stations whose message passes in a clock, in the sequence of arbitration.
     fn clock(&mut self, waiting: &Waiting) -> Vec<usize> {
         let renderers = waiting.bins.len();
         let stations = 2 * renderers;
@@ -90,7 +90,7 @@ fn started(ring: &Ring) -> Running {
     sim
 }
 
-/// What goes in a clock: the number of the instruction that each renderer gets, and the plane.
+/// The messages of a clock: the number of the instruction that each renderer gets, and the plane.
 fn clock(sim: &mut Running, waiting: &Waiting) -> (Vec<Option<u64>>, Option<BitPlane<u64>>) {
     sim.drive(waiting.inputs());
     let out = sim.read_u64();
@@ -128,7 +128,7 @@ fn all_take_turns_as_long_as_the_credit_lasts() {
         sim.drive(Waiting { bins: vec![Some(1), Some(2)], room, finished: vec![plane(3), plane(4)] }.inputs());
         sim.step();
     }
-    // Where an instruction waits for its 154 bits, so does a plane of 8 behind it.
+    // While an instruction waits for its 154 bits, a plane of 8 behind it waits, too.
     wave.expect(
         r"
         clk                  |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
@@ -201,7 +201,7 @@ fn a_rate_has_to_be_a_number_of_bits_in_each_clock() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Every message in its clock, and not more bits in any clocks than the rate and one message.
+    /// Every message in its clock, and in any interval no more bits than the rate allows plus one message.
     #[test]
     fn messages_go_as_their_turns_are_taken(
         (renderers, side) in (1..5u32, prop::sample::select(vec![8u32, 32, 256])),
@@ -230,7 +230,7 @@ proptest! {
                     waiting.bins[number] = Some(now << 8 | number as u64);
                 }
                 if waiting.finished[number].is_none() && chance(percent[2]) {
-                    // The last few planes of lines, so that there are many ends.
+                    // The last few planes of lines, so that many lines end.
                     let plane = *next;
                     let bits = now % 256;
                     waiting.finished[number] = Some(BitPlane { region: number as u64, line: now % 8, plane, bits });

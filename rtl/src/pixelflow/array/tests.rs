@@ -1,4 +1,4 @@
-//! Random programs against what each instruction does to each pixel, and what the ports see.
+//! Random programs against the effect of each instruction on each pixel, and the bytes that the ports see.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -17,7 +17,7 @@ fn started(array: &PixelArray, side_by_side: bool) -> Array {
     sim
 }
 
-/// Shows an instruction, or none, for a clock of the array; gives whether it is taken.
+/// Offers an instruction, or none, for a clock of the array; returns whether it is taken.
 fn clock(sim: &mut Array, instruction: Option<&Instruction<u64>>) -> bool {
     let i = sim.i.clone();
     sim.set(i.instructions.valid, instruction.is_some());
@@ -27,7 +27,7 @@ fn clock(sim: &mut Array, instruction: Option<&Instruction<u64>>) -> bool {
     taken
 }
 
-/// Sends the program, after pauses, and lets it end in the pixels; gives the clocks.
+/// Sends the program, after pauses, and lets it end in the pixels; returns the clocks.
 fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses: &[u32]) -> u64 {
     let start = sim.cycles(ARRAY).unwrap();
     for (number, instruction) in program.iter().enumerate() {
@@ -42,7 +42,7 @@ fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses
     sim.cycles(ARRAY).unwrap() - start
 }
 
-/// All that a pixel of the circuit holds.
+/// The whole state of a pixel in the circuit.
 fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
     let mut pixel = Pixel::new();
     // A row for each chip, which has two lines.
@@ -66,7 +66,7 @@ fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever overlaps, all is as if each instruction began when the one before has ended.
+    /// Whatever overlaps, the state ends as if each instruction began when its predecessor had ended.
     #[test]
     fn instructions_do_what_they_do_one_after_another(
         extents in prop::array::uniform2(1..4u32),
@@ -86,7 +86,7 @@ proptest! {
     }
 }
 
-/// Nanoseconds a clock of the array of 128 x 64 pixels, by what it does, and how many of a network's transfer. Printed, and no more:
+/// Nanoseconds a clock of the array of 128 x 64 pixels, by activity, and per clock of a network transfer. Only printed:
 /// `cargo test --release -p tilewright-rtl --lib -- --ignored --nocapture nanoseconds_of_the_machine_s_array`
 #[test]
 #[ignore = "it measures"]

@@ -7,7 +7,7 @@ use super::*;
 
 type Dma = Simulation<CommandDmaIn, CommandDmaOut>;
 
-/// An instruction that is told from others by every field, whatever it means.
+/// An instruction that differs from all others in every field, whatever it means.
 fn numbered(number: u64) -> Instruction<u64> {
     let mut state = number;
     let fields = Instruction::widths().map(|width| {
@@ -27,7 +27,7 @@ fn started(words: u32) -> Dma {
         sim.drive(CommandDmaIn { store, frames });
         sim.step();
     }
-    // What is not written is neither the last one nor nothing.
+    // An input that is not written differs from the last instruction and from zero.
     sim.drive(CommandDmaIn { store: Store { writes: 0, address: 0, instruction: numbered(1000) }, frames });
     sim
 }

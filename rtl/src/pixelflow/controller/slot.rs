@@ -1,4 +1,4 @@
-//! Where an instruction is while its bytes are sent.
+//! A slot: the place of an instruction while its bytes are sent.
 
 use super::super::instruction::{Instruction, LONGEST, Sync};
 use super::super::pixel::{Begin, Control, Enabling, Flagging, Function, Mask};
@@ -6,16 +6,16 @@ use super::{BANKS, Given};
 use crate::prelude::*;
 
 bundle! {
-    /// What an instruction says for all of its bytes.
+    /// The fields of an instruction that are the same for all of its bytes.
     pub struct Action<T> {
         source: T, function: T, begin: T, mask: T, accumulates: T, stores: T, condition: T,
         enabling: T, by_sign: T, flagging: T, on_memory: T, descends: T, gives: T, bank: T, starts: T,
     }
 
-    /// What a slot is to do.
+    /// The work for a slot.
     pub struct Order<T> { pub action: Action<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
 
-    /// What a slot knows of its order.
+    /// A slot's copy of its work.
     struct Held<T> { action: Action<T>, length: T }
 }
 
@@ -65,26 +65,26 @@ impl Order {
         Order { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
     }
 
-    /// The number of clocks that it is, in as many bits as those of two words have.
+    /// The number of clocks it takes, in enough bits for two words.
     pub fn clocks(number: Signal) -> Signal {
         number.zext(up_to(2 * LONGEST))
     }
 }
 
-/// The bank that a number counts: a bit for each.
+/// The bank with that number, one bit each.
 pub fn bank(number: Signal) -> Signal {
     let second = number.bit(0);
     concat(&[second, !second])
 }
 
-/// An instruction, byte by byte.
+/// The progress of an instruction, byte by byte.
 pub struct Slot {
     held: Reg<Held>,
-    /// Bytes to send, with this one.
+    /// There are bytes to send, including this one.
     pub left: Reg,
-    /// There is none to send, or the last.
+    /// There is none to send, or this is the last.
     pub ends: Signal,
-    /// This is one of the word.
+    /// This byte is part of the word.
     pub is_word: Signal,
     read: Reg,
     write: Reg,
@@ -113,7 +113,7 @@ impl Slot {
         }
     }
 
-    /// Takes an order at an edge where `begins` is high; else it goes on.
+    /// Takes new work at an edge where `begins` is high; otherwise continues.
     pub fn begin(&self, begins: Signal, order: Order) {
         self.held.when(begins, Held { action: order.action, length: order.length });
         let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
@@ -125,7 +125,7 @@ impl Slot {
         self.bytes.when(begins, order.constant).otherwise(self.bytes >> 8);
     }
 
-    /// It needs ALU or memory now, or will.
+    /// It needs ALU or memory now, or will need it.
     pub fn on_memory(&self) -> Signal {
         self.left.ne(0) & self.held.action.on_memory
     }
@@ -134,14 +134,14 @@ impl Slot {
         self.is_word & self.left.eq(1)
     }
 
-    /// What the pixels do.
+    /// The control of the pixels.
     pub fn control(&self) -> Control {
         let action = self.held.action;
         let is_first = self.left.eq(Order::clocks(self.held.length));
         Control {
             source: action.source,
             constant: self.constant,
-            // Else the carry would not stay.
+            // Otherwise the carry would not stay.
             function: mux(self.is_word, action.function, Function::Operand),
             begin: mux(is_first, action.begin, Begin::Kept),
             mask: mux(self.is_word, action.mask, Mask::Nobody),
@@ -156,7 +156,7 @@ impl Slot {
         }
     }
 
-    /// What is given to the ports: with the last byte.
+    /// What the ports get, with the last byte.
     pub fn given(&self) -> Given {
         let action = self.held.action;
         Given { banks: mux(self.is_last() & action.gives, action.bank, 0), texture: self.is_last() & action.starts }

@@ -1,4 +1,4 @@
-//! The controller clock by clock, the clocks of a primitive, and what it does not take.
+//! The controller clock by clock, the clocks of a primitive, and the instructions that it refuses.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -24,12 +24,12 @@ fn inputs(next: Option<&Instruction<u64>>, side_by_side: u64) -> ArrayController
     ArrayControllerIn { instructions, side_by_side, bank_done: 0, texture_done: 0 }
 }
 
-/// Shows instructions one after another, for so many clocks; gives the clocks in which they are taken.
+/// Offers instructions one after another for `clocks` clocks; returns the clocks in which they are taken.
 fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> Vec<u64> {
     watched(sim, instructions, clocks, |_| {})
 }
 
-/// The same; what is sent is looked at in each clock.
+/// The same; each clock's control is inspected.
 fn watched(
     sim: &mut Controller,
     instructions: &[Instruction<u64>],
@@ -49,13 +49,13 @@ fn watched(
     taken
 }
 
-/// All write a byte that is added to.
+/// All write the sum of a constant and a word.
 fn fill(length: u64, write: u64) -> Instruction<u64> {
     let (function, begin, mask) = (Function::Add.code(), Begin::Zero.code(), Mask::Everybody.code());
     Instruction { function, begin, mask, stores: 1, length, write, c: 0x0403_0201, ..Instruction::NOTHING }
 }
 
-/// What a flag chose is copied.
+/// A copy of what a flag chose.
 fn copy(length: u64) -> Instruction<u64> {
     let (function, mask) = (Function::Word.code(), Mask::Flagged.code());
     Instruction { function, mask, stores: 1, length, read: 100, write: 200, ..Instruction::NOTHING }
@@ -133,7 +133,7 @@ fn one_at_a_time_each_begins_with_the_last_byte_of_the_one_before() {
 #[test]
 fn side_by_side_only_what_meets_waits() {
     let taken = |program: &[Instruction<u64>]| run(&mut started(1), program, 40);
-    // An edge does not; what has a word in the ALU begins so that it comes behind the copy.
+    // An edge does not wait. An instruction with a word in the ALU starts so that its word follows the copy.
     assert_eq!(taken(&[copy(8), test(4), test(4)]), [0, 1, 5]);
     assert_eq!(taken(&[copy(8), evaluate(2, 3)]), [0, 6]);
     assert_eq!(taken(&[copy(8), evaluate(0, 3)]), [0, 8]);
@@ -145,14 +145,14 @@ fn side_by_side_only_what_meets_waits() {
     // An edge that also sets the flag does, too.
     let captures = Instruction { flagging: Flagging::EnabledCondition.code(), ..test(4) };
     assert_eq!(taken(&[copy(8), captures]), [0, 5]);
-    // What comes behind a word on its way to the memory waits for its end, but not behind an edge.
+    // An instruction behind a word that is on its way to the memory waits for that word's end, but not behind an edge.
     assert_eq!(taken(&[evaluate(2, 3), copy(8)]), [0, 5]);
     assert_eq!(taken(&[test(4), copy(8)]), [0, 1]);
     // One more waits for the memory.
     assert_eq!(taken(&[copy(8), copy(8), test(4), copy(8), test(4)]), [0, 1, 2, 8, 9]);
 }
 
-/// As node and network have it: a bank is given, drained while the other one is filled, and given again.
+/// Node and network work like this: a bank is given, drained while the other one is filled, and given again.
 #[test]
 fn a_bank_is_awaited_until_the_network_has_done_with_it() {
     let mut sim = started(1);
@@ -189,7 +189,8 @@ fn the_texture_unit_is_awaited_until_it_has_done() {
     let mut starts = Vec::new();
     let taken = watched(&mut sim, &[wait, start], 8, |out| starts.push(out.given.texture));
     assert_eq!(taken, [0, 1]);
-    // It is taken in clock 1, its byte goes to the pixels in clock 2, and they have it 3 clocks later, as an expression would be.
+    // It is taken in clock 1, its byte is sent to the pixels in clock 2, and they get it 3 clocks later, as an
+    // expression would.
     assert_eq!(starts, [0, 0, 0, 0, 0, 1, 0, 0]);
 }
 
@@ -209,7 +210,7 @@ fn what_is_given_is_given_with_the_last_byte() {
     }
 }
 
-/// Clocks from the first instruction of a primitive to that of the next, when many of a kind come.
+/// Clocks from the first instruction of a primitive to that of the next, for many equal primitives.
 fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
     let mut sim = started(side_by_side);
@@ -221,8 +222,8 @@ fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     last - before
 }
 
-/// Facts E4: 12 bytes of edges, 5 of depth, 9 of colours and 6 that are written, 0.32 us; side by side those 6 are written under the edges, and
-/// take the clock in which their instruction is taken.
+/// Facts E4: 12 bytes of edges, 5 of depth, 9 of colours and 6 written take 0.32 us. Side by side, the 6 are written
+/// under the edges, and cost only the clock in which their instruction is taken.
 #[test]
 fn a_gouraud_triangle_takes_32_clocks_and_27_side_by_side() {
     let program = triangle([[1, 2, 3]; 3], 4, [[1, 2, 3]; 4]);
@@ -232,7 +233,7 @@ fn a_gouraud_triangle_takes_32_clocks_and_27_side_by_side() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each byte of each instruction in its clock, and nothing in all others.
+    /// Each byte of each instruction in its clock, and nothing in all other clocks.
     #[test]
     fn every_byte_comes_in_its_clock(
         program in prop::collection::vec(instructions(), 1..40),
@@ -299,7 +300,7 @@ fn what_skips_without_an_expression_is_an_error() {
     taken_wrongly(Instruction { skip: 1, ..fill(1, 0) });
 }
 
-/// Each of them is refused, with that message.
+/// Each of them is refused with that message.
 fn expect_refused(wrong: &[Instruction<u64>], message: &str) {
     for wrong in wrong {
         let mut sim = started(1);

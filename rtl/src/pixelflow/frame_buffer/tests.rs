@@ -7,17 +7,17 @@ use super::*;
 
 type Sim = Simulation<FrameBufferIn, FrameBufferOut>;
 
-/// The colour of a pixel of a frame: alike for no two that could be mistaken for each other.
+/// The colour of a pixel of a frame; pixels that could be confused have different colours.
 fn colour(frame: u64, x: u32, y: u32) -> u64 {
     (frame << 20 ^ u64::from(y) << 10 ^ u64::from(x)).wrapping_mul(0x9e37_79b9) >> 3 & 0xff_ffff
 }
 
-/// The colour of a sample, of eight: where it is on the screen in samples, and of which rendering it is.
+/// The colour of one of eight samples, from its position on the screen in samples and its rendering.
 fn sample(frame: u64, x: u32, y: u32, rendering: u32) -> u64 {
     colour(frame, x, y).wrapping_mul(0x2545_f491) >> (3 * rendering) & 0xff_ffff
 }
 
-/// The colour of a pixel as it is to be shown.
+/// The expected colour of a pixel on display.
 fn expected(samples: u32, frame: u64, x: u32, y: u32) -> u64 {
     if samples == 1 {
         return colour(frame, x, y);
@@ -53,11 +53,11 @@ impl Registers<'_> {
     }
 }
 
-/// A frame buffer that is loaded without an end, a frame after another.
+/// A frame buffer that is loaded without end, frame after frame.
 struct Loaded<'a> {
     sim: Sim,
     registers: Registers<'a>,
-    /// The clock in which the region began, and what those that are done took.
+    /// The clock in which the region began, and the durations of those that are done.
     began: u64,
     took: Vec<u64>,
     clock: u64,
@@ -73,7 +73,7 @@ impl<'a> Loaded<'a> {
         Loaded { sim, registers, began: 0, took: Vec::new(), clock: 0 }
     }
 
-    /// A clock; gives the pixel that is taken, if one is.
+    /// A clock; returns the pixel that is taken, if there is one.
     fn clock(&mut self, starts: bool, takes: bool) -> Option<(u64, bool, bool)> {
         let sim = &mut self.sim;
         let (i, o) = (sim.i, sim.o);
@@ -98,7 +98,7 @@ impl<'a> Loaded<'a> {
         (valid && takes).then_some((red << 16 | green << 8 | blue, first, last))
     }
 
-    /// Loads a region, while nobody takes pixels.
+    /// Loads a region while no pixels are taken.
     fn load(&mut self) {
         let before = self.took.len();
         self.clock(true, false);
@@ -108,7 +108,7 @@ impl<'a> Loaded<'a> {
     }
 }
 
-/// PFL-LOAD: 52 us are the paper's.
+/// PFL-LOAD: the paper has 52 us.
 #[test]
 fn a_region_of_8192_pixels_takes_41_12_us() {
     let buffer = FrameBuffer::new([128, 64], Screen { width: 640, height: 512 }).unwrap();
@@ -195,7 +195,8 @@ fn a_pixel_is_shown_every_clock() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever the pauses of both sides are, whole frames are shown in their order, and none that is older than the last whole one.
+    /// Whatever the pauses of both sides, whole frames are shown in sequence, and none older than the last complete
+    /// one.
     #[test]
     fn whole_frames_are_shown_in_their_order(
         width in 1..=3_u32,
@@ -232,7 +233,8 @@ proptest! {
     }
 }
 
-/// What was shown, each with the frame that was being loaded: frames 0, 1 and so on, each as often as it likes but the first at least once.
+/// The frames shown, each with the frame that was being loaded: 0, 1 and so on, each any number of times, but the first
+/// at least once.
 fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
     let FrameBuffer { screen: Screen { width, height }, samples, .. } = *buffer;
     let pixels = (width * height) as usize;
@@ -249,7 +251,7 @@ fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Re
             number += 1;
         }
         prop_assert!(whole(number), "scan {}", scan);
-        // It was whole before it was shown, and the one behind it is not older than a frame.
+        // It was complete before it was shown, and at most one frame old.
         prop_assert!(chunk[0].1 > number && chunk[0].1 <= number + 2);
         for (at, ((_, first, last), _)) in chunk.iter().enumerate() {
             prop_assert_eq!((*first, *last), (at == 0, ((at + 1) as u32).is_multiple_of(width)));

@@ -1,4 +1,4 @@
-//! The evaluator clock by clock, for all small coefficients, and at random.
+//! The evaluator clock by clock, for all small coefficients, and for random ones.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -91,7 +91,7 @@ fn a_reset_ends_what_is_under_way() {
     }
 }
 
-/// All places to which a bit of a coefficient is shifted, and all carries between its two bytes.
+/// All shifts of a coefficient's bits, and all carries between its two bytes.
 #[test]
 fn it_gives_all_sums_of_two_bytes_whose_border_is_crossed() {
     let numbers = [0x0000, 0x0001, 0x007f, 0x0080, 0x00c0, 0x00ff, 0x0100, 0x7fff, 0x8000, 0xff80, 0xffff];
@@ -102,7 +102,7 @@ fn it_gives_all_sums_of_two_bytes_whose_border_is_crossed() {
     }
 }
 
-/// All bytes of both coefficients, and constants that make carries or not.
+/// All bytes of both coefficients, with constants that cause carries and constants that do not.
 #[test]
 fn it_gives_all_sums_of_a_byte_on_2x2_pixels() {
     for c in [0, 0xff] {
@@ -115,7 +115,7 @@ fn it_gives_all_sums_of_a_byte_on_2x2_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Of any length, right behind one another or with pauses.
+    /// Expressions of any length, without a gap or with pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         levels in prop::array::uniform2(1..6u32),

@@ -1,5 +1,5 @@
-//! Whole machines: words that go forth and back, and in which clocks. Their times are those of the transaction model, which is compared where that is
-//! (`tilewright-machines`).
+//! Whole machines: words that go forth and back, and their clocks. Their times are those of the transaction model, and
+//! are compared there (`tilewright-machines`).
 
 use std::collections::VecDeque;
 
@@ -14,7 +14,7 @@ use super::*;
 type Program = Vec<Instruction<u64>>;
 type Jobs = [VecDeque<Job<u64>>; 2];
 
-/// A machine whose nodes have begun with their programs, and the jobs that are still to come.
+/// A machine whose nodes have started their programs, and the jobs that are still to come.
 struct Host {
     sim: Simulation<PixelFlowIn, PixelFlowOut>,
     jobs: Vec<Jobs>,
@@ -69,7 +69,7 @@ impl Host {
         sim.step();
     }
 
-    /// Until all have done all.
+    /// Until all nodes have finished everything.
     fn run(&mut self) {
         let all = (1 << self.jobs.len()) - 1;
         loop {
@@ -94,7 +94,7 @@ const fn bank(number: u64) -> u64 {
     256 + 32 * number
 }
 
-/// Every pixel's copy of a word.
+/// Copies a word at every pixel.
 fn copy(from: u64, to: u64, bytes: u64) -> Instruction<u64> {
     let (function, mask) = (Function::Word.code(), Mask::Everybody.code());
     Instruction { function, mask, stores: 1, length: bytes, read: from, write: to, ..Instruction::NOTHING }
@@ -113,7 +113,8 @@ fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u64) -> u64 {
     value & (u64::MAX >> (64 - 8 * bytes))
 }
 
-/// What a machine has to do whose first node holds the frame, and the last ones shade: they send back what came. Words of each rasterizer, for each region.
+/// The work of a machine whose first node holds the frame and whose last nodes shade: they send back what came. One
+/// word of each rasterizer, for each region.
 fn works(words: &[Vec<[u64; 3]>], shaders: usize, bytes: u64) -> (Vec<Program>, Vec<Jobs>) {
     let (rasterizers, regions) = (words.len(), words[0].len());
     let nodes = 1 + rasterizers + shaders;
@@ -155,7 +156,7 @@ fn works(words: &[Vec<[u64; 3]>], shaders: usize, bytes: u64) -> (Vec<Program>, 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Words go forth to shaders by turns, and back to the first node.
+    /// Words go forth to shaders in round robin, and back to the first node.
     #[test]
     fn the_first_node_has_the_least_word_of_each_region(
         levels in prop::array::uniform2(1..3u32),
@@ -186,13 +187,14 @@ proptest! {
     }
 }
 
-/// From the last node that is ready on: the first byte the clock behind, and a clock from node to node; then the next job.
+/// From the last node that becomes ready on: the first byte comes one clock later, and takes a clock from node to node;
+/// then the next job follows.
 #[test]
 fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
     const SETUP: u64 = 3;
     let (programs, mut jobs) = works(&[vec![[1, 0, 0]], vec![[0, 1, 0]]], 1, 1);
     let machine = PixelFlow::new(4, Node::new(2, 2, 16, SETUP as u32).unwrap()).unwrap();
-    // A second word that nobody has a bank for: all are set up but for that.
+    // A second word that no node has a bank for: all else is set up.
     jobs[1][0].push_back(Job { mode: Mode::Load.code(), bank: 1, bytes: 1 });
     let mut host = Host::new(&machine, &programs, jobs);
     let (mut go, mut off, mut without) = (Vec::new(), Vec::new(), Vec::new());
@@ -208,7 +210,7 @@ fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
         host.step();
     }
     let [go] = go[..] else { panic!("all are ready in one clock: {go:?}") };
-    // Four nodes; the word is a byte of four pixels, and passes the first node, which is not on its way, nowhere.
+    // Four nodes. The word is a byte of four pixels. It does not pass the first node, which is not on its path.
     assert_eq!(off, [4, 5, 6, 7].map(|clock| go + clock));
     let is_done = |node: u32, clock: u64| without[clock as usize] >> node & 1 == 1;
     assert!(!is_done(0, go) && is_done(0, go + 1), "a job of no bytes");

@@ -12,7 +12,8 @@ const CHIPS: usize = 2;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The first loads, one behind it unloads what all up to it have composed, and another one loads for those behind that.
+    /// The first node loads, a node behind it unloads the composition up to there, and another one loads for those
+    /// behind that.
     #[test]
     fn a_node_gets_the_least_word_of_those_before_it(
         (words, last) in (2..6usize, 1..4usize).prop_flat_map(|(nodes, bytes)| {
@@ -38,7 +39,7 @@ proptest! {
         let mut unloaded: Vec<Vec<u64>> = Vec::new();
         for clock in 0..bytes * PIXELS + last {
             for (number, (node, words)) in sim.i.nodes.clone().into_iter().zip(&words).enumerate() {
-                // A clock later than the node before.
+                // A clock later than the previous node.
                 let turn = clock.checked_sub(number).filter(|turn| *turn < bytes * PIXELS);
                 if let Some(turn) = turn {
                     let (byte, pixel) = (turn / PIXELS, turn % PIXELS);

@@ -6,14 +6,15 @@ use tilewright_sim::Simulation;
 use super::super::{PIXELS, TRANSFER};
 use super::*;
 
-/// The words of a node: of each chip, of each pixel, its bytes.
+/// The words of a node: for each chip and each pixel, its bytes.
 type Words = Vec<Vec<Vec<u64>>>;
 
-/// Ports one behind the other: the first loads, the last unloads, those between composite. The words are those of all but the last.
+/// Ports one behind the other: the first loads, the last unloads, and the others composite. All but the last have
+/// words.
 struct Chain {
     ports: Vec<Simulation<NetworkPortIn, NetworkPortOut>>,
     words: Vec<Words>,
-    /// How many bytes each node has sent or passed on.
+    /// The number of bytes that each node has sent or passed on.
     passed: Vec<usize>,
     unloaded: Words,
     /// The clocks of the first and of the last byte that is unloaded.
@@ -22,15 +23,15 @@ struct Chain {
 }
 
 impl Chain {
-    /// Of so many nodes that have words.
+    /// A chain with this many nodes that have words.
     fn new(port: &NetworkPort, nodes: usize) -> Chain {
         let ports = (0..=nodes).map(|node| Simulation::at(port, TRANSFER).unwrap().seeded(node as u64)).collect();
         let unloaded = vec![vec![Vec::new(); port.pixels as usize]; port.chips as usize];
         Chain { ports, words: Vec::new(), passed: vec![0; nodes + 1], unloaded, unloaded_at: None, clock: 0 }
     }
 
-    /// What the last node has when the first has sent all that it has, in the clocks that `sends` says, and in which clocks it got the first
-    /// and the last byte of it.
+    /// Sends all words of the first node in the clocks given by `sends`. Returns the words of the last node, and the
+    /// clocks of its first and last byte.
     fn compose(&mut self, words: &[Words], sends: impl Fn(usize) -> bool) -> (Words, [u64; 2]) {
         let last = words.len();
         for (node, sim) in self.ports.iter_mut().enumerate() {
@@ -42,7 +43,7 @@ impl Chain {
                 Mode::Unload
             };
             sim.set(sim.i.mode, mode.code());
-            // What comes meanwhile is nothing.
+            // The inputs in between are zero.
             sim.set(sim.i.upstream.valid, node > 0);
             sim.set(sim.i.sends, node == 0);
             sim.reset();
@@ -72,7 +73,7 @@ impl Chain {
             sim.set_lanes(i.upstream.bytes, bytes.clone());
             let byte = self.passed[node] / pixels;
             sim.set(i.sends, sends & (node == 0));
-            // Only who loads says which byte is the first.
+            // Only a node that loads says which byte is the first.
             sim.set(i.first, (byte == 0) == (node == 0));
             let pixel = sim.get_u64(o.pixel) as usize;
             if let Some(words) = self.words.get(node) {
@@ -93,7 +94,7 @@ impl Chain {
     }
 }
 
-/// The lesser word of all nodes, of each chip and pixel.
+/// The lesser word of all nodes, for each chip and pixel.
 fn least(words: &[Words]) -> Words {
     let of = |chip: usize, pixel: usize| words.iter().map(|node| node[chip][pixel].clone()).min().unwrap();
     (0..words[0].len()).map(|chip| (0..words[0][chip].len()).map(|pixel| of(chip, pixel)).collect()).collect()
@@ -119,7 +120,7 @@ fn a_byte_of_a_region_takes_1_28_us() {
     assert_eq!(microseconds(7 * 40), 358.4);
 }
 
-/// Two words of two bytes of a bit in each of three nodes, with each way to send four bytes in six clocks.
+/// Words of two bytes of one bit in each of three nodes, with every way to send four bytes in six clocks.
 #[test]
 fn no_pixel_is_lost_however_it_arrives() {
     let port = NetworkPort { chips: 1, pixels: 2, width: 1 };

@@ -1,4 +1,4 @@
-//! The sequencer clock by clock, with the bytes of its port, and what it does not take.
+//! The sequencer clock by clock, with the bytes of its port, and the jobs that it refuses.
 
 use tilewright_sim::Simulation;
 
@@ -12,7 +12,7 @@ fn started(pixels: u32, setup: u32) -> Sequencer {
     sim
 }
 
-/// What stands where no job is offered need be none that can be taken.
+/// While no job is offered, the job's fields need not be valid.
 const NONE: NetworkSequencerIn<u64> = NetworkSequencerIn {
     jobs: Stream { valid: 0, ready: 0, payload: Job { mode: Mode::Load as u64, bank: 0, bytes: 0 } },
     given: 0,
@@ -25,7 +25,7 @@ fn job(mode: Mode, bank: u64, bytes: u64) -> NetworkSequencerIn<u64> {
     NetworkSequencerIn { jobs: Stream::of(1, Job { mode: mode.code(), bank, bytes }), ..NONE }
 }
 
-/// A bank comes late, and then all are late; the word has two bytes of two pixels.
+/// A bank comes late, and then all nodes are late; the word has two bytes of two pixels.
 #[test]
 fn a_word_is_sent_when_the_bank_and_all_nodes_are_ready() {
     let mut sim = started(2, 1);
@@ -71,7 +71,7 @@ fn a_word_is_sent_when_the_bank_and_all_nodes_are_ready() {
     );
 }
 
-/// In each mode the bank is done with the last byte, and the addresses go down.
+/// In each mode the bank is released with the last byte, and the addresses decrease.
 #[test]
 fn each_mode_follows_the_bytes_that_come() {
     for (mode, bank) in [(Mode::Composite, 0), (Mode::Unload, 1), (Mode::Forward, 1)] {
@@ -109,7 +109,7 @@ fn a_word_that_nobody_is_set_for_is_an_error() {
     sim.step();
 }
 
-/// It holds up all others until its set-up is over, and is done when they are ready, too.
+/// It delays all others until its set-up is over, and ends when they are ready, too.
 #[test]
 fn a_job_of_no_bytes_ends_when_all_are_ready() {
     let mut sim = started(2, 2);

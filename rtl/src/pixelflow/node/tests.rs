@@ -1,4 +1,4 @@
-//! Nodes one behind another, which compose regions in both directions.
+//! Nodes in a chain, which compose regions in both directions.
 
 use proptest::prelude::*;
 use std::collections::VecDeque;
@@ -10,12 +10,12 @@ use super::super::pixel::{Function, Mask, Source};
 use super::super::testing::{processor_time, triangle};
 use super::*;
 
-/// Nodes in a line, with the jobs that they have still to do.
+/// Nodes in a chain, with the jobs that they still have to do.
 struct Line {
     node: Node,
     sims: Vec<Simulation<NodeIn, NodeOut>>,
     jobs: Vec<[VecDeque<Job<u64>>; 2]>,
-    /// Of each direction, the clocks of the network in which bytes came to the last node.
+    /// For each direction, the clocks of the network in which bytes came to the last node.
     arrived: [Vec<u64>; 2],
     clock: u64,
 }
@@ -61,7 +61,7 @@ impl Line {
         self.clock += 1;
     }
 
-    /// Until all have done all; gives up after so many clocks.
+    /// Until all have finished; gives up after `limit` clocks.
     fn run(&mut self, limit: u64) {
         while !self.is_idle() {
             assert!(self.clock < limit, "it is not done after {limit} clocks");
@@ -79,7 +79,7 @@ impl Line {
             })
     }
 
-    /// A word of so many bytes in a pixel's memory.
+    /// A word of `bytes` bytes in a pixel's memory.
     fn word(&self, node: usize, [x, y]: [u32; 2], address: u32, bytes: u32) -> u64 {
         let byte = |at: u32| {
             let path = format!("u_array.u_pixel[{}][{}].memory", y / 2, y % 2 * self.node.array().width() + x);
@@ -89,7 +89,7 @@ impl Line {
     }
 }
 
-/// A node that has begun with its program.
+/// A node that has started its program.
 fn started(node: &Node, program: &[Instruction<u64>]) -> Simulation<NodeIn, NodeOut> {
     let mut sim = Simulation::of(node).unwrap();
     sim.reset();
@@ -126,7 +126,7 @@ fn drawn(number: u64, bytes: u64, [a, b, c]: [u64; 3]) -> Vec<Instruction<u64>> 
     vec![in_step(Sync::AwaitBank, number), word, in_step(Sync::GiveBank, number)]
 }
 
-/// It takes a word, and copies it into its memory.
+/// A program that takes a word, and copies it into its memory.
 fn taken(number: u64, bytes: u64, address: u64) -> Vec<Instruction<u64>> {
     let (function, mask) = (Function::Word.code(), Mask::Everybody.code());
     let copy = Instruction {
@@ -141,7 +141,7 @@ fn taken(number: u64, bytes: u64, address: u64) -> Vec<Instruction<u64>> {
     vec![in_step(Sync::GiveBank, number), in_step(Sync::AwaitBank, number), copy]
 }
 
-/// The value of an expression at a pixel, of so many bytes.
+/// The value of an expression at a pixel, in this many bytes.
 fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u32) -> u64 {
     let value = a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into())).wrapping_add(c);
     value & (u64::MAX >> (64 - 8 * bytes))
@@ -150,7 +150,8 @@ fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u32) -> u64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Regions one after another, in banks by turns, so that one is composed while the next is drawn; the last node keeps them all.
+    /// Regions one after another, in alternating banks, so that one is composed while the next is drawn; the last node
+    /// keeps them all.
     #[test]
     fn the_last_node_has_the_least_word_of_each_region(
         direction in 0..2usize,
@@ -237,7 +238,7 @@ fn there_is_no_node_of_any_other_size() {
     assert_eq!(complaint(4, 4, 8, 65_537), "a set-up of 65537 clocks: 65536 are the most");
 }
 
-/// Nanoseconds a clock of a whole node that draws, one word is sent while it draws the next. Printed, and no more:
+/// Nanoseconds a clock of a whole node that draws one word while it sends another. Only printed:
 /// `cargo test --release -p tilewright-rtl --lib -- --ignored --nocapture nanoseconds_of_the_machine_s_node`
 #[test]
 #[ignore = "it measures"]

@@ -1,4 +1,4 @@
-//! The pixel processor clock by clock, and against what its control means.
+//! The pixel processor clock by clock, and against the meaning of its control.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -14,7 +14,7 @@ fn started(depth: u32) -> Processor {
     sim
 }
 
-/// The bytes of a constant meet those of a word, from the lowest on.
+/// Combines the bytes of a constant with those of a word, from the lowest on.
 fn bytes(control: Control<u64>, address: u64, constant: &[u64]) -> Vec<Control<u64>> {
     let byte = |(at, &constant): (usize, &u64)| {
         let begin = if at == 0 { control.begin } else { Begin::Kept.code() };
@@ -62,7 +62,7 @@ fn words_are_added_to_and_compared_from_their_lowest_byte_on() {
     );
 }
 
-/// A triangle's edges, if, else and end if: which processors are enabled, by the signs that come and a carry.
+/// A triangle's edges, if, else and end if: which processors are enabled, by incoming signs and a carry.
 #[test]
 fn the_enable_flags_are_a_stack() {
     let mut sim = started(PixelProcessor::DEPTH);
@@ -73,21 +73,21 @@ fn the_enable_flags_are_a_stack() {
         ..Control::NOTHING
     };
     let (positive, carry) = (Condition::Positive, Condition::Carry);
-    // What comes as an expression, and the enable flags afterwards, below the ones that nobody has set.
+    // The input expression, and the enable flags afterwards, below the ones that were never set.
     let steps = [
         (on(Enabling::Replace, 1, positive), 0x80, 0b0),
         (on(Enabling::Set, 0, positive), 0x80, 0b1),
         (on(Enabling::Restrict, 1, positive), 0x7f, 0b1),
-        // If: where the constant 0 has no sign, not the expression.
+        // If: the constant 0 has no sign; the expression is not used.
         (on(Enabling::Push, 0, positive), 0x80, 0b11),
-        // If: where a carry is, and there is none.
+        // If: true where there is a carry, and there is none.
         (on(Enabling::Push, 0, carry), 0, 0b110),
         (on(Enabling::Invert, 0, positive), 0, 0b111),
         (on(Enabling::Invert, 0, positive), 0, 0b110),
         (on(Enabling::Pop, 0, positive), 0, 0b11),
         (on(Enabling::Pop, 0, positive), 0, 0b1),
         (on(Enabling::Restrict, 1, positive), 0x80, 0b0),
-        // Nobody below is enabled, so else enables none.
+        // No pixel below is enabled, so else enables none.
         (on(Enabling::Push, 1, positive), 0, 0b00),
         (on(Enabling::Invert, 0, positive), 0, 0b00),
     ];
@@ -104,7 +104,7 @@ fn the_enable_flags_are_a_stack() {
 }
 
 fn controls() -> impl Strategy<Value = Control<u64>> {
-    // Few addresses, so that what is written is read; some of them in the registers.
+    // Few addresses, so that written bytes are read again; some of them are registers.
     let address = || prop_oneof![Just(255), Just(256), Just(383), 0..3u64, 300..302u64];
     let byte = prop_oneof![0..256u64, Just(0), Just(255), Just(128)];
     let codes = (0..4u64, 0..11u64, 0..3u64, 0..4u64, 0..3u64, 0..7u64, 0..3u64);

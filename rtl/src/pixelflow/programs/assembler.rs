@@ -1,4 +1,4 @@
-//! Instructions by what they do.
+//! A small assembler: instructions by their function.
 
 use super::super::fields::Field;
 use super::super::instruction::{COEFFICIENT, Instruction, Sync};
@@ -6,57 +6,57 @@ use super::super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, 
 use super::Expression;
 use crate::prelude::Codes;
 
-/// An instruction of one byte, which says nothing yet but what the ALU does.
+/// An instruction of one byte with only an ALU function yet.
 pub(super) fn alu(function: Function, source: Source) -> Instruction<u64> {
     Instruction { function: function.code(), source: source.code(), ..Instruction::NOTHING }
 }
 
-/// A constant goes to a number.
+/// Writes a constant to a number.
 pub(super) fn set(to: Field, constant: i64) -> Instruction<u64> {
     alu(Function::Operand, Source::Constant).constant(constant).to(to)
 }
 
-/// A number goes to another.
+/// Copies a number to another.
 pub(super) fn copy(from: Field, to: Field) -> Instruction<u64> {
     alu(Function::Word, Source::Constant).from(from).to(to)
 }
 
-/// A byte goes to the accumulator.
+/// Copies a byte to the accumulator.
 pub(super) fn load(from: u64) -> Instruction<u64> {
     alu(Function::Word, Source::Constant).reads(from).loads()
 }
 
-/// A constant goes to the accumulator.
+/// Writes a constant to the accumulator.
 pub(super) fn load_constant(constant: u8) -> Instruction<u64> {
     alu(Function::Operand, Source::Constant).constant(constant.into()).loads()
 }
 
-/// A byte with the accumulator.
+/// Combines a byte with the accumulator.
 pub(super) fn with_accumulator(function: Function, from: u64) -> Instruction<u64> {
     alu(function, Source::Accumulator).reads(from)
 }
 
-/// Of a number and a constant.
+/// Combines a number with a constant.
 pub(super) fn with_constant(function: Function, from: Field, constant: i64) -> Instruction<u64> {
     alu(function, Source::Constant).from(from).constant(constant)
 }
 
-/// A byte with none but the carry.
+/// Combines a byte with only the carry.
 pub(super) fn carried(function: Function, from: u64) -> Instruction<u64> {
     alu(function, Source::Constant).reads(from)
 }
 
-/// In step with a port.
+/// Synchronizes with a port.
 pub(super) fn port(sync: Sync, number: u64) -> Instruction<u64> {
     Instruction { sync: sync.code(), c: number, ..Instruction::NOTHING }
 }
 
-/// What is done with the enable flags alone.
+/// Changes only the enable flags.
 pub(super) fn enable(enabling: Enabling) -> Instruction<u64> {
     Instruction { enabling: enabling.code(), ..Instruction::NOTHING }
 }
 
-/// Numbers of the bits that coefficients have.
+/// Numbers with the bits of coefficients.
 fn modular(number: i64) -> u64 {
     number as u64 & ((1 << COEFFICIENT) - 1)
 }
@@ -67,52 +67,52 @@ impl Instruction<u64> {
         Instruction { length: field.bytes, ..self.reads(field.address) }
     }
 
-    /// Reads from a byte on.
+    /// Reads from this byte on.
     pub(super) fn reads(self, read: u64) -> Self {
         Instruction { read, ..self }
     }
 
-    /// Writes a number of every pixel.
+    /// Writes a number at every pixel.
     pub(super) fn to(self, field: Field) -> Self {
         Instruction { length: field.bytes, ..self.writes(field.address) }
     }
 
-    /// Writes from a byte on, of every pixel.
+    /// Writes from this byte on, at every pixel.
     pub(super) fn writes(self, write: u64) -> Self {
         Instruction { write, stores: 1, mask: Mask::Everybody.code(), ..self }
     }
 
-    /// Writes the accumulator, of every pixel.
+    /// Writes the accumulator at every pixel.
     pub(super) fn loads(self) -> Self {
         Instruction { accumulates: 1, mask: Mask::Everybody.code(), ..self }
     }
 
-    /// Only these pixels write.
+    /// Restricts the write to these pixels.
     pub(super) fn only(self, mask: Mask) -> Self {
         Instruction { mask: mask.code(), ..self }
     }
 
-    /// The carry that comes in; it is kept unless that is said.
+    /// Sets the carry that comes in; otherwise it is the previous carry.
     pub(super) fn begins(self, begin: Begin) -> Self {
         Instruction { begin: begin.code(), ..self }
     }
 
-    /// Sets the flag where the condition holds.
+    /// Sets the flag where the condition is true.
     pub(super) fn flags(self, condition: Condition) -> Self {
         Instruction { flagging: Flagging::Condition.code(), condition: condition.code(), ..self }
     }
 
-    /// Does that to the enable flags where the condition holds.
+    /// Changes the enable flags by the condition.
     pub(super) fn enables(self, enabling: Enabling, condition: Condition) -> Self {
         Instruction { enabling: enabling.code(), condition: condition.code(), ..self }
     }
 
-    /// With that constant.
+    /// Uses that constant.
     pub(super) fn constant(self, constant: i64) -> Self {
         Instruction { c: modular(constant), ..self }
     }
 
-    /// With the bytes of an expression from the one of that number on.
+    /// Uses the bytes of an expression, starting at the byte with that number.
     pub(super) fn expression(self, skip: u64, &Expression { a, b, c }: &Expression) -> Self {
         let [a, b, c] = [a, b, c].map(modular);
         Instruction { source: Source::Expression.code(), skip, a, b, c, ..self }

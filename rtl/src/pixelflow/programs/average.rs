@@ -1,24 +1,25 @@
 //! Samples that come one after another: sums of eight colours, and their mean.
 //!
-//! Colours and sums lie as a word's do: blue, green, red, from the lowest address on. Source: PFL-NT, facts E0 (`floor((sum + 4) / 8)`).
+//! Colours and sums are laid out as in a word: blue, green, red, from the lowest address up. Source: PFL-NT, facts E0
+//! (`floor((sum + 4) / 8)`).
 
 use super::super::fields::Field;
 use super::super::instruction::Instruction;
 use super::super::pixel::{Begin, Function};
 use super::assembler::{carried, load, set, with_accumulator};
 
-/// Bytes of the sums of a colour's channels: 2 each.
+/// The bytes of a colour's channel sums: 2 each.
 pub const SUM_BYTES: u64 = 6;
 
-/// Half of what sums are divided by, so that their floor is the nearest.
+/// Half of the divisor of sums, so that their floor is the nearest integer.
 const HALF: i64 = 4;
 
-/// A channel's sum, of those at an address.
+/// The sum of a channel, in the sums at an address.
 fn channel(sums: u64, number: u64) -> Field {
     Field::new(sums + 2 * number, 2)
 }
 
-/// The instructions that begin sums of no colour yet: 6 clocks.
+/// The instructions that start sums without a colour: 6 clocks.
 pub fn begin_sums(sums: u64) -> Vec<Instruction<u64>> {
     (0..3).map(|number| set(channel(sums, number), HALF)).collect()
 }
@@ -41,7 +42,7 @@ pub(super) fn add(number: Field, sum: Field) -> Vec<Instruction<u64>> {
     program
 }
 
-/// The instructions that make colours of the sums of eight: 18 clocks.
+/// The instructions that divide the sums of eight colours to get the mean: 18 clocks.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::emulator::Pixel;
@@ -61,7 +62,7 @@ pub fn average(sums: u64, colour: u64) -> Vec<Instruction<u64>> {
     (0..3).flat_map(|number| eighth(channel(sums, number), Field::new(colour + number, 1))).collect()
 }
 
-/// The floor of an eighth of a number, whose lower bytes go to another: 3 clocks a byte.
+/// The floor of an eighth of a number, whose lower bytes go to another one: 3 clocks a byte.
 pub(super) fn eighth(number: Field, to: Field) -> Vec<Instruction<u64>> {
     let mut program = Vec::new();
     for shift in 0..3 {

@@ -1,4 +1,4 @@
-//! Empties the words of a region: of all bytes the greatest, which are farther than anything.
+//! Empties the words of a region: sets all bytes to 255, which is farther than anything.
 
 use super::super::fields::{Field, gouraud};
 use super::super::instruction::{Instruction, LONGEST};

@@ -1,4 +1,4 @@
-//! Edges of a primitive: which are sent, as what, and in how many bytes.
+//! Edges of a primitive: which are sent, in which form, and in how many bytes.
 //!
 //! Source: facts E0 (widths), E3 (reduced edges), E4 (an edge in 4 bytes, or in 2).
 
@@ -7,11 +7,13 @@ use super::{Expression, Instruction};
 use crate::pixel_planes::programs::{Edges, half_plane};
 use crate::pixelflow::pixel::{Condition, Enabling, Function, Source};
 
-/// The bytes of any edge: |a| and |b| are below 2^16, so in a region of up to 128 x 128 values have 25 bits with their sign.
+/// The bytes of any edge: |a| and |b| are below 2^16, so in a region of up to 128 x 128 values have 25 bits with their
+/// sign.
 const FIXED: u64 = 4;
 
-/// Instructions that enable the pixels of a region inside all edges; `None` if one of them leaves nothing of it. An edge that has the whole region inside is
-/// left out; there is always one instruction. None takes ALU or memory, so what the primitive before leaves may still be written.
+/// The instructions that enable the pixels of a region inside all edges; `None` if one edge has the whole region
+/// outside. An edge with the whole region inside is left out; there is always one instruction. None uses ALU or memory,
+/// so the previous primitive's result may still be written.
 pub(super) fn tests(region: [u32; 2], form: Edges, edges: &[Expression]) -> Option<Vec<Instruction<u64>>> {
     let mut program = Vec::new();
     for edge in edges {
@@ -32,7 +34,7 @@ pub(super) fn tests(region: [u32; 2], form: Edges, edges: &[Expression]) -> Opti
     Some(program)
 }
 
-/// As what an edge is sent that crosses the region, and in how many bytes.
+/// The form in which an edge that crosses the region is sent, and its number of bytes.
 fn sent(region: [u32; 2], form: Edges, edge: &Expression) -> (Expression, u64) {
     let own = |edge: Expression| {
         let [least, greatest] = range(region, &edge);
@@ -41,7 +43,7 @@ fn sent(region: [u32; 2], form: Edges, edge: &Expression) -> (Expression, u64) {
     match form {
         Edges::Fixed => (*edge, FIXED),
         Edges::Own => own(*edge),
-        // Of the square that has the region in it.
+        // In the square that contains the region.
         Edges::Least => own(half_plane::least(region[0].max(region[1]), edge)),
     }
 }

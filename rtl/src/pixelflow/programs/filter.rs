@@ -1,7 +1,8 @@
-//! What is between the texels that the texture unit has found: along u, along v, and from level to level.
+//! Texture filtering: interpolates the texels that the texture unit found along u, along v, and between levels.
 //!
-//! Between a and b, at a weight of 8 bits, is `floor((a (256 - weight) + b weight) / 2^8)`. With a to begin with, each bit of the weight, from the lowest on, makes
-//! half of the sum with a or b of it. All that share a weight do so side by side.
+//! Interpolation between a and b with a weight of 8 bits is `floor((a (256 - weight) + b weight) / 2^8)`. It starts
+//! with a. For each bit of the weight, from the lowest, the value becomes half of its sum with a or b. All channels
+//! that share a weight are processed side by side.
 
 use super::super::fields::shading::*;
 use super::super::fields::{Field, texture};
@@ -10,7 +11,7 @@ use super::super::pixel::{Begin, Condition, Function, Mask};
 use super::arithmetic::Writer;
 use super::assembler::{carried, copy, load, set, with_accumulator, with_constant};
 
-/// What is between `a` and `b` goes to `to`.
+/// Writes to `to` the interpolation between `a` and `b`.
 struct Between {
     a: u64,
     b: u64,
@@ -44,7 +45,7 @@ pub(super) fn weights(finest: u8) -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// Where the flag is set, two bytes move to the left.
+/// Shifts two bytes to the left where the flag is set.
 fn shift_left(w: &mut Writer, field: Field, distance: u32) {
     if distance == 8 {
         w.push(copy(Field::new(field.byte(0), 1), Field::new(field.byte(1), 1)).only(Mask::Flagged));
@@ -72,7 +73,7 @@ pub(super) fn trilinear() -> Vec<Instruction<u64>> {
         let columns = [0, 1, 2].map(|c| Between { a: row(0, c), b: row(1, c), to: LEVELS[level] + c });
         between(&mut w, up, 8, &columns);
     }
-    // Of this weight the lower four bits are zero: they leave a.
+    // The lower four bits of this weight are zero: they leave a.
     let weight = DETAIL.byte(0);
     for _ in 0..4 {
         w.push(carried(Function::ShiftRight, weight).writes(weight).begins(Begin::Zero));
@@ -82,7 +83,8 @@ pub(super) fn trilinear() -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// All of them by the upper bits of one weight, which it uses up: 1 clock and 3 for each, a bit.
+/// Interpolates all of them by the upper bits of one weight, which it uses up: for each bit, 1 clock and 3 for each
+/// value.
 fn between(w: &mut Writer, weight: u64, bits: u32, all: &[Between]) {
     for bit in 0..bits {
         w.digit(weight, weight, Begin::Zero);
@@ -95,7 +97,7 @@ fn between(w: &mut Writer, weight: u64, bits: u32, all: &[Between]) {
     }
 }
 
-/// The instructions that make the surface's own colour of it: where it has no texture, that of the word.
+/// The instructions that make the result the surface's own colour; without a texture, that is the word's colour.
 pub(super) fn base(word: u64) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     let texel = Field::new(TRIAL.address, 3);

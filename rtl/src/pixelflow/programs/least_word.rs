@@ -1,7 +1,8 @@
-//! Primitives of which a pixel keeps the least word, in whatever order they come (DES-MIN).
+//! Primitives whose least word each pixel keeps, whatever the drawing sequence (DES-MIN).
 //!
-//! A word's bytes are computed from the least significant on, stand in memory as what is new, and meet what is kept; the carry of the whole tells whether the
-//! new one is not the greater. Then it is copied where it counts.
+//! A word's bytes are computed from the least significant on. They are stored as the new word and compared with the
+//! stored one. After the whole word, the carry tells whether the new one is not the greater. Then it is copied where
+//! the pixel is covered.
 
 use super::super::fields::{Field, appearance, gouraud};
 use super::super::instruction::{Instruction, LONGEST};
@@ -12,10 +13,10 @@ use super::{Expression, FRACTION};
 use crate::pixel_planes::programs::{Edges, Surface};
 use crate::prelude::Codes;
 
-/// Where a pixel has the words.
+/// The addresses of a pixel's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Words {
-    /// The one that is kept.
+    /// The stored word.
     pub kept: u64,
     /// Room for the new one.
     pub new: u64,
@@ -47,7 +48,8 @@ pub struct Appearance {
     pub level: u8,
 }
 
-/// The instructions that draw a primitive with planes of colour: the edges' bytes, 5 + 3 x 3 of the planes, 6 of the copy. None if an edge leaves nothing of it.
+/// The instructions that draw a primitive with planes of colour: the edges' bytes, 5 + 3 x 3 for the planes, 6 for the
+/// copy. There are none if an edge has the whole region outside.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Edges, Expression, Surface};
@@ -74,10 +76,10 @@ pub fn gouraud(region: Region, words: Words, edges: &[Expression], surface: &Sur
     program
 }
 
-/// The instructions that draw a primitive's appearance: the edges' bytes, 5 + 6 x 4 + 3 x 3 of planes, 2 of constants, 20 of the copy. None if an edge leaves
-/// nothing of it.
+/// The instructions that draw a primitive's appearance: the edges' bytes, 5 + 6 x 4 + 3 x 3 for planes, 2 for
+/// constants, 20 for the copy. There are none if an edge has the whole region outside.
 ///
-/// The zero is left to [`covered`], as depth alone decides between a word and the empty one.
+/// [`covered`] writes the zero, because depth alone decides between a word and the empty one.
 pub fn appearance(
     region: Region,
     words: Words,
@@ -105,20 +107,20 @@ pub fn appearance(
     program
 }
 
-/// The instructions that, when a region is drawn, tell covered pixels from empty ones: the byte of an appearance word that is 255 becomes zero
-/// where the depth is not the greatest. 4 clocks.
+/// The instructions that distinguish covered pixels from empty ones after a region is drawn. The byte of an appearance
+/// word that is 255 becomes zero where the depth is not the greatest. 4 clocks.
 pub fn covered(word: u64) -> Vec<Instruction<u64>> {
     let is_greatest = with_constant(Function::Compare, appearance::DEPTH.of(word), -1).begins(Begin::One);
     vec![is_greatest.flags(Condition::NoCarry), set(appearance::ZERO.of(word), 0).only(Mask::Flagged)]
 }
 
-/// The whole part of a plane, beside what is kept.
+/// The whole part of a plane, compared with the stored value.
 fn planned(words: Words, field: Field, plane: &Expression) -> Instruction<u64> {
     let compared = alu(Function::Compare, Source::Expression).from(field.of(words.kept)).to(field.of(words.new));
     compared.expression(FRACTION / 8, plane)
 }
 
-/// Of a word's parts, the first of which begins the comparison and the last of which tells.
+/// A part of a word; the first begins the comparison, and the last ends it.
 fn compared(mut parts: Vec<Instruction<u64>>) -> Vec<Instruction<u64>> {
     if let Some(first) = parts.first_mut() {
         *first = first.begins(Begin::One);
@@ -130,8 +132,8 @@ fn compared(mut parts: Vec<Instruction<u64>>) -> Vec<Instruction<u64>> {
     parts
 }
 
-/// The bytes of the new word from one to before another, where it counts. The shortest part comes first: when the last one is taken, the next
-/// primitive's edges may begin.
+/// Copies the new word's bytes from one address to before another, where it is to be kept. The shortest part comes
+/// first: when the last one is taken, the next primitive's edges may begin.
 fn kept(words: Words, from: u64, to: u64) -> impl Iterator<Item = Instruction<u64>> {
     let longest = u64::from(LONGEST);
     let first = (to - from) % longest;

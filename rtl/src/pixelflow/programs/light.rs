@@ -1,8 +1,9 @@
-//! What lights do to a surface whose normal has length 1.
+//! The light reflected by a surface whose normal has length 1.
 //!
-//! A cosine is the floor of `n . d / 2^8`. As d is constant, its bits say in 8 steps which of the normal's components are added, subtracted or neither; the
-//! sums of these that occur are made once. With the lowest bits first, each step halves: so nothing grows beyond 16 bits, and floors of floors are the floor of all.
-//! All sums have 2^14 added to them, as then none is negative.
+//! A cosine is the floor of `n . d / 2^8`. The direction d is constant. So in 8 steps its bits decide which of the
+//! normal's components are added, subtracted or neither. The sums of components that occur are made once. With the
+//! lowest bits first, each step halves its result. So no value exceeds 16 bits, and floors of floors are the floor of
+//! all. All sums have an offset of 2^14, so that none is negative.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +15,7 @@ use super::assembler::{alu, carried, load, set, with_accumulator, with_constant}
 use super::shade::Light;
 use crate::pixelflow::pixel::Source;
 
-/// What is added to sums, in its upper byte.
+/// The offset of sums, in the upper byte.
 const BIAS_BYTE: i64 = 0x40;
 
 /// Sums and differences of a unit normal's components, each made when it is first needed.
@@ -25,7 +26,7 @@ pub(super) struct Combinations {
 }
 
 impl Combinations {
-    /// The sum of the components with these signs, -1, 0 or 1 each, and not all 0; it is where that says.
+    /// The address of the sum of the components with these signs: -1, 0 or 1 each, and not all 0.
     fn of(&mut self, w: &mut Writer, signs: [i16; 3]) -> Field {
         if let Some(field) = self.made.get(&signs) {
             return *field;
@@ -86,7 +87,7 @@ impl Combinations {
             with_constant(Function::Subtract, upper, BIAS_BYTE).to(upper).begins(Begin::One).flags(Condition::NoCarry),
         );
         w.push(set(to, 0).only(Mask::Flagged));
-        // A unit normal is shorter than 2^12; only a direction longer than 2^8 leads above that.
+        // A unit normal is shorter than 2^12; only a direction longer than 2^8 exceeds that.
         if direction.iter().map(|part| i32::from(*part).pow(2)).sum::<i32>() > 1 << 16 {
             w.push(with_constant(Function::Compare, upper, 0x10).begins(Begin::One).flags(Condition::Carry));
             w.push(set(to, 0xfff).only(Mask::Flagged));
@@ -94,16 +95,16 @@ impl Combinations {
     }
 }
 
-/// Half of a sum; what is added to it stays.
+/// Half of a sum, with the offset unchanged.
 fn halve(w: &mut Writer, from: Field, to: Field) {
     let upper = with_constant(Function::AddHalved, Field::new(from.byte(1), 1), BIAS_BYTE);
     w.push(upper.writes(to.byte(1)).begins(Begin::Zero));
     w.push(carried(Function::ShiftRight, from.byte(0)).writes(to.byte(0)));
 }
 
-/// A cosine becomes `floor(c^2 / 2^12)`, in pixels of that mask: 40 clocks.
+/// Replaces a cosine by `floor(c^2 / 2^12)`, in pixels of that mask: 40 clocks.
 ///
-/// With its bits h || l, 4 and 8 of them, that is `16 h^2 + floor((h l + floor(floor(l^2 / 2^8) / 2)) / 8)`.
+/// With c's bits split into h || l, 4 and 8 of them, that is `16 h^2 + floor((h l + floor(floor(l^2 / 2^8) / 2)) / 8)`.
 pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
     let (l, h) = (cosine.byte(0), cosine.byte(1));
     w.push(load(h));
@@ -129,7 +130,7 @@ pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
     w.push(carried(Function::Add, HIGH).writes(h).only(mask));
 }
 
-/// `floor(brightness (c + 1) / 2^12)` of a cosine, which it uses up, is added to a byte, but not beyond 255: 27 clocks.
+/// Adds `floor(brightness (c + 1) / 2^12)` of a cosine, which it uses up, to a byte, up to 255: 27 clocks.
 fn shine(w: &mut Writer, brightness: u8, cosine: Field, to: u64) {
     let start = set(Field::new(PARTIAL, 1), brightness.into());
     w.push(super::Instruction { accumulates: 1, ..start });
@@ -143,7 +144,8 @@ fn shine(w: &mut Writer, brightness: u8, cosine: Field, to: u64) {
     w.push(set(Field::new(to, 1), 255).only(Mask::Flagged));
 }
 
-/// What a light adds. The squarings of all materials that have highlights are from the least to the most of `squarings`; none has any without.
+/// The contribution of a light. `squarings` is the range of squarings over all materials that have highlights; it is
+/// none if no material has any.
 pub(super) fn light(w: &mut Writer, sums: &mut Combinations, light: &Light, squarings: Option<[u8; 2]>) {
     if light.brightness == 0 {
         return;

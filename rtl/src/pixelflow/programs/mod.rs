@@ -1,14 +1,18 @@
 //! The programs of a node: rasterization and shading (facts E0, E4).
 //!
-//! Each is in a file of its own, and makes the instructions of one primitive or one region, as the node's processors would.
+//! Each program is in a file of its own, and makes the instructions of one primitive or one region, as the node's
+//! processors would.
 //!
-//! A rasterizer [clears](clear()) the words of a region, draws triangles, of which a pixel keeps the least word in whatever order they come, and gives the words to
-//! the network: [`gouraud`] words z || rgb, or [`appearance`] words, whose empty pixels [`covered`] marks. Words stand in the network's registers from
-//! the beginning ([`fields`](super::fields)), so nothing is copied: of 21 bytes that would be 21 clocks a region.
+//! A rasterizer [clears](clear()) the words of a region, draws triangles, and gives the words to the network. A pixel
+//! keeps the least word, whatever the drawing sequence. [`gouraud`] draws words z || rgb. [`appearance`] draws
+//! appearance words, and [`covered`] flags their empty pixels. Words are in the network's registers from the start
+//! ([`fields`](super::fields)), so nothing is copied. A copy of 21 bytes would take 21 clocks a region.
 //!
-//! Of several samples of a pixel that come one after another, the node that holds the frame makes sums ([`add_sample`]) and in the end colours ([`average`](average())).
+//! When a pixel has several samples that come one after another, the node that holds the frame makes sums
+//! ([`add_sample`]), and at the end colours ([`average`](average())).
 //!
-//! A shader makes a colour of each appearance word: [`Shading`]; or of eight that come one after another: [`ShadingOnce`]. It computes what the golden shader does, bit for bit, as all steps are exact floors.
+//! A shader makes a colour from each appearance word ([`Shading`]), or from eight that come one after another
+//! ([`ShadingOnce`]). It matches the golden shader bit for bit, as all steps are exact floors.
 //!
 //! | file | program |
 //! |---|---|
@@ -26,9 +30,11 @@
 //!
 //! # Clocks
 //!
-//! In regions of 128 x 64, of triangles with three edges; lights have highlights of power 32. One at a time all instructions add up; side by side is from a
-//! program's beginning to the next one's, of many equal ones. The paper's are its times at 100 MHz (PFL-LAT1, PFL-NT, PFL-SHADE); whose programs they are it
-//! does not print. Shading takes as long for one pixel as for all of a region. `cargo test -p tilewright-rtl the_table_of_pixelflow -- --nocapture` prints this table:
+//! The table is for regions of 128 x 64 and triangles with three edges; lights have highlights of power 32. "One at a
+//! time" adds up all instructions. "Side by side" is the time from a program's beginning to the next one's, for many
+//! equal programs. The paper's figures are its times at 100 MHz (PFL-LAT1, PFL-NT, PFL-SHADE); it does not print the
+//! programs. Shading takes as long for one pixel as for a whole region. This command prints the table:
+//! `cargo test -p tilewright-rtl the_table_of_pixelflow -- --nocapture`.
 //!
 //! | program | one at a time | side by side | to compare |
 //! |---|---|---|---|
@@ -55,12 +61,15 @@
 //! | what they have in common | 499 | 499 |  |
 //! | all, once of eight | 4356 | 4356 |  |
 //!
-//! - The 2 clocks of an appearance above facts E4 are the comparison of material and level.
-//! - Side by side the copy of a word goes on under the next primitive's edges and the fraction of its first plane, so the edges' form does not count: 58 are all but
-//!   these 12 and 2.
-//! - The paper's 1540 are addresses alone, in 15.4 us, and its 9500 the worst look-up, in 95 us: what is computed while the texture unit works is hidden by that.
-//! - Four lights of any directions take at most 1476 clocks: their number depends on the ones of a direction's components.
-//! - A digit of a product takes 2 clocks, as the ALU halves a sum in one ([`Function::AddHalved`](super::pixel::Function::AddHalved)); a digit of a quotient 9.
+//! - An appearance takes 2 clocks more than in facts E4: the comparison of material and level.
+//! - Side by side, the copy of a word overlaps the next primitive's edges and the fraction of its first plane. So the
+//!   form of the edges does not matter: 58 is everything but these 12 and 2.
+//! - The paper's 1540 are addresses alone, in 15.4 us, and its 9500 the worst look-up, in 95 us. The computation while
+//!   the texture unit works is hidden behind that.
+//! - Four lights from any directions take at most 1476 clocks; the exact number depends on the ones in a direction's
+//!   components.
+//! - A digit of a product takes 2 clocks, as the ALU halves a sum in one
+//!   ([`Function::AddHalved`](super::pixel::Function::AddHalved)). A digit of a quotient takes 9.
 
 use super::instruction::Instruction;
 pub use crate::pixel_planes::programs::{Edges, Expression, Surface};

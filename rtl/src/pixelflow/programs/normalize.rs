@@ -1,4 +1,5 @@
-//! The normal at length 1: three squares, their sum, its root digit by digit, and three divisions by one more than that.
+//! Normalization of the normal: three squares, their sum, its root digit by digit, and three divisions by the root plus
+//! one.
 //!
 //! Each component becomes `sign(n) floor(|n| 2^12 / (s + 1))` with `s = floor(sqrt(x^2 + y^2 + z^2))`. Source: facts E4.
 
@@ -13,7 +14,7 @@ use super::assembler::{carried, copy, load, load_constant, set, with_accumulator
 /// Digits of a component of a unit normal.
 const DIGITS_OF_UNIT: u64 = 12;
 
-/// The instructions that make a unit normal of that of an appearance word.
+/// The instructions that normalize the normal of an appearance word.
 pub(super) fn normalize(word: u64) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     w.push(load_constant(0xff));
@@ -57,7 +58,8 @@ fn square(w: &mut Writer, of: Field, to: Field) {
 
 /// The root of [`SUM`] in the lower half of [`ROOT`].
 ///
-/// Before the digit j, ROOT is the root so far times 2^(j + 1): bits 2 j + 2 to 16 + j; and what is left of the sum is below 2^(18 + j).
+/// Before digit j, ROOT is the root so far times 2^(j + 1), in bits 2 j + 2 to 16 + j. The remainder of the sum is
+/// below 2^(18 + j).
 fn root(w: &mut Writer) {
     let top = ROOT.byte(3);
     w.extend([
@@ -69,7 +71,7 @@ fn root(w: &mut Writer) {
         set(Field::new(top, 1), 0),
         set(Field::new(top, 1), 0x40).only(Mask::Flagged),
     ]);
-    // The lowest byte of ROOT that has been written.
+    // The lowest byte of ROOT written so far.
     let mut written = 3;
     for digit in (0..15_u64).rev() {
         let (lowest, highest) = (digit / 4, ((17 + digit) / 8).min(3));
@@ -94,7 +96,7 @@ fn root(w: &mut Writer) {
     }
 }
 
-/// A byte of the trial that a digit is set: the sum's less that of the root, in which this bit is set.
+/// A byte of the trial subtraction for a digit: the sum's byte less the root's, with this digit's bit set.
 fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
     let begin = if byte == digit / 4 { Begin::One } else { Begin::Kept };
     // Whether the root has bits there.
@@ -112,7 +114,7 @@ fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
 
 /// `floor(remainder 2^12 / divisor)`, where the remainder is less than the divisor.
 fn quotient(w: &mut Writer, remainder: Field, divisor: Field, to: Field) {
-    // All digits are set, to begin with.
+    // All digits start as set.
     w.push(set(to, (1 << DIGITS_OF_UNIT) - 1));
     for digit in (0..DIGITS_OF_UNIT).rev() {
         let step = Division { comes_in: false, may_leave: true, is_last: digit == 0 };

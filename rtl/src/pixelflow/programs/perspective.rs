@@ -1,7 +1,8 @@
-//! Where a pixel is on its texture: two divisions, and the level of detail.
+//! A pixel's position on its texture: two divisions, and the level of detail.
 //!
-//! u is the fraction of `floor((u/w) 2^16 / (1/w))`, in 24 steps, of which the first 8 give whole repeats. The level, in 1/16, is `2 level - (511 - L)` and not below
-//! 0, where L is the logarithm of 1/w in straight pieces: 32 times the place of its leading one and the 5 bits behind that.
+//! u is the fraction of `floor((u/w) 2^16 / (1/w))`, in 24 steps; the first 8 give whole repeats. The level, in 1/16,
+//! is `2 level - (511 - L)`, but at least 0. L is a piecewise linear logarithm of 1/w: 32 times the position of its
+//! leading one, plus the 5 bits behind that.
 
 use super::super::fields::appearance::{LEVEL as NEAREST, SCALE, UV, ZERO as EMPTY};
 use super::super::fields::shading::*;
@@ -21,17 +22,17 @@ pub(super) fn coordinates(word: u64) -> Vec<Instruction<u64>> {
 }
 
 fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
-    // All digits are set, to begin with.
+    // All digits start as set.
     w.push(set(to, -1));
     for digit in (0..24_u64).rev() {
-        // The remainder begins as the upper byte.
+        // The remainder starts as the upper byte.
         let from = if digit == 23 { [part.byte(1), ZERO] } else { [REMAINDER.byte(0), REMAINDER.byte(1)] };
         let comes_in = digit >= 16;
         if comes_in {
             let rest = if digit == 23 { part.byte(0) } else { REST };
             w.push(carried(Function::ShiftLeft, rest).writes(REST).begins(Begin::Zero));
         }
-        // So it has less than 16 bits as long as there is a rest.
+        // So it has fewer than 16 bits as long as there is a rest.
         w.divided(from, REMAINDER, scale, Division { comes_in, may_leave: !comes_in, is_last: digit == 0 });
         if !comes_in {
             w.quotient_digit(to, digit);
@@ -39,13 +40,14 @@ fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
     }
 }
 
-/// The instructions that find the level, for the texture unit, and what it is between: not above the finest, which the material tells.
+/// The instructions that find the level for the texture unit, and the weight between levels. The level is at most the
+/// finest one, which the material gives.
 pub(super) fn level(word: u64) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     leading_one(&mut w, SCALE.of(word));
     let [weight, whole] = [DETAIL.byte(0), DETAIL.byte(1)];
     w.extend([
-        // The leading one goes, and the four lowest bits of its place's fraction are those of 16 L.
+        // The leading one is dropped; so are the four lowest bits of its position's fraction in 16 L.
         carried(Function::ShiftLeft, LEADING.byte(1)).writes(weight).begins(Begin::Zero),
         carried(Function::ShiftLeft, weight).writes(weight).begins(Begin::Zero),
         carried(Function::ShiftLeft, PLACE).writes(whole),
@@ -67,14 +69,15 @@ pub(super) fn level(word: u64) -> Vec<Instruction<u64>> {
         copy(Field::new(FINEST, 1), Field::new(whole, 1)).only(Mask::Flagged),
         set(Field::new(weight, 1), 0).only(Mask::Flagged),
         copy(Field::new(whole, 1), texture::LEVEL),
-        // What nothing covers has no texture.
+        // A pixel that nothing covers has no texture.
         with_constant(Function::Compare, EMPTY.of(word), 1).begins(Begin::One).flags(Condition::Carry),
         set(texture::TEXTURE, super::shade::NO_TEXTURE).only(Mask::Flagged),
     ]);
     w.0
 }
 
-/// Shifts 1/w until its leading one is the top bit, and finds the place where it was: by 8, 4, 2 and 1, where there is none above.
+/// Shifts 1/w until its leading one is the top bit, and finds the position it had. The steps are 8, 4, 2 and 1, where
+/// there is no one above.
 fn leading_one(w: &mut Writer, scale: Field) {
     let upper = Field::new(LEADING.byte(1), 1);
     w.push(copy(scale, LEADING));

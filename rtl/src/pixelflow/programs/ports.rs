@@ -1,10 +1,10 @@
-//! In step with the ports, and words on their way to them.
+//! Synchronization with the ports, and copies of words for them.
 
 use super::super::fields::Field;
 use super::super::instruction::{Instruction, LONGEST, Sync};
 use super::assembler::{copy, port};
 
-/// Waits until the network has done with a bank.
+/// Waits until the network has released a bank.
 pub fn await_bank(bank: u64) -> Instruction<u64> {
     port(Sync::AwaitBank, bank)
 }
@@ -19,12 +19,12 @@ pub fn give_bank(bank: u64) -> Instruction<u64> {
     port(Sync::GiveBank, bank)
 }
 
-/// Lets the texture unit, or what else is at its port, begin.
+/// Starts the texture unit, or whatever else is at its port.
 pub fn start_texture() -> Instruction<u64> {
     port(Sync::StartTexture, 0)
 }
 
-/// Waits until it has done.
+/// Waits until it has finished.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::instruction::Sync;
@@ -35,7 +35,7 @@ pub fn await_texture() -> Instruction<u64> {
     port(Sync::AwaitTexture, 0)
 }
 
-/// Copies so many bytes: a clock each.
+/// Copies `bytes` bytes: a clock each.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::{programs::move_word, schedule::one_at_a_time};

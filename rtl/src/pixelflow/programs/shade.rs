@@ -1,12 +1,13 @@
-//! Deferred shading of a region: a colour of each appearance word.
+//! Deferred shading of a region: makes a colour from each appearance word.
 //!
 //! ```text
 //! materials ──> coordinates and level ──> [texture unit] ──────────────────────────> filter ──> base ──.
 //!                                              '──> unit normal ──> lights ──> product with <──────────'──> colour
 //! ```
 //!
-//! Lights and materials are constants of the instructions; pixels differ by their words alone. While the texture unit finds texels, the lights are
-//! computed. Source: facts E4; the arithmetic is exact floors, so any way of computing them gives the same bits.
+//! Lights and materials are constants of the instructions; pixels differ only by their words. The lights are computed
+//! while the texture unit finds texels. Source: facts E4; the arithmetic is exact floors, so every way of computing
+//! them gives the same bits.
 
 use super::super::fields::shading::*;
 use super::super::fields::{Field, appearance, texture};
@@ -20,12 +21,12 @@ use super::normalize::normalize;
 use super::perspective;
 use super::ports::{await_texture, start_texture};
 
-/// A light from far away. Directions are 2^8 times a unit vector (right, down, forward of the eye): a sign and 8 bits each.
+/// A light far away. Directions are 2^8 times a unit vector (right, down, forward of the eye), each a sign and 8 bits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Light {
-    /// Towards the light; -255 to 255 each.
+    /// The direction towards the light; -255 to 255 each.
     pub direction: [i16; 3],
-    /// Between the light and the eye.
+    /// The direction half-way between the light and the eye.
     pub half: [i16; 3],
     /// 255 for the brightness 1.
     pub brightness: u8,
@@ -40,20 +41,20 @@ pub struct Material {
     pub texture: Option<Texture>,
     /// The brightness of highlights, 255 for 1.
     pub specular: u8,
-    /// How often the cosine is squared that makes a highlight, at most 7.
+    /// How often the cosine of a highlight is squared, at most 7.
     pub squarings: u8,
 }
 
-/// A texture, as a material names it.
+/// A texture, as a material refers to it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Texture {
     /// Its number, below 255.
     pub number: u8,
-    /// Its finest level, where its sides are 2^level texels; at most 10.
+    /// Its finest level, with sides of 2^level texels; at most 10.
     pub finest: u8,
 }
 
-/// What shading takes besides words.
+/// The inputs of shading besides words.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Shader {
     /// Red, green and blue of a pixel that nothing covers.
@@ -62,14 +63,14 @@ pub struct Shader {
     pub ambient: u8,
     /// The lights.
     pub lights: Vec<Light>,
-    /// What a word's material is an index of.
+    /// The materials; a word has an index into them.
     pub materials: Vec<Material>,
 }
 
-/// The number of no texture.
+/// The number that stands for no texture.
 pub const NO_TEXTURE: i64 = 255;
 
-/// In place of squarings: no light falls on it.
+/// A value of `squarings`: no light falls on the material.
 const UNLIT: u8 = 0xff;
 
 /// The programs that shade a region whose appearance words begin at an address.
@@ -79,7 +80,7 @@ pub struct Shading<'a> {
     pub shader: &'a Shader,
     /// The words.
     pub word: u64,
-    /// Where the colour comes to: blue, green and red, so that red is sent first.
+    /// The address of the colour: blue, green and red, so that red is sent first.
     pub colour: u64,
 }
 
@@ -112,7 +113,7 @@ impl Shading<'_> {
         [self.before_texture(), self.under_texture(), self.after_texture()].concat()
     }
 
-    /// The part that the texture unit waits for, to where it is started: materials, coordinates and levels.
+    /// The part up to the start of the texture unit: materials, coordinates and levels.
     pub fn before_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
         w.zero();
@@ -149,7 +150,7 @@ impl Shading<'_> {
         w.0
     }
 
-    /// The part from where the texture unit is waited for: filter, products, and the background where nothing covers the pixel.
+    /// The part after the texture unit: filter, products, and the background where nothing covers the pixel.
     pub fn after_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
         if let Some(finest) = self.finest() {
@@ -180,7 +181,8 @@ impl Shading<'_> {
         w.0
     }
 
-    /// What materials have comes to the pixels that name them: to all that name it or one behind it, in turn.
+    /// Writes the materials' values to the pixels: material after material, each to all pixels with this material or a
+    /// later one.
     fn materials(self, w: &mut Writer) {
         let mut last = None;
         for (number, material) in self.shader.materials.iter().enumerate() {

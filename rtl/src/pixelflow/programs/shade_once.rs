@@ -1,11 +1,12 @@
-//! Deferred shading of a region of eight samples a pixel: what they have in common is shaded once.
+//! Deferred shading of a region of eight samples a pixel: shades their common surface once.
 //!
 //! ```text
 //! word of a sample ──> take: surface and material kept; the least word ── eight times ──> combine: mean surface ──> shading ──> and the background
 //! ```
 //!
-//! The words come one after another to the same bank. Of each the shader keeps colour, normal and material, and of all the least word; this, with the mean
-//! colour and normal in it, is what is shaded. Source: facts E4; the golden `Shader::shade_once`, bit for bit.
+//! The words come one after another to the same bank. For each, the shader keeps colour, normal and material; of all,
+//! it keeps the least word. It then shades this word, with the mean colour and normal in it. Source: facts E4; the
+//! golden `Shader::shade_once`, bit for bit.
 
 use super::super::fields::appearance::{BYTES, MATERIAL, NORMAL, RGB, ZERO as EMPTY};
 use super::super::fields::samples::{self, BEHIND, COUNT};
@@ -19,7 +20,7 @@ use super::average::{add, eighth};
 use super::ports::move_word;
 use super::shade::Shading;
 
-/// Samples of a pixel.
+/// The samples of a pixel.
 const SAMPLES: u64 = 8;
 /// The top byte of a component's sign.
 const SIGN: i64 = 0x80;
@@ -32,7 +33,8 @@ pub struct ShadingOnce<'a> {
 }
 
 impl ShadingOnce<'_> {
-    /// Takes the word of the sample of that number, 0 to 7, from an address. 32 clocks, and 74 from the second one on.
+    /// Takes the word of the sample with that number, 0 to 7, from an address. It takes 32 clocks, and 74 from the
+    /// second one on.
     ///
     /// ```
     /// use tilewright_rtl::pixelflow::emulator::Pixel;
@@ -76,7 +78,7 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// Makes of the eight samples the word that is shaded: 499 clocks.
+    /// Makes the word that is shaded from the eight samples: 499 clocks.
     pub fn combine(self) -> Vec<Instruction<u64>> {
         let (mut w, word) = (Writer::default(), self.shading.word);
         w.push(set(Field::new(COUNT, 1), SAMPLES as i64));
@@ -108,7 +110,7 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// All instructions that shade what the samples have in common.
+    /// All instructions that shade the common surface of the samples.
     pub fn program(self) -> Vec<Instruction<u64>> {
         [self.before_texture(), self.under_texture(), self.after_texture()].concat()
     }
@@ -118,7 +120,7 @@ impl ShadingOnce<'_> {
         self.shading.before_texture()
     }
 
-    /// As [`Shading::under_texture`]; highlights count by the samples that are covered.
+    /// As [`Shading::under_texture`]; highlights are weighted by the number of covered samples.
     pub fn under_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer(self.shading.under_texture());
         if w.0.is_empty() {
@@ -132,7 +134,7 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// As [`Shading::after_texture`]; and the background adds what it is seen of.
+    /// As [`Shading::after_texture`]; then adds the visible share of the background.
     pub fn after_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer(self.shading.after_texture());
         for channel in 0..3 {
@@ -145,7 +147,8 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// A sample's colour and normal: those of the least word where the material is another one, and 0 where nothing covers it, which is counted.
+    /// A sample's colour and normal. They are those of the least word if the material is another one, and 0 if nothing
+    /// covers the sample, which is counted.
     fn surface(self, w: &mut Writer, number: u64) {
         let material = samples::of(MATERIAL, number);
         let surface = Field::new(samples::FIRST, samples::SURFACE);
@@ -163,7 +166,8 @@ impl ShadingOnce<'_> {
         w.push(with_constant(Function::Subtract, count, 1).to(count).begins(Begin::One).only(Mask::Flagged));
     }
 
-    /// What the background adds, `floor((background (8 - m) + 4) / 8)` of m covered samples; of none nothing, as shading gives the background itself.
+    /// The background's share, `floor((background (8 - m) + 4) / 8)` for m covered samples. For m = 0 it is nothing, as
+    /// shading gives the background itself.
     fn behind(self, w: &mut Writer) {
         w.push(set(BEHIND, 0));
         for covered in 1..=SAMPLES as i64 {
@@ -176,5 +180,5 @@ impl ShadingOnce<'_> {
     }
 }
 
-// The least word, and what shading leaves alone.
+// The least word, and the values that shading leaves alone.
 const _: () = assert!(appearance::BYTES <= 24 && SAMPLES * samples::BYTES <= 160);

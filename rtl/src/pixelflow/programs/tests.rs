@@ -1,4 +1,4 @@
-//! The clocks of all programs, and the arithmetic that shading is made of.
+//! The clocks of all programs, and the arithmetic of shading.
 
 use proptest::prelude::*;
 
@@ -31,7 +31,7 @@ fn of_lights(lights: &[Light]) -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// A row of the table: the program, its clocks one at a time and side by side, and with what they compare.
+/// A row of the table: the program, its clocks one at a time and side by side, and figures to compare.
 type Row = (&'static str, Vec<Instruction<u64>>, [u64; 2], &'static str);
 
 fn table() -> Vec<Row> {
@@ -84,7 +84,7 @@ fn the_table_of_pixelflow() {
     }
 }
 
-/// An edge over a region, which it may cross.
+/// An edge that may cross a region.
 fn edges() -> impl Strategy<Value = Expression> {
     let slope = || prop_oneof![2 => -65_535..=65_535_i64, 1 => -9..9_i64, 1 => Just(65_535), 1 => Just(-65_535)];
     (slope(), slope(), 0..128_i64, 0..64_i64, -3..3_i64).prop_map(|(a, b, x, y, off)| Expression {
@@ -99,7 +99,7 @@ fn part() -> impl Strategy<Value = i16> {
     -255..=255_i16
 }
 
-/// A component of a unit normal, of which any three have a length below 4096.
+/// A component of a unit normal, any three of which have a length below 4096.
 fn component() -> impl Strategy<Value = i16> {
     -2364..=2364_i16
 }
@@ -116,7 +116,7 @@ fn put(pixel: &mut Pixel, field: Field, number: u32) {
     (0..field.bytes).for_each(|at| pixel.memory[field.byte(at) as usize] = (number >> (8 * at)) as u8);
 }
 
-/// A pixel in which nothing is zero but what has to be.
+/// A pixel with nonzero values everywhere, except where zero is required.
 fn littered() -> Pixel {
     let mut pixel = Pixel::new();
     pixel.memory = [0xa5; 384];
@@ -127,7 +127,7 @@ fn littered() -> Pixel {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
 
-    /// In all forms the sign that is looked at is that of the edge, in at most 4 bytes, and in 2 of the least half-plane.
+    /// In all forms the sign that is tested is that of the edge, in at most 4 bytes, and in 2 for the least half-plane.
     #[test]
     fn edges_keep_their_signs(edge in edges(), x in 0..128_u32, y in 0..64_u32) {
         let value = edge.a * i64::from(x) + edge.b * i64::from(y) + edge.c;
@@ -165,7 +165,7 @@ proptest! {
         prop_assert_eq!([byte(&pixel, 103), byte(&pixel, 100)], [(a * (b + 1)) >> 8; 2]);
     }
 
-    /// Each step is that of written division, of remainders to the last below a divisor of 16 bits.
+    /// Each step is that of long division, for remainders up to the last below a divisor of 16 bits.
     #[test]
     fn remainders_are_exact(divisor in 1..=u16::MAX, dividend: u32, shift in 0..16_u32) {
         let divisor = u32::from(divisor >> shift).max(1);

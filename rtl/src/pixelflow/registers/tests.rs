@@ -1,4 +1,4 @@
-//! Both sides of the registers against an array of bytes, on one clock and on two.
+//! Both sides of the registers against an array of bytes, with one clock and with two.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -6,7 +6,7 @@ use tilewright_sim::Simulation;
 use super::super::NETWORK;
 use super::*;
 
-/// What both sides do in a clock.
+/// The accesses of both sides in a clock.
 #[derive(Debug, Clone)]
 struct Step {
     read: u64,
@@ -27,7 +27,7 @@ fn steps(width: u32, height: u32) -> impl Strategy<Value = Vec<Step>> {
     let array = (address(), address(), prop::collection::vec(0..2u64, pixels), bytes(pixels));
     let port = (0..u64::from(2 * width), address(), 0..2u64, bytes(chips));
     let step = (array, port).prop_map(|((read, write, writes, result), (pixel, address, port_writes, bytes))| {
-        // Both write the same byte on no occasion: nobody says who would win.
+        // Both never write the same byte: the result would be undefined.
         let write = if write == address { address ^ 1 } else { write };
         Step { read, write, writes, result, pixel, address, port_writes, bytes }
     });
@@ -49,7 +49,7 @@ proptest! {
         sim.reset();
         let (i, o) = (sim.i, sim.o);
         let mut held = vec![[0; 64]; (width * height) as usize];
-        // A chip is two lines: its pixels stand one after another.
+        // A chip is two lines: its pixels follow one another.
         let place = |chip: usize, pixel: u64| chip * 2 * width as usize + pixel as usize;
         for step in steps {
             let numbers = [(i.read, step.read), (i.write, step.write), (i.port.pixel, step.pixel)];
@@ -67,7 +67,7 @@ proptest! {
 
             let before = sim.cycles("array").unwrap();
             sim.step();
-            // Every second edge of the network is one of the array, too.
+            // Every second edge of the network is also one of the array.
             if sim.cycles("array").unwrap() > before {
                 let written = held.iter_mut().zip(&step.writes).zip(&step.result).filter(|((_, writes), _)| **writes == 1);
                 written.for_each(|((pixel, _), byte)| pixel[step.write as usize] = *byte);

@@ -13,19 +13,19 @@ const NONE: TextureMemoryIn<u64> = TextureMemoryIn {
     request: TexturePlace { valid: 0, u: 0, v: 0, level: 0, texture: 0 },
 };
 
-/// Any texel, told from its neighbours.
+/// A texel that differs from its neighbours.
 pub fn texel(texture: u64, level: u32, i: u64, j: u64) -> u64 {
     (texture * 0x35_0113 + u64::from(level) * 0x9_0461 + i * 0x1_0301 + j * 0x2_1007) & 0xff_ffff
 }
 
-/// The write that brings in a texel of a texture with that base.
+/// The write of a texel of a texture with that base.
 fn written(texture: u64, base: u64, (level, i, j): (u32, u64, u64)) -> TextureMemoryIn<u64> {
     let TexelAddress { bank, address } = TextureMemory::place(base, level, i, j);
     let write = TexelWrite { valid: 1, bank, address, texel: texel(texture, level, i, j) };
     TextureMemoryIn { write, ..NONE }
 }
 
-/// The writes that bring in textures of these finest levels, and the addresses that they take.
+/// The writes of textures with these finest levels, and the addresses that they take.
 pub fn contents(finest: &[u32]) -> (Vec<TextureMemoryIn<u64>>, u64) {
     let (mut writes, mut base) = (Vec::new(), 0);
     for (texture, &finest) in (0..).zip(finest) {
@@ -41,7 +41,8 @@ pub fn contents(finest: &[u32]) -> (Vec<TextureMemoryIn<u64>>, u64) {
     (writes, base)
 }
 
-/// By definition: the place on a level is u times its side less half a texel, and textures repeat. Levels, columns and rows.
+/// By definition: the place on a level is u times its side less half a texel, and textures repeat. Returns levels,
+/// columns and rows.
 fn places_around(finest: u32, [u, v]: [u64; 2], level: u64) -> impl Iterator<Item = (u32, u64, u64)> {
     (0..8u64).map(move |number| {
         let level = (level + (number >> 2)).min(finest.into()) as u32;
@@ -141,7 +142,7 @@ fn it_has_the_texels_of_the_finest_levels() {
     }
 }
 
-/// No two texels of a texture, nor of two that stand one behind the other, share a place.
+/// No two texels of a texture, nor of two textures stored one behind the other, share an address.
 #[test]
 fn every_texel_has_a_place_of_its_own() {
     for finest in 0..6 {

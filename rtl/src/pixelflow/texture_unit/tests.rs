@@ -1,4 +1,4 @@
-//! Whole regions: what each pixel asks, and the texels that it gets.
+//! Whole regions: the request of each pixel, and the texels that it gets.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -6,10 +6,10 @@ use tilewright_sim::Simulation;
 use super::super::texture_memory::tests::{around, contents};
 use super::*;
 
-/// Registers of each pixel of each chip, to which the port leads.
+/// The registers of each pixel of each chip, which the port accesses.
 type Registers = Vec<Vec<[u64; 64]>>;
 
-/// Serves a region, from the clock of `start` to that of `done`; gives how many they are.
+/// Serves a region, from the clock of `start` to that of `done`; returns the number of clocks.
 fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
     let mut sim = Simulation::of(unit).unwrap().seeded(3);
     sim.reset();
@@ -28,7 +28,7 @@ fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
         assert!(clock <= unit.clocks(), "it is not done in time");
         let port = sim.o.port;
         let [pixel, address, writes] = [port.pixel, port.address, port.writes].map(|port| sim.get_u64(port));
-        // In the turns that only write, it leads anywhere.
+        // In the rounds that only write, the port may select anything.
         let byte = |chip: &Vec<[u64; 64]>| chip.get(pixel as usize).map_or(0, |pixel| pixel[address as usize]);
         let seen: Vec<u64> = registers.iter().map(byte).collect();
         sim.set_lanes(i.seen, seen);
@@ -45,7 +45,7 @@ fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
     unreachable!("it ends or is too late")
 }
 
-/// What a pixel asks: texture, place and level.
+/// The request of a pixel: texture, place and level.
 type Asked = (u64, [u64; 2], u64);
 
 fn expect_texels(chips: u32, pixels: u32, finest: &[u32], asked: impl Fn(usize) -> Asked) -> u64 {

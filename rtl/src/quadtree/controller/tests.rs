@@ -1,4 +1,4 @@
-//! The video controller clock by clock, and with buffers in software.
+//! The video controller clock by clock, and with software buffers.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
@@ -45,7 +45,7 @@ fn the_first_group_comes_after_2_clocks_and_a_group_that_waits_stays() {
         busy           |_______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
         ",
     );
-    // Of the second line; where nothing was drawn there is the background, behind everything.
+    // A pixel of the second line; where nothing was drawn the background shows.
     assert_eq!(sim.lanes(o.pixels.payload), [0xff_ffff << 24 | 0x10_20_30, 4]);
 }
 
@@ -58,7 +58,7 @@ fn a_second_start_is_an_error() {
     sim.run(2);
 }
 
-/// A word that tells where it is, or an empty one.
+/// A word that encodes its position, or an empty one.
 fn word(x: u64, y: u64) -> u64 {
     if (x + 3 * y).is_multiple_of(5) { (1 << 48) - 1 } else { x << 12 | y }
 }
@@ -66,7 +66,7 @@ fn word(x: u64, y: u64) -> u64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// A picture line by line, and another one, from buffers that send what they are asked for in the clock before, and keep it.
+    /// Two pictures, line by line, from buffers that send the word requested in the previous clock, and keep it.
     #[test]
     fn it_reads_the_buffers_as_one_picture(
         (width, height, p, q) in (1..20u32, 1..9u32, 0..4u32, 0..4u32),

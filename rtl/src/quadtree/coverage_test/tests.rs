@@ -9,8 +9,7 @@ use super::*;
 
 const SHOWN: [&str; 7] = ["works_valid", "works_ready", "number", "step", "moves", "parts_valid", "parts_ready"];
 
-/// Two windows right behind one another, the first of which has three quarters that pass and one that fails. The receiver is away in some
-/// clocks.
+/// Two windows without a gap; in the first, three quarters pass and one fails. The receiver pauses in some clocks.
 fn two_windows(test: Test, clocks: u64, away: std::ops::Range<u64>) -> Wave {
     let unit = CoverageTest { format: small(), test, from: 2, sizes: 1 };
     let mut sim = Simulation::of(&unit).unwrap();
@@ -87,7 +86,7 @@ fn a_quarter_waits_for_its_receiver_and_nothing_else_happens() {
     );
 }
 
-/// A window of some size for each polygon; half of those that are divided on the way to it, as far as there are any.
+/// A window of some size for each polygon, reached from the root through windows that are divided, where there are any.
 fn window(raster: &Raster, polygon: &Convex, size: u32, choice: u64) -> Square {
     let mut window = raster.root();
     while window.size > size {
@@ -117,7 +116,8 @@ fn windows() -> impl Strategy<Value = (Raster, u32, u32, Vec<(Convex, Square)>)>
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The quarters whose corners, and four bounds, say so, with all that belongs to them, and the clocks of the cost model (MPG-EQ5).
+    /// The quarters selected by their corners and by four bounds, with all their values, and the clocks of the cost
+    /// model (MPG-EQ5).
     #[test]
     fn it_sends_the_quarters_that_the_definition_says((raster, from, sizes, windows) in windows(), stalls in stalls()) {
         let works: Vec<_> = windows.iter().map(|(polygon, window)| raster.work(polygon, *window)).collect();
@@ -140,7 +140,8 @@ proptest! {
     }
 }
 
-/// A polygon that covers one pixel, by its bounds alone: of the quarters without it one is beyond two bounds at once.
+/// A polygon that covers one pixel by its bounds alone: one of the quarters without the pixel is beyond two bounds at
+/// once.
 #[test]
 fn a_quarter_beyond_two_bounds_fails_as_one_beyond_one_does() {
     let raster = first(small());

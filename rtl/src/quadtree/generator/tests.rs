@@ -1,4 +1,4 @@
-//! The generator as a whole: pictures of polygons, the broadcast, and what its counters say.
+//! The whole generator: pictures of polygons, the broadcast, and the values of its counters.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation};
@@ -64,7 +64,8 @@ fn show(sim: &mut Sim, format: Format, pauses: Pauses) -> Vec<u64> {
     t.run((show, receive)).1
 }
 
-/// The picture by the polygons' own functions: of each pixel the smallest word, or strictly the first of the nearest.
+/// The picture from the polygons' own functions: each pixel has the smallest word or, in strict mode, the first of the
+/// nearest.
 fn expected(format: Format, polygons: &[Convex], strict: bool) -> Vec<u64> {
     let Screen { width, height } = format.screen();
     let pixels = (0..u64::from(height)).flat_map(|y| (0..u64::from(width)).map(move |x| (x, y)));
@@ -89,7 +90,7 @@ fn expected(format: Format, polygons: &[Convex], strict: bool) -> Vec<u64> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Two pictures one after another: the second begins with nothing.
+    /// Two pictures one after another: the second starts empty.
     #[test]
     fn pictures_are_what_the_polygons_say(
         (format, pictures) in formats(12).prop_filter("few processors", |format| format.matrix().processors() <= 16)

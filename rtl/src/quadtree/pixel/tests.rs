@@ -35,7 +35,7 @@ fn a_fragment_comes_a_clock_after_its_window() {
     );
 }
 
-/// Whether the polygon covers the pixel of a sample: by the definition alone.
+/// Whether the polygon covers the pixel of a sample: by definition.
 fn covers(raster: &Raster, polygon: &Convex, x: u32, y: u32) -> bool {
     let matrix = raster.format.matrix();
     let [x, y] = [raster.column + matrix.columns() * x, raster.row + matrix.rows() * y].map(i64::from);
@@ -48,7 +48,8 @@ fn covers(raster: &Raster, polygon: &Convex, x: u32, y: u32) -> bool {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Of the windows of one sample that the coverage tests leave, those whose pixel is covered; and no pixel is lost on the way.
+    /// The pixel processor draws the windows of one sample that pass the coverage tests and whose pixel is covered. No
+    /// pixel is lost on the way.
     #[test]
     fn what_is_drawn_is_what_the_polygon_covers(
         (raster, polygons) in formats(24).prop_flat_map(|format| {
@@ -57,7 +58,7 @@ proptest! {
         seed in any::<u64>(),
     ) {
         let mut sim = Simulation::of(&PixelProcessor { format: raster.format }).unwrap().seeded(seed);
-        // A leaf that is offered meanwhile is none.
+        // A leaf offered without `valid` is ignored.
         sim.drive_bits(shown(1, raster.work(&polygons[0], Square { size: 0, x: 0, y: 0 })));
         sim.reset();
         prop_assert_eq!(sim.get_u64(sim.o.fragment.valid), 0);

@@ -20,8 +20,8 @@ fn processor(format: Format, form: &str, test: Test, queue: u32) -> Option<Raste
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In each form the leaves are the samples that a polygon may cover, those of a sample in the order of their polygons; and each level
-    /// works for as many clocks (MPG-EQ5).
+    /// In each form the leaves are the samples that a polygon may cover; those of a sample come in the sequence of
+    /// their polygons. Each level works for the same number of clocks (MPG-EQ5).
     #[test]
     fn all_forms_find_the_samples_of_polygons(
         (raster, polygons) in formats(24).prop_flat_map(|format| {
@@ -55,7 +55,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Stack, pipe and tree each by itself, with windows that are anywhere.
+    /// Stack, pipe and tree each by itself, with windows at any place.
     #[test]
     fn each_part_divides_any_windows(
         polygons in prop::collection::vec(polygons(unequal()), 1..4),
@@ -109,11 +109,12 @@ fn a_stack_holds_three_windows_of_each_size_and_no_more() {
     };
     t.run((t.send_bits(i, raster.work(&polygon, raster.root())), receive));
     drop(t);
-    // An assertion of the stack says that it never holds more: three of each size but that of the root.
+    // An assertion of the stack says that it never stores more: three of each size but the root's.
     assert_eq!(sim.covered("the stack is full").unwrap(), 1);
 }
 
-/// On each level only the last quarter passes: it is divided next, though the stack is empty and another polygon waits.
+/// On each level only the last quarter passes. It is divided next, although the stack is empty and another polygon
+/// waits.
 #[test]
 fn a_stack_divides_what_comes_back_before_another_polygon() {
     let format = Format::new(Screen { width: 16, height: 16 }, small().matrix(), 3).unwrap();
@@ -126,7 +127,7 @@ fn a_stack_divides_what_comes_back_before_another_polygon() {
     assert_eq!(found, [leaf, leaf].concat());
 }
 
-/// Whole windows one after another, in which all is full before the first part is taken.
+/// Whole windows one after another, with everything full before the first part is taken.
 #[test]
 fn nothing_is_lost_where_the_receiver_is_slow() {
     let (format, test, from, levels, queue) = (small(), Test::Parallel, 2, 2, 1);
@@ -172,8 +173,8 @@ fn a_stack_takes_the_clocks_of_all_windows_and_a_pipe_those_of_the_slowest_level
         t.run((send, receive)).1
     };
     let of_windows = |windows: u64| windows * (4 * 3 + 4 * 4);
-    // One clock more, in which the first window is taken. In a pipe there is also one for each queue, and the last level begins when the two
-    // before it have their first quarter, after 7 clocks each.
+    // One clock more, in which the first window is taken. A pipe has one more for each queue; its last level begins
+    // when the two before it have their first quarter, after 7 clocks each.
     assert_eq!(clocks("stack"), 4 * of_windows(1 + 4 + 16) + 1);
     assert_eq!(clocks("pipe"), 4 * of_windows(16) + 1 + 3 + 2 * 7);
     // The leaves of a tree come one after another, one a clock as soon as all of its units have some.

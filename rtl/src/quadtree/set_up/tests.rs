@@ -7,7 +7,7 @@ use super::super::model::{Convex, Raster};
 use super::super::testing::{Stalls, first, formats, polygons, rasters, small, stalls, triangle};
 use super::*;
 
-/// What the set-up makes of polygons, and what it did.
+/// The set-up's roots for polygons, and its counters.
 fn set_up(raster: &Raster, polygons: &[Convex], stalls: Stalls) -> (Vec<Work<Bits>>, Tally<u64>) {
     let format = raster.format;
     let mut sim = Simulation::of(&SetUp { format }).unwrap().seeded(stalls.seed);
@@ -54,7 +54,7 @@ fn a_triangle_takes_4_clocks_and_its_root_waits_for_the_receiver() {
         packets: Stream { valid: Bits::new(1, valid), ready: Bits::zero(1), payload: triangle().packet(&small()) },
         place: first(small()).place(),
     };
-    // Two packets right behind one another; the receiver is away when the second root comes.
+    // Two packets without a gap; the receiver pauses when the second root comes.
     for clock in 0..12 {
         sim.drive_bits(shown((clock < 10).into()));
         sim.set(sim.o.roots.ready, clock < 6 || clock == 9);
@@ -86,8 +86,8 @@ fn a_polygon_of_8_edges_takes_8_clocks() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// All that a root has, at slopes of up to 65535, 2048 pixels beyond the screen, and on matrices with far more columns than rows; and of
-    /// polygons with 3 to 8 edges one after another.
+    /// All values of a root: for slopes up to 65535, 2048 pixels beyond the screen, on matrices with far more columns
+    /// than rows, and for polygons with 3 to 8 edges one after another.
     #[test]
     fn roots_are_what_a_direct_evaluation_gives(
         (raster, polygons) in formats(2048).prop_flat_map(|format| {

@@ -36,7 +36,7 @@ fn fragments_of_one_pixel_in_successive_clocks_are_compared_with_one_another() {
         sim.step();
     }
     let scan = Scan { enable: 1, x: 1, y: 0, clear: 1 };
-    // Read, and emptied; and read again in the next clock.
+    // Read and cleared; and read again in the next clock.
     for enable in [1, 1, 0] {
         sim.drive(VideoBufferIn { back: 1, scan: Scan { enable, ..scan }, ..IDLE });
         sim.step();
@@ -109,7 +109,7 @@ impl Model {
     }
 }
 
-/// Few places and few words, so that many fragments meet, and some agree in a half.
+/// Few addresses and few words, so that many fragments collide, and some agree in half of their bits.
 fn step(columns: u32, rows: u32) -> impl Strategy<Value = (VideoBufferIn<u64>, bool)> {
     let flag = |probability| prop::bool::weighted(probability).prop_map(u64::from);
     let along = |count: u32| prop_oneof![4 => 0..u64::from(count.min(2)), 1 => 0..u64::from(count)];
@@ -125,7 +125,7 @@ fn step(columns: u32, rows: u32) -> impl Strategy<Value = (VideoBufferIn<u64>, b
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// What is sent in every clock, while the banks are exchanged at any time.
+    /// The word sent in every clock, with exchanges of the banks at any time.
     #[test]
     fn it_keeps_the_nearer_word_of_each_pixel(
         (format, steps) in (1..20u32, 1..12u32).prop_flat_map(|(width, height)| {

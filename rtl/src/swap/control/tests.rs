@@ -4,7 +4,7 @@ use tilewright_sim::Simulation;
 
 use super::*;
 
-/// Of three processing elements none and all, a bit each.
+/// Bits of three processing elements: none, and all.
 const NONE: u64 = 0b000;
 const ALL: u64 = 0b111;
 
@@ -32,7 +32,7 @@ fn running(processors: u32) -> Sim {
     sim
 }
 
-/// A clock of the processing elements with these inputs; gives what came out in it.
+/// A clock of the processing elements with these inputs; returns its outputs.
 fn clock(sim: &mut Sim, inputs: SwapControlIn<u64>) -> SwapControlOut<u64> {
     sim.drive(inputs);
     let seen = sim.read_u64();
@@ -40,7 +40,7 @@ fn clock(sim: &mut Sim, inputs: SwapControlIn<u64>) -> SwapControlOut<u64> {
     seen
 }
 
-/// Those clear their tables, one after another.
+/// These processing elements clear their tables, one after another.
 fn clear(sim: &mut Sim, who: u64, inputs: SwapControlIn<u64>) -> Vec<u64> {
     let mut resumed = Vec::new();
     for lane in (0..3).filter(|lane| who >> lane & 1 == 1) {
@@ -70,7 +70,7 @@ fn each_clears_and_draws_for_itself() {
     for (lane, expected) in [(0, [Clear, Clear, Draw]), (2, [Draw, Clear, Draw]), (1, [Draw, Draw, Draw])] {
         clear(&mut sim, 1 << lane, IDLE);
         assert_eq!(states(&mut sim), expected);
-        // Nothing says so if it may not.
+        // No processing element says so while it may not.
         clock(&mut sim, SwapControlIn { draws: 1 << lane, ..IDLE });
     }
 }
@@ -92,7 +92,7 @@ fn the_line_is_high_when_all_are_done_and_the_bus_and_the_host_let_it_go() {
     assert_eq!(states(&mut sim), [SwapState::Clear; 3]);
 }
 
-/// The chain advances only some clocks after all have swapped, so that the frame is stored later than T_m.
+/// The chain advances only some clocks after all have swapped, so the frame is stored later than T_m.
 fn banks_swap(processors: u32) {
     let mut sim = running(processors);
     let all = (1 << processors) - 1;
@@ -120,7 +120,7 @@ fn banks_swap(processors: u32) {
         sim.step();
     }
     assert_eq!((sim.get_u64(sim.o.merged), sim.get_u64(sim.o.gfb_swap), sim.get_u64(sim.o.shown)), (0, 0, 1));
-    // It is known behind two edges.
+    // It is known after two edges.
     let swaps = [(); 4].map(|()| clock(&mut sim, idle).swap);
     assert!(swaps.contains(&all), "{swaps:?}");
 }
@@ -148,7 +148,7 @@ fn an_overflow_swaps_alone_when_its_own_buffer_is_sent() {
     use SwapState::{Clear, Draw, Overflow};
     let mut sim = running(3);
     clear(&mut sim, ALL, IDLE);
-    // Of a first swap all guards hold.
+    // For a first swap all guards are open.
     clock(&mut sim, SwapControlIn { overflow: ALL, idle: NONE, ..IDLE });
     assert_eq!(clock(&mut sim, IDLE).swap, ALL);
     clear(&mut sim, ALL, IDLE);

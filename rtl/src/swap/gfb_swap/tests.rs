@@ -74,7 +74,7 @@ fn a_frame_that_ends_before_the_last_one_is_on_display_is_an_error() {
     assert!(problem.contains("a frame ends when the one before is on display"), "{problem}");
 }
 
-/// It forgets how long a frame has waited, and which bank was shown.
+/// A reset clears how long a frame has waited, and which bank was shown.
 #[test]
 fn a_reset_begins_anew() {
     let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 8 }).unwrap();
@@ -83,7 +83,7 @@ fn a_reset_begins_anew() {
     sim.drive(waits(1));
     sim.run(6);
     assert_eq!(sim.get_u64(sim.o.merged), 1);
-    // As long as it is counted, so that an assertion would ask for what is not stored any more.
+    // As long as it counts, so that an assertion would demand what is no longer stored.
     sim.run(10);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.merged), 0, "T_m begins again");
@@ -93,7 +93,7 @@ fn a_reset_begins_anew() {
     assert_eq!(sim.get_u64(sim.o.shown), 1);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.shown), 0);
-    // That a frame has turned while the reset lasted is none that ended.
+    // If a frame toggles during the reset, it does not count as ended.
     sim.drive(waits(0));
     sim.step();
 }
@@ -110,7 +110,7 @@ fn a_swap_of_banks_before_all_is_sent_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Against the clocks in which things happened (VC1-SW2).
+    /// Compared with the clocks of the events (VC1-SW2).
     #[test]
     fn the_banks_change_in_the_first_clock_in_which_all_guards_hold(
         (merge_clocks, way) in (1..30u64, 1..9u32),
@@ -128,7 +128,7 @@ proptest! {
         for (swaps, sent_after) in frames {
             let begun = clock;
             let all_swapped = begun + swaps.iter().max().unwrap();
-            // All is sent by then, as an assertion holds.
+            // All is sent by then; an assertion checks it.
             let all_sent = all_swapped + sent_after.min(merge_clocks);
             let mut advanced = 0;
             loop {

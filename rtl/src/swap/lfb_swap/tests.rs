@@ -80,7 +80,8 @@ fn a_frame_ends_with_the_line_and_an_overflow_waits_for_its_guards() {
     }
 }
 
-/// A fast processing element, whose next frame is drawn while the line is still that of the old one, would end it at once.
+/// A fast processing element whose next frame is drawn while the line is still that of the old one would end it at
+/// once.
 #[test]
 fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
     let mut sim = Simulation::of(&control(12)).unwrap();
@@ -94,7 +95,7 @@ fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
     clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
     clock(&mut sim, IDLE);
     clear(&mut sim, IDLE);
-    // The frame before is not shown: the swap is due, and waits.
+    // The previous frame is not shown: the swap is due, and waits.
     clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
     for shown in [0; 20].into_iter().chain([1; 3]) {
         sim.drive(LfbSwapIn { done: 1, shown, ..IDLE });
@@ -105,7 +106,8 @@ fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
     assert_eq!((sim.get_u64(sim.o.state), sim.get_u64(sim.o.ready)), (SwapState::Clear as u64, 0));
 }
 
-/// The merger knows of it at the third of its edges behind the swap; a reset forgets it, and what was cleared.
+/// The merger learns of it at the third of its edges after the swap. A reset clears it, and the record of cleared
+/// entries.
 #[test]
 fn a_frame_turns_its_output_and_a_reset_begins_anew() {
     let mut sim = Simulation::of(&control(1)).unwrap();
@@ -126,7 +128,7 @@ fn a_frame_turns_its_output_and_a_reset_begins_anew() {
             sim.step();
         }
         assert_eq!(sim.cycles(MERGE).unwrap(), merged + 3);
-        // A reset in the midst of clearing, or while the program draws, with any distance to the next edges.
+        // A reset during clearing, or while the program draws, at any distance from the next edges.
         clock(&mut sim, LfbSwapIn { clears: 1, ..IDLE });
         if phase % 2 == 1 {
             clock(&mut sim, LfbSwapIn { clears: 1, patch: 1, ..IDLE });
@@ -138,7 +140,7 @@ fn a_frame_turns_its_output_and_a_reset_begins_anew() {
     assert_eq!(sim.get_u64(sim.o.frame), 0);
 }
 
-/// The frame before is never shown (VC1-SW4).
+/// The previous frame is never shown (VC1-SW4).
 #[test]
 fn an_overflow_without_a_swap_for_longer_than_its_guards_may_take_is_an_error() {
     let mut sim = Simulation::of(&control(12)).unwrap();
@@ -147,7 +149,7 @@ fn an_overflow_without_a_swap_for_longer_than_its_guards_may_take_is_an_error() 
     clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
     clock(&mut sim, IDLE);
     clear(&mut sim, IDLE);
-    // It is in `Overflow` in the clock behind this one.
+    // It is in `Overflow` in the next clock.
     let overflow = LfbSwapIn { overflow: 1, idle: 0, ..IDLE };
     clock(&mut sim, overflow);
     let start = sim.cycles(PE).unwrap();
@@ -164,7 +166,7 @@ fn what_the_program_must_not_do_is_an_error() {
         let mut sim = Simulation::of(&control(12)).unwrap();
         sim.reset();
         sim.drive(inputs);
-        // At the first edge: what comes of it later is another mistake.
+        // At the first edge: later effects are another mistake.
         sim.try_step().err().map(|problem| problem.to_string()).unwrap_or_default()
     };
     for (inputs, sentence) in [
@@ -177,13 +179,13 @@ fn what_the_program_must_not_do_is_an_error() {
     }
 }
 
-/// That something is sent while a reset lasts is forgotten with it.
+/// A reset also clears the record that something was sent during it.
 #[test]
 fn a_reset_forgets_what_is_sent() {
     let mut sim = Simulation::of(&control(12)).unwrap();
     for phase in 0..16 {
         sim.reset();
-        // An assertion says that all is sent so long after a swap, as if there had been one.
+        // An assertion requires that all is sent this long after a swap, as if there had been one.
         clear(&mut sim, IDLE);
         clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
         clock(&mut sim, IDLE);
@@ -212,8 +214,8 @@ fn an_entry_that_is_cleared_while_the_program_draws_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Against the clock of the last swap, and the counts of frames ended and shown (VC1-SW3). Each swap comes in the first clock
-    /// in which all guards hold, 2 clocks after they are put at the ports of the other clock's side.
+    /// Compared with the clock of the last swap, and with the counts of frames ended and shown (VC1-SW3). Each swap
+    /// comes in the first clock in which all guards are open, 2 clocks after they appear at the other clock's ports.
     #[test]
     fn a_swap_comes_when_all_guards_hold(
         merge_clocks in 12..40u64,
@@ -224,7 +226,7 @@ proptest! {
         let mut sim = Simulation::of(&control).unwrap().seeded(seed);
         sim.reset();
         let (mut now, mut last_swap, mut ended) = (0, None::<u64>, 0);
-        // The numbers of clocks, in each of which one frame more is shown, and in which the back buffer is sent.
+        // The clocks in each of which one more frame is shown, and those in which the back buffer is sent.
         let (mut shown_at, mut sent_at) = (Vec::<u64>::new(), 0);
         let step = |sim: &mut Sim, inputs: LfbSwapIn<u64>, now: &mut u64, shown_at: &[u64], sent_at: u64| {
             let shown = shown_at.iter().filter(|at| **at <= *now).count() as u64 % 2;
@@ -234,9 +236,10 @@ proptest! {
             *now += 1;
             seen
         };
-        // Of the covers: frames ended, overflows, entries cleared, and waits for the shown frame, for T_m and for the merger alone.
+        // Counts of the covers: frames ended, overflows, entries cleared, and waits for only the shown frame, only T_m,
+        // or only the merger.
         let (mut overflowed, mut tables, mut waits_alone) = (0, 0, [0; 3]);
-        // A request is held since the last swap.
+        // A request has been waiting since the last swap.
         let mut holds = false;
         for (overflows, draws, shown_after, sent_after) in jobs {
             for patch in 0..3 {

@@ -2,26 +2,26 @@
 
 use super::*;
 
-/// Of so many bits of a number, from a lowest on, whether they are less than that.
+/// Whether a field of a number, from its lowest bit on, is below a limit.
 fn is_less(choice: u64, lowest: u32, bits: u32, than: u64) -> bool {
     choice >> lowest & ((1 << bits) - 1) < than
 }
 
-/// A word says its sender, packet and place.
+/// A word that encodes its sender, packet and position.
 fn word(sender: usize, packet: u64, place: u64) -> u64 {
     (sender as u64) << 24 | packet << 8 | place
 }
 
-/// How many words a packet has.
+/// The number of words of a packet.
 fn words(packet: u64) -> u64 {
     1 + packet % 3
 }
 
-/// What a processor has received, which is whole packets in a row, those of each sender in order.
+/// The words that a processor has received: whole packets, those of each sender in sequence.
 #[derive(Default)]
 struct Received {
     packets: [u64; 3],
-    /// The sender of the packet under way, and how many of its words have come.
+    /// The sender of the packet under way, and the number of its words received.
     under_way: Option<(usize, u64)>,
 }
 
@@ -39,7 +39,8 @@ impl Received {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Two processors draw, say that they are done, send and receive at any time, and never end the frame; the host sends too (VC1-NET, VC1-SW1).
+    /// Two processors draw, report that they are done, send and receive at any time, and never end the frame; the host
+    /// sends too (VC1-NET, VC1-SW1).
     #[test]
     fn packets_of_all_come_to_all_and_hold_the_line_low(choices in prop::collection::vec(any::<u64>(), 3000)) {
         let mut sim = running(&vc1(SMALL, 4, 8, 2), 7);
@@ -50,7 +51,7 @@ proptest! {
         t.run((t.all(ports.iter().map(|i| clear(&pe, *i, 8))),));
         drop(t);
 
-        // Of each sender the packet and the place of its next word.
+        // For each sender, the packet and the position of its next word.
         let mut sent = [(0, 0); 3];
         let mut received: [Received; 2] = Default::default();
         let mut held_low = 0;
@@ -68,7 +69,7 @@ proptest! {
                 sim.set(i.request.x, choice >> (lowest + 8) & 15);
                 sim.set(o.received.ready, is_less(choice, lowest + 12, 2, 1));
             }
-            // The frame never ends: the host holds the line where nobody else does.
+            // The frame never ends: the host holds the line low when no other party does.
             sim.set(sim.i.ready, is_less(choice, 54, 2, 3));
             if sim.get_u64(sim.o.line) == 1 {
                 sim.set(sim.i.ready, 0);
@@ -87,7 +88,7 @@ proptest! {
             }
             sim.step_clock(PE, 1);
         }
-        // When all is received, and its packets are whole, nothing holds it.
+        // When everything is received, and its packets are complete, nothing holds it low.
         senders.iter().for_each(|sender| sim.set(sender.valid, 0));
         for (i, o) in ports.iter().zip(&seen) {
             sim.set(i.done, 0);
@@ -113,7 +114,7 @@ proptest! {
         prop_assert_eq!(sim.covered("a word on the bus or in a queue holds the line low").unwrap(), held_low);
         prop_assert!(held_low > 20);
         for received in received {
-            // What has not come is in the queue or waits.
+            // Words that have not come are in the queue or wait.
             let pairs = received.packets.iter().zip(sent);
             prop_assert!(pairs.into_iter().all(|(received, (sent, _))| *received > 5 && received.abs_diff(sent) < 10));
         }

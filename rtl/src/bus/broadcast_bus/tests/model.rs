@@ -1,4 +1,4 @@
-//! Random packets, pauses and sizes, clock by clock against queues and turns in plain software.
+//! Random packets, pauses and sizes, checked clock by clock against a software model with queues and round robin.
 
 use std::collections::VecDeque;
 
@@ -10,14 +10,14 @@ use super::*;
 struct Plain {
     bus: BroadcastBus,
     on_bus: Option<(BusWord<u64>, u32)>,
-    /// Who sent the last word.
+    /// The sender of the last word.
     sender: usize,
     open: bool,
     queues: Vec<VecDeque<BusWord<u64>>>,
     covers: [u64; COVERS.len()],
 }
 
-/// What the bus counts of itself.
+/// The counters of the bus.
 const COVERS: [&str; 5] = [
     "a full queue holds the bus",
     "a sender pauses within its packet",
@@ -37,7 +37,7 @@ impl Plain {
         self.on_bus.is_none() && !self.open
     }
 
-    /// One edge: the sender whose word is taken, of those that offer one.
+    /// One edge: picks the sender whose word is taken, among those that offer one.
     fn clock(&mut self, offered: &[Option<BusWord<u64>>], ready: &[bool]) -> Option<usize> {
         let room = self.queues.iter().all(|queue| queue.len() < self.bus.queue as usize);
         let arrived = self.on_bus.filter(|(_, clocks_left)| *clocks_left == 0);
@@ -79,7 +79,7 @@ fn pauses(count: usize) -> impl Strategy<Value = Vec<u64>> {
     prop::collection::vec(prop_oneof![Just(0), 0..50u64, Just(90)], count)
 }
 
-/// Of each sender, how long its packets are.
+/// The packet lengths of each sender.
 fn lengths(senders: usize) -> impl Strategy<Value = Vec<Vec<usize>>> {
     prop::collection::vec(prop::collection::vec(1..5_usize, 0..6), senders)
 }
@@ -93,7 +93,7 @@ fn case() -> impl Strategy<Value = (BroadcastBus, Vec<Vec<usize>>, Vec<u64>, u64
     })
 }
 
-/// A word that says whose it is, of which of his packets, and which of its words.
+/// A word that encodes its sender, its packet and its position in the packet.
 fn words(sender: usize, lengths: &[usize]) -> Vec<BusWord<u64>> {
     let packet = |(number, length): (usize, &usize)| {
         let words: Vec<u64> = (0..*length).map(|place| (sender << 24 | number << 12 | place) as u64).collect();
@@ -105,7 +105,8 @@ fn words(sender: usize, lengths: &[usize]) -> Vec<BusWord<u64>> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Every output in every clock is the model's, and so is what is covered; and what each processor received is all packets, each whole.
+    /// Every output in every clock equals the model's, and so does the coverage. Each processor receives every packet,
+    /// and each packet whole.
     #[test]
     fn packets_go_to_all_as_in_the_model((bus, lengths, pauses, seed) in case()) {
         let (processors, senders) = (bus.processors as usize, bus.processors as usize + 1);

@@ -9,7 +9,7 @@ use super::*;
 
 /// The buffer by its rules.
 struct Plain {
-    /// Nothing is known of a pixel before a first pass has come to it.
+    /// Nothing is known about a pixel before a first pass has reached it.
     sums: Vec<Option<[u64; 3]>>,
     first: bool,
     reads: Option<usize>,
@@ -38,7 +38,7 @@ impl Plain {
         self.reads.is_some() || self.stores.is_some()
     }
 
-    /// The average of a pixel, as far as it is known.
+    /// The average at a pixel, as far as it is known.
     fn colour(&self, pixel: usize, passes: u64) -> Option<u64> {
         let average = |sum: u64| ((sum + passes / 2) / passes) & 0xff;
         self.sums[pixel].map(|sums| sums.into_iter().fold(0, |colour, sum| colour << 8 | average(sum)))
@@ -49,7 +49,7 @@ impl Plain {
 struct Case {
     screen: Screen,
     passes: Passes,
-    /// Whole frames; of each pass the pause before it, and its words.
+    /// Whole frames: the pause before each pass, and its words.
     frames: Vec<Vec<(u64, Vec<u64>)>>,
     /// What the display reads, over and over.
     addresses: Vec<usize>,
@@ -81,7 +81,7 @@ fn case() -> impl Strategy<Value = Case> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Both clocks in every clock: what the pass asks for, whether it is under way, and what the display sees of it.
+    /// Checks both clocks at every clock: the address of the pass, `busy`, and what the display sees.
     #[test]
     fn the_average_is_that_of_the_sums(case in case(), seed in any::<u64>()) {
         let Case { screen, passes, frames, addresses } = case;
@@ -94,7 +94,7 @@ proptest! {
         let t = sim.testbench();
         let (merge, crt) = (t.on(MERGE), t.on(CRT));
 
-        // One clock of the merger; the global frame buffer has the word that was asked for one later.
+        // One clock of the merger; the global frame buffer returns the requested word one clock later.
         let clock = async |start: bool, first: bool, picture: &[u64]| {
             merge.set(i.start, start);
             merge.set(i.first, first);
@@ -113,7 +113,7 @@ proptest! {
                         clock(false, false, picture).await;
                     }
                     clock(true, number == 0, picture).await;
-                    // As long as a pass is said to take.
+                    // For as many clocks as a pass should take.
                     for _ in 0..pixels + 1 {
                         clock(false, true, picture).await;
                     }

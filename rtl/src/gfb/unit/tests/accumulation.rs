@@ -4,16 +4,16 @@ use super::*;
 use crate::gfb::Passes;
 use crate::gfb::testing::average;
 
-/// A write of the host into a pass: how many clocks after its swap, and into which pixel.
+/// A host write into a pass: how many clocks after its swap, and to which pixel.
 type Write = (u64, usize, u64);
 
-/// The unit with an accumulation buffer, and a display so fast that no sum is over in the blanking in which it begins.
+/// The unit with an accumulation buffer, and a display so fast that no sum ends in the blanking in which it begins.
 fn accumulating(unit: GfbUnit) -> GfbUnit {
     let display = Display { period: Period::ps(2_002), ..unit.display };
     GfbUnit { accumulation: true, display, ..unit }
 }
 
-/// A chain of one unit behind a wide screen, where a sum takes more than a refresh, and a pass takes two.
+/// A chain of one unit behind a wide screen: a sum takes more than a refresh, and a pass takes two.
 fn slow() -> GfbUnit {
     let unit = accumulating(unit(64, 4, 1, 5));
     let period =
@@ -22,7 +22,7 @@ fn slow() -> GfbUnit {
 }
 
 impl Bench {
-    /// From the next swap on that begins a picture: what it is.
+    /// The settings of the picture that begins at the next swap.
     fn multipass(&mut self, passes: Option<Passes>) {
         let host = &self.sim.i.host.multipass[0];
         let (accumulates, count) = (host.accumulates, host.passes);
@@ -30,7 +30,8 @@ impl Bench {
         self.sim.set(count, passes.unwrap_or(Passes::Two).code());
     }
 
-    /// A frame that is an image and nothing else, and the host's writes into it, in the clocks after its swap; the refreshes that were complete at the swap.
+    /// A frame that consists of one image, and the host's writes into it in the clocks after its swap; returns the
+    /// refreshes that were complete at the swap.
     fn pass(&mut self, image: &[u64], writes: &[Write]) -> usize {
         self.frame(&[image.to_vec()]);
         let complete = self.refreshes.len();
@@ -48,13 +49,13 @@ fn colours(words: &[u64]) -> Vec<u64> {
     words.iter().map(|word| word & 0xffffff).collect()
 }
 
-/// As many images as there are passes, all of them different.
+/// As many images as passes, all different.
 fn images(passes: Passes, pixels: usize) -> Vec<Vec<u64>> {
     let image = |pass: u64| (0..pixels as u64).map(|pixel| (pass << 20) + 0x0700 * pass + 5 * pixel).collect();
     (1..=u64::from(passes.count())).map(image).collect()
 }
 
-/// Pictures of these passes one after another, and a frame behind them; gives what is shown from the first pass on.
+/// Pictures of these passes one after another, and a frame behind them; returns what is shown from the first pass on.
 fn shown(bench: &mut Bench, pictures: &[(Passes, Vec<Vec<u64>>)], behind: &[u64]) -> Vec<Vec<u64>> {
     let mut first = None;
     for (passes, images) in pictures {
@@ -70,7 +71,8 @@ fn shown(bench: &mut Bench, pictures: &[(Passes, Vec<Vec<u64>>)], behind: &[u64]
     bench.refreshes.split_off(first.unwrap())
 }
 
-/// In as few refreshes as there can be: one for each pass where merging takes less, and two in the machine of the paper, and one for the average.
+/// In as few refreshes as possible: one for the average and one for each pass, or two where merging takes two, as in
+/// the paper's machine.
 #[test]
 fn a_picture_takes_a_refresh_more_than_its_passes() {
     for (unit, refreshes) in [(accumulating(unit(7, 2, 1, 1)), 1), (slow(), 2)] {
@@ -96,7 +98,7 @@ fn the_average_stays_until_the_next_frame_is_merged() {
     let images = images(Passes::Two, 14);
     images.iter().for_each(|image| _ = bench.pass(image, &[]));
     assert_eq!(bench.next_refresh(), colours(&images[1]));
-    // What the host writes is not in the average, and is read nevertheless.
+    // A host write is not in the average, and can be read nevertheless.
     bench.access(3, Some(99));
     for _ in 0..3 {
         assert_eq!(bench.next_refresh(), average(&images));
@@ -104,7 +106,7 @@ fn the_average_stays_until_the_next_frame_is_merged() {
     assert_eq!(bench.access(3, None), Some(99));
 }
 
-/// Without accumulation the unit is as one that has no buffer.
+/// Without accumulation the unit behaves like one that has no buffer.
 #[test]
 fn frames_without_accumulation_are_shown_as_without_a_buffer() {
     let frames: Vec<Vec<u64>> = images(Passes::Four, 14);
@@ -126,7 +128,7 @@ fn frames_without_accumulation_are_shown_as_without_a_buffer() {
     );
 }
 
-/// The host says at the first swap what a picture is; what it says in the meantime is for the next one.
+/// The host describes the picture at the first swap; later settings apply to the next picture.
 #[test]
 fn a_picture_that_has_begun_is_completed() {
     let mut bench = Bench::new(accumulating(unit(7, 2, 1, 1)), 7);
@@ -145,7 +147,7 @@ fn a_picture_that_has_begun_is_completed() {
     assert_eq!(shown[7], average(&images[..2]));
 }
 
-/// Pixel 5 is read for the sum in the 6th clock after the swap; the host writes it before, then, and after that.
+/// The sum reads pixel 5 in the 6th clock after the swap; the host writes it before, then, and after that.
 #[test]
 fn a_sum_has_what_the_host_writes_before_it_comes_to_the_pixel() {
     for (clock, is_added) in [(0, true), (4, true), (5, false), (6, false)] {
@@ -178,7 +180,7 @@ fn a_swap_while_a_sum_is_under_way_or_before_the_average_is_an_error() {
     }
 }
 
-/// A picture or a frame: of how many passes, their images, and what the host writes into each.
+/// A picture or a frame: its number of passes, their images, and the host's writes into each.
 type Picture = (Option<Passes>, Vec<(Vec<u64>, Vec<Write>)>);
 
 fn picture() -> impl Strategy<Value = Picture> {
@@ -193,7 +195,8 @@ fn picture() -> impl Strategy<Value = Picture> {
     })
 }
 
-/// A pass as the sum finds it, and as it is on display: of what the host writes, the sum has what comes before it reads the pixel, a pixel in each clock.
+/// A pass as the sum reads it, and as it is on display. The sum includes a host write if it comes before the sum reads
+/// the pixel, one pixel in each clock.
 fn written(image: &[u64], writes: &[Write]) -> (Vec<u64>, Vec<u64>) {
     let (mut added, mut shown) = (image.to_vec(), image.to_vec());
     for (clock, pixel, word) in writes {
@@ -208,8 +211,8 @@ fn written(image: &[u64], writes: &[Write]) -> (Vec<u64>, Vec<u64>) {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Pictures of different passes, and frames without accumulation between them, with writes of the host as they are added up:
-    /// each refresh shows one of them, in their order, and all of them are shown (VC1-ACB).
+    /// Pictures of different passes, and frames without accumulation between them, with host writes during the sums.
+    /// Each refresh shows one of them, in sequence, and all of them are shown (VC1-ACB).
     #[test]
     fn averages_are_those_of_plain_sums(
         (width, height, units, overhead) in (4..9u32, 2..6u32, 1..2u32, 1..4u32),
@@ -239,7 +242,7 @@ proptest! {
                 expected.push(average(&all_added));
             }
         }
-        // The last one is shown, too.
+        // The last picture is shown, too.
         while bench.refreshes.len() < first.unwrap() + expected.len() {
             bench.clock();
         }

@@ -6,14 +6,14 @@ use tilewright_sim::Simulation;
 use super::super::*;
 use super::EMPTY;
 
-/// A word's place: page, offset and buffer.
+/// A word's address: page, offset and buffer.
 type Place = [u64; 3];
 
 /// A pixel under way.
 struct Drawn {
     place: Place,
     word: u64,
-    /// The clocks it still takes.
+    /// The clocks that it still takes.
     left: u32,
 }
 
@@ -39,7 +39,7 @@ impl Model {
         self.drawn.as_ref().is_none_or(|drawn| drawn.left == 1)
     }
 
-    /// A clock of the processor. A pixel lowers its word in the third after that of its acceptance (VC1-ACC).
+    /// A clock of the processor. A pixel lowers its word in the third clock after its acceptance (VC1-ACC).
     fn processor_clock(&mut self, Draw { valid, page, offset, word }: Draw<u64>, front: u64) {
         let ready = self.ready();
         if let Some(drawn) = &mut self.drawn {
@@ -63,7 +63,7 @@ impl Model {
     }
 }
 
-/// What the processor and the scan do until the next edge.
+/// The inputs from the processor and the scan until the next edge.
 #[derive(Debug, Clone)]
 struct Step {
     draw: Draw<u64>,
@@ -73,7 +73,7 @@ struct Step {
 
 fn step(pages: u32, page_pixels: u32) -> impl Strategy<Value = Step> {
     let flag = |probability| prop::bool::weighted(probability).prop_map(u64::from);
-    // Few places and few words, so that many pixels meet, and some agree in a half.
+    // Few addresses and few words, so that many pixels collide, and some agree in half of their bits.
     let place = move || (0..u64::from(pages), prop_oneof![4 => 0..3u64, 1 => 0..u64::from(page_pixels)]);
     let half = || prop_oneof![4 => 0..3u64, 1 => Just(0xff_ffff)];
     let draw = (flag(0.7), place(), half(), half()).prop_map(|(valid, (page, offset), z, rgb)| Draw {
@@ -97,8 +97,8 @@ fn run() -> impl Strategy<Value = (ImageMemory, Vec<Step>)> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In every clock the outputs, and at the end the contents (VC1-ACC, VC1-CLR1, VC1-LFB). The scan is in any buffer but that
-    /// of a pixel under way.
+    /// Checks the outputs in every clock, and the contents at the end (VC1-ACC, VC1-CLR1, VC1-LFB). The scan reads any
+    /// buffer but that of a pixel under way.
     #[test]
     fn it_keeps_the_smallest_word_until_it_is_sent((memory, steps) in run(), seed in any::<u64>()) {
         let mut sim = Simulation::of(&memory).unwrap().seeded(seed);

@@ -7,7 +7,7 @@ use super::super::*;
 use crate::lfb::Patches;
 use crate::parameter::Screen;
 
-/// What a look-up found in the table.
+/// The result of a look-up in the table.
 #[derive(Clone, Copy)]
 enum Outcome {
     Hit(u64),
@@ -19,7 +19,7 @@ enum Outcome {
 
 /// Two tables in software, and the times of the accesses.
 struct Model {
-    /// The page of each patch, of each buffer.
+    /// The page of each patch in each buffer.
     tables: [Vec<Option<u64>>; 2],
     pages: u64,
     used: u64,
@@ -27,7 +27,7 @@ struct Model {
     now: u64,
     /// The first clock after the last clear.
     cleared: u64,
-    /// The look-up under way: its patch, and when it read the table and what it found, if it has.
+    /// The look-up under way: its patch, when it read the table, and what it found.
     look_up: Option<(u64, Option<(u64, Outcome)>)>,
 }
 
@@ -37,7 +37,7 @@ impl Model {
         Model { tables: [table.clone(), table], pages, used: 0, now: 0, cleared: 0, look_up: None }
     }
 
-    /// The page with which the look-up ends: the third clock that it has the table, or the fourth (VC1-ACC).
+    /// The page with which the look-up ends: in its third clock on the table, or the fourth (VC1-ACC).
     fn found(&self) -> Option<u64> {
         match self.look_up? {
             (_, Some((read, Outcome::Hit(page)))) => Some(page).filter(|_| self.now == read + 2),
@@ -62,7 +62,7 @@ impl Model {
         self.table_free(settled) && (self.ready() || self.overflow())
     }
 
-    /// The buffers may be swapped: as the local frame buffer unit sees to.
+    /// Whether the buffers may be swapped; the local frame buffer unit ensures this.
     fn can_swap(&self) -> bool {
         self.look_up.is_none() || self.overflow()
     }
@@ -108,7 +108,7 @@ impl Model {
     }
 }
 
-/// What is wanted until the next edge.
+/// The requests until the next edge.
 #[derive(Debug, Clone)]
 struct Step {
     look_up: Option<u64>,
@@ -120,7 +120,7 @@ struct Step {
 }
 
 fn step(patches: u64) -> impl Strategy<Value = Step> {
-    // Few patches, so that many accesses are of the same one.
+    // Few patches, so that many accesses go to the same one.
     let patch = move || prop_oneof![3 => 0..6u64, 1 => 0..patches].prop_map(move |patch| patch % patches);
     let flag = prop::bool::weighted;
     let wanted = (
@@ -155,8 +155,8 @@ fn wish(patch: Option<u64>) -> Stream<Wanted<u64>, u64> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In every clock the outputs, and at the end the contents (VC1-PT, VC1-PIG, VC1-ACC, VC1-CLR2). The scan is in the
-    /// back buffer, as in the local frame buffer unit (VC1-LFB).
+    /// Checks the outputs in every clock, and the contents at the end (VC1-PT, VC1-PIG, VC1-ACC, VC1-CLR2). The scan
+    /// reads the back buffer, as in the local frame buffer unit (VC1-LFB).
     #[test]
     fn it_gives_out_pages_as_the_model_does((table, steps) in run(), seed in any::<u64>()) {
         let mut sim = Simulation::of(&table).unwrap().seeded(seed);

@@ -1,4 +1,4 @@
-//! When the buffers are swapped, and the scan restarted, and what becomes of the pixel that the scan seeks meanwhile.
+//! When the buffers are swapped and the scan restarted, and what happens to the pixel that the scan is looking up.
 
 use super::*;
 
@@ -47,12 +47,12 @@ fn after_a_reset_the_table_is_free_and_stays_free() {
     }
 }
 
-/// In each phase of the scan, which holds now and then: of the buffer that was behind no entry is taken for one of the other.
+/// In each phase of the scan, which pauses now and then: no entry of the old back buffer is taken for one of the new.
 #[test]
 fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
     for wait in 0..40 {
         let mut bench = Bench::new(SMALL, 4, 30, 0);
-        // A patch has another page in each buffer.
+        // A patch has a different page in each buffer.
         for first in [0, 23] {
             for x in 0..24 {
                 bench.draw((u64::abs_diff(first, x), 0), x);
@@ -66,7 +66,7 @@ fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
     }
 }
 
-/// With nothing left to send the scan may begin again at any time, as it does when the global frame buffer swaps.
+/// With nothing left to send, the scan may restart at any time, as it does when the global frame buffer swaps.
 #[test]
 fn a_restart_is_followed_by_whole_frames() {
     for (restart_at, enable) in [(19, 0), (19, 1), (20, 1), (21, 0), (23, 1)] {
@@ -89,7 +89,7 @@ fn a_restart_is_followed_by_whole_frames() {
     }
 }
 
-/// At the third edge of the merger behind a swap, and then until as many pixels have passed as the screen has, and 2 more.
+/// At the third edge of the merger after a swap, and then until 2 pixels more have passed than the screen has.
 #[test]
 fn something_is_left_to_send_until_each_pixel_has_passed() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
@@ -102,7 +102,7 @@ fn something_is_left_to_send_until_each_pixel_has_passed() {
         sim.set(sim.i.scan.restart, 1);
         sim.step_clock(MERGE, 1);
         sim.set(sim.i.scan.restart, 0);
-        // For each edge of the merger whether a pixel passes, and whether something is left.
+        // For each edge of the merger: whether a pixel passes, and whether anything is left.
         let (mut edges, mut swapped) = (Vec::new(), None);
         let swap_at = sim.cycles(PE).unwrap() + wait;
         while edges.len() < 3 * pixels {
@@ -129,7 +129,7 @@ fn something_is_left_to_send_until_each_pixel_has_passed() {
     }
 }
 
-/// From the clock in which the merger knows of a swap, its third, until all is sent.
+/// From the clock in which the merger learns of a swap, its third, until everything is sent.
 #[test]
 fn a_restart_while_something_is_left_to_send_is_an_error() {
     for (edges, is_error) in [(1, false), (2, true), (3, true), (40, true)] {
@@ -149,7 +149,7 @@ fn a_restart_while_something_is_left_to_send_is_an_error() {
     }
 }
 
-/// Neither what is left to send, nor the pixel that the scan has sought and not sent.
+/// Neither what is left to send, nor the pixel that the scan has looked up and not sent.
 #[test]
 fn a_reset_forgets_what_was_to_be_sent() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
@@ -161,7 +161,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
         sim.step_clock(MERGE, 1);
         sim.set(i.scan.restart, 0);
         sim.set(i.scan.enable, 1);
-        // After two swaps the buffers are where they are after a reset.
+        // After two swaps the buffers are where they were after a reset.
         for word in 0..swaps {
             for x in 8..12 {
                 sim.set(i.request.x, x);
@@ -181,7 +181,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
             sim.step_clock(PE, 1);
             sim.set(i.swap, 0);
         }
-        // Until the scan is among them.
+        // Until the scan has reached them.
         while sim.get_u64(sim.o.scanned.x) != 8 || sim.get_u64(sim.o.scanned.y) != 0 {
             sim.step();
         }

@@ -1,4 +1,4 @@
-//! The least half-planes against all half-planes of small regions, and at random in large ones.
+//! The least half-planes against all half-planes of small regions, and against random ones in large regions.
 
 use std::collections::HashMap;
 
@@ -74,7 +74,7 @@ proptest! {
         prop_assert!(width(SIDE, &least) <= 15 && width(SIDE, &least) <= width(SIDE, &edge), "{:?}", least);
     }
 
-    /// In regions that are too large to look at all: with no slope that is simpler, and with no other constant.
+    /// In regions too large for an exhaustive search: no simpler slope does, and no other constant does.
     #[test]
     fn none_that_is_simpler_is_the_same((side, edge) in (8..32u32).prop_flat_map(|side| (Just(side), edges(side, 2000)))) {
         let least = least(side, &edge);
