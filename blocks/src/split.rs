@@ -36,7 +36,7 @@ block! {
         width: u32,
     }
     in(self) SplitIn {
-        /// What goes to one of the receivers.
+        /// A word for one of the receivers.
         into: stream(pub struct Addressed {
             /// The number of the receiver.
             to: below(self.receivers),

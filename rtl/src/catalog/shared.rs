@@ -1,4 +1,4 @@
-//! What several entries share.
+//! Helpers shared by several entries.
 
 use tilewright_hdl::{Bits, Block, Bundle, Codes, Period, Width};
 

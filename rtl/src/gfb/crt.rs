@@ -82,7 +82,7 @@ block! {
     out(self) CrtReadOutOut {
         /// The pixel to read, in raster order.
         address: below(self.screen.pixels()),
-        /// What the display gets.
+        /// The outputs to the display.
         pixel: pub struct CrtPixel {
             /// The display gets a pixel in this clock.
             valid: bit(),

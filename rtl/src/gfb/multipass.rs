@@ -75,7 +75,7 @@ block! {
     in MultipassControlIn {
         /// For one clock: the banks are exchanged.
         swap: bit(),
-        /// What the host says.
+        /// The settings from the host.
         host: Multipass = Multipass::widths(),
         /// A sum is under way.
         busy: bit(),

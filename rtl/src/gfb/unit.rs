@@ -116,13 +116,13 @@ block! {
     in(self) GfbUnitIn {
         /// For one clock: exchange the banks.
         swap: bit().on(MERGE),
-        /// What the host says.
+        /// The inputs from the host.
         host: Host = self.host(),
         /// The pixel from the right end of the chain.
         merged: bits(WORD).on(MERGE),
     }
     out(self) GfbUnitOut {
-        /// What the host sees.
+        /// The outputs to the host.
         view: pub struct View {
             /// The access of the last clock was a read.
             read_valid: bit(),

@@ -47,7 +47,7 @@ block! {
     in(self) PatchTableIn {
         /// A request for the page of a patch.
         ///
-        /// The record is a patch of which the processor wants something: its page, or its entry cleared.
+        /// A patch in a processor's request: for its page, or to clear its entry.
         look_up: stream(pub struct Wanted {
             /// The number of the patch.
             patch: below(self.patches),
@@ -62,7 +62,7 @@ block! {
         restart: bit().on(PE),
         /// The held look-up is tried again.
         resume: bit().on(PE),
-        /// A patch of which the scan wants the page.
+        /// A patch whose page the scan needs.
         scan: pub struct ScanLookUp {
             /// The scan advances; where it is low the entry stays.
             enable: bit(),

@@ -28,7 +28,7 @@ block! {
     latency(self) = format!("2 clocks from the last plane; a region is sent in {} clocks", fields::WORD.bits * self.side);
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) BackingStoreIn {
-        /// What the controller says.
+        /// The commands of the controller.
         save: Save = Save { claim: bit(), region: bits(REGION_BITS), plane: bit() },
         /// The number of the plane that comes.
         number: below(fields::WORD.bits),

@@ -58,7 +58,7 @@ block! {
     );
     source = "Pixel-planes 5, section I.3.2.1 (PP5-UT)";
     in(self) ImageGenerationControllerIn {
-        /// What to do.
+        /// The instructions.
         instructions: stream(Instruction = Instruction::widths()),
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),

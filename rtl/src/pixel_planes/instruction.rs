@@ -84,8 +84,8 @@ bundle! {
         pub read: T,
         /// The first address that is written.
         pub write: T,
-        /// Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression. Longer words are
-        /// of the same sign. Of a curve they are `d`, `e` and `f`.
+        /// The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c`
+        /// is the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
         pub coefficients: Coefficients<T>,
     }
 }

@@ -64,7 +64,7 @@ codes! {
 }
 
 bundle! {
-    /// What all processors do in a clock. All zeros: nothing.
+    /// The control of all processors in a clock; all zeros mean no action.
     pub struct Control<T> {
         /// Where the operand comes from: a [`Source`].
         pub source: T,
@@ -72,7 +72,7 @@ bundle! {
         pub constant: T,
         /// The bit that is read, and the carry, are added to the operand.
         pub adds: T,
-        /// The bit is the first of a word: carry and flag begin anew.
+        /// The bit is the first of a word: carry and flag restart.
         pub first: T,
         /// Which processors write the result: a [`Mask`].
         pub mask: T,
@@ -80,7 +80,7 @@ bundle! {
         pub compares: T,
         /// The flag changes by the comparison only where the processor is enabled.
         pub gates: T,
-        /// What becomes of the enable flags: an [`Enabling`].
+        /// The change of the enable flags: an [`Enabling`].
         pub enabling: T,
         /// The flag takes the new value of the enable flag.
         pub captures: T,
@@ -116,7 +116,7 @@ block! {
     latency = "1 clock to the memory and the flags";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in PixelProcessorIn {
-        /// What all processors do.
+        /// The control of all processors.
         control: Control = Control::widths(),
         /// A bit of the expression at this pixel.
         expression: bit(),

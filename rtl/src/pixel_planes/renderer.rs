@@ -42,7 +42,7 @@ block! {
     latency = "a primitive takes the clocks of its instructions; a region is sent in 48 clocks a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in RendererIn {
-        /// What to do; all coefficients are relative to the region.
+        /// The instructions; all coefficients are relative to the region.
         instructions: stream(Instruction = Instruction::widths()),
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),

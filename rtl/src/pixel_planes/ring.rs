@@ -43,7 +43,7 @@ block! {
     latency(self) = format!("none; {} bits a clock", self.rate);
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) RingIn {
-        /// What each renderer is to do.
+        /// The instructions for each renderer.
         bins: [stream(Instruction = Instruction::widths()); self.renderers],
         /// The renderers whose queues take an instruction in this clock.
         room: bit().of(row(self.renderers)),

@@ -43,7 +43,7 @@ block! {
     latency = "the clocks of the instructions; a port's byte within the clock";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) PixelArrayIn {
-        /// What to do; all coefficients are relative to the region.
+        /// The instructions; all coefficients are relative to the region.
         instructions: stream(Instruction = Instruction::widths()).on(ARRAY),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
@@ -57,7 +57,7 @@ block! {
         texture: PortAccess = self.texture().access().on(ARRAY),
     }
     out(self) PixelArrayOut {
-        /// To network and texture unit: at the edge behind it is what the instructions so far have written.
+        /// To network and texture unit: after the next edge the registers contain the results of all instructions so far.
         given: Given = Given { banks: bits(BANKS), texture: bit() },
         /// To the network, from each bank: a byte of each chip.
         network_seen: [bits(8).of(row(self.chips())); BANKS],

@@ -62,7 +62,7 @@ block! {
     latency = "1 clock, a byte a clock";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
     in(self) CompositorIn {
-        /// What the node does: a [`Mode`].
+        /// The mode of the node: a [`Mode`].
         mode: one_of::<Mode>(),
         /// A byte of the pixel goes.
         advances: bit(),

@@ -57,7 +57,7 @@ block! {
     );
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in ArrayControllerIn {
-        /// What to do.
+        /// The instructions.
         instructions: stream(Instruction = Instruction::widths()),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
@@ -75,7 +75,7 @@ block! {
         sends: bit(),
         /// To the pixels.
         control: Control = Control::widths(),
-        /// To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have written.
+        /// To network and texture unit, with the pixels' control: after the next edge the registers contain the results of all instructions so far.
         given: pub struct Given {
             /// A bank is for the network now: a bit for each.
             banks: bits(BANKS),

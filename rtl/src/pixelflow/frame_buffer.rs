@@ -72,7 +72,7 @@ block! {
         },
         /// The frame buffer has the region.
         done: bit(),
-        /// What is shown.
+        /// The pixels of the frame on display.
         pixels: stream(Shown = Shown { red: bits(8), green: bits(8), blue: bits(8), first: bit(), last: bit() }),
     }
 }

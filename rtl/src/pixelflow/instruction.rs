@@ -48,7 +48,7 @@ bundle! {
     pub struct Instruction<T> {
         /// Where the operand comes from: a [`Source`].
         pub source: T,
-        /// What the ALU does: a [`Function`].
+        /// The function of the ALU: a [`Function`].
         pub function: T,
         /// The carry that comes into the first byte: a [`Begin`].
         pub begin: T,

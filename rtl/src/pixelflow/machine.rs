@@ -58,9 +58,9 @@ block! {
         textures: [PortAccess = self.node.array().texture().access().on(ARRAY); self.nodes],
         /// The nodes whose texture unit has done.
         textures_done: bit().of(row(self.nodes)).on(ARRAY),
-        /// What each node does with the words that go forth, from the first node to the last.
+        /// The jobs of each node for the words that go forth, from the first node to the last.
         forth: [stream(Job = Job::widths()).on(NETWORK); self.nodes],
-        /// What it does with those that go back.
+        /// The jobs of each node for the words that go back.
         back: [stream(Job = Job::widths()).on(NETWORK); self.nodes],
     }
     out(self) PixelFlowOut {
@@ -74,7 +74,7 @@ block! {
         without_job: [bit().of(row(self.nodes)); DIRECTIONS],
         /// All nodes are ready for a word of the direction.
         go: [bit(); DIRECTIONS],
-        /// What goes off at the end of each direction.
+        /// The bytes that leave the network at the end of each direction.
         off: [Transfer = self.node.port().transfer(); DIRECTIONS],
     }
 }

@@ -28,7 +28,7 @@ block! {
     latency(self) = format!("1 clock a node; a byte of all pixels takes {}", self.port.pixels);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
     in(self) NetworkIn {
-        /// Of each node.
+        /// The inputs of each node.
         nodes: [NodeIn = self.node(); self.nodes],
     }
     out(self) NetworkOut {
@@ -40,7 +40,7 @@ block! {
 bundle! {
     /// A node's inputs to the network.
     pub struct NodeIn<T> {
-        /// What the node does: a [`Mode`]. It stays while a word goes.
+        /// The mode of the node: a [`Mode`]. It stays while a word goes.
         pub mode: T,
         /// A node that loads sends a byte of each chip.
         pub sends: T,

@@ -35,7 +35,7 @@ block! {
     latency(self) = format!("1 clock; a byte of all pixels takes {}", self.pixels);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-TCB)";
     in(self) NetworkPortIn {
-        /// What the node does: a [`Mode`]. It stays while a word goes.
+        /// The mode of the node: a [`Mode`]. It stays while a word goes.
         mode: one_of::<Mode>(),
         /// A node that loads sends a byte of each chip.
         sends: bit(),

@@ -37,7 +37,7 @@ block! {
     latency(self) = format!("{} clocks from a job to ready, if it has its bank", 3 + self.setup);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)";
     in(self) NetworkSequencerIn {
-        /// What to do with each word, in turn.
+        /// The jobs, one for each word.
         jobs: stream(Job = Job::widths()),
         /// Banks that the array has given: a bit for each.
         given: bits(BANKS),
@@ -49,7 +49,7 @@ block! {
         advances: bit(),
     }
     out NetworkSequencerOut {
-        /// What the port does: a [`Mode`].
+        /// The mode of the port: a [`Mode`].
         mode: one_of::<Mode>(),
         /// A byte of the node goes.
         sends: bit(),
@@ -71,7 +71,7 @@ block! {
 bundle! {
     /// A job: what a node does with the words of a region.
     pub struct Job<T> {
-        /// What the node does with the word: a [`Mode`].
+        /// The mode of the node for the word: a [`Mode`].
         pub mode: T,
         /// The bank that the word is in, unless the node forwards.
         pub bank: T,

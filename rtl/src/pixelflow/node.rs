@@ -45,7 +45,7 @@ pub const LONGEST_SETUP: u32 = 1 << 16;
 bundle! {
     /// Signals to a node from a direction of the network.
     pub struct DirectionIn<T> {
-        /// What the node does with each word.
+        /// The jobs of the node, one for each word.
         pub jobs: Stream<Job<T>, T>,
         /// All nodes are ready.
         pub go: T,

@@ -143,13 +143,13 @@ codes! {
 }
 
 bundle! {
-    /// What all processors do in a clock. All zeros: nothing.
+    /// The control of all processors in a clock; all zeros mean no action.
     pub struct Control<T> {
         /// Where the operand comes from: a [`Source`].
         pub source: T,
         /// The operand, if it is a constant.
         pub constant: T,
-        /// What the ALU does: a [`Function`].
+        /// The function of the ALU: a [`Function`].
         pub function: T,
         /// The carry that comes in: a [`Begin`].
         pub begin: T,
@@ -223,7 +223,7 @@ block! {
     latency = "1 clock to the memory and the flags";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in PixelProcessorIn {
-        /// What all processors do.
+        /// The control of all processors.
         control: Control = Control::widths(),
         /// A byte of the expression at this pixel.
         expression: bits(8),

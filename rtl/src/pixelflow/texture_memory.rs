@@ -33,11 +33,11 @@ block! {
     latency = "3 clocks, a place a clock";
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureMemoryIn {
-        /// What the geometry processors write.
+        /// The texel that the geometry processors write.
         write: TexelWrite = self.write(),
         /// Where the geometry processors say that a texture is.
         describe: Describe = self.describe(),
-        /// What is sought.
+        /// The place that is sought.
         request: pub struct TexturePlace {
             /// A place is sought.
             valid: bit(),

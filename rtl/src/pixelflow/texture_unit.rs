@@ -46,7 +46,7 @@ block! {
     latency(self) = format!("{} clocks for a region", self.clocks());
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureUnitIn {
-        /// What the geometry processors write.
+        /// The texel that the geometry processors write.
         write: TexelWrite = self.memory.write(),
         /// Where the geometry processors say that a texture is.
         describe: Describe = self.memory.describe(),

@@ -25,7 +25,7 @@ block! {
     latency = "2 clocks from `start` to the first pixels, then p pixels a clock";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoControllerIn {
-        /// What to show.
+        /// The settings of the read-out.
         show: pub struct Show {
             /// For one clock, while no picture is read: read one.
             start: bit(),

@@ -5,19 +5,19 @@ use super::tally::Tally;
 use crate::prelude::*;
 
 bundle! {
-    /// What is to be divided.
+    /// The windows to divide.
     pub struct DividerIn<T> {
         /// Windows with their polygons.
         pub works: Stream<Work<T>, T>,
     }
 
-    /// What is left.
+    /// The results of the divisions.
     pub struct DividerOut<T> {
         /// The parts of the windows that the polygon may cover; divided to the end, the leaves.
         pub parts: Stream<Work<T>, T>,
         /// No window is under way.
         pub idle: T,
-        /// What was done on each level, from the first.
+        /// The counters of each level, from the first.
         pub tally: Vec<Tally<T>>,
     }
 }

@@ -258,13 +258,13 @@ bundle! {
         pub last_edge: T,
         /// The polygon's edges; those beyond the last mean nothing.
         pub edges: EdgeFunction<T>,
-        /// What varies over the polygon.
+        /// The attributes of the polygon.
         pub planes: Plane<T>,
         /// The pixels whose centres lie within the polygon's vertices along each axis.
         pub bounds: Bounds<T>,
     }
 
-    /// What all windows of a polygon share, for the samples of one video processor.
+    /// The common values of a polygon's windows, for the samples of one video processor.
     pub struct Polygon<T> {
         /// The number of the polygon's edges, less one.
         pub last_edge: T,

@@ -46,7 +46,7 @@ block! {
         strict: bit(),
         /// For one clock, when idle and while no picture is read: exchange the banks.
         swap: bit(),
-        /// What to show.
+        /// The settings of the read-out.
         show: Show = VideoController { format: self.format() }.inputs().show,
         /// Of which unit the counters are wanted.
         probe: pub struct Probe {
@@ -67,7 +67,7 @@ block! {
         tally: Tally = Tally::widths(),
         /// The fragments of the video processor asked for.
         fragments: bits(32),
-        /// What the broadcast did: packets that all have, and clocks in which one waited for room.
+        /// The counters of the broadcast: packets that all have, and clocks in which one waited for room.
         broadcast: Tally = Tally::widths(),
     }
 }

@@ -66,7 +66,7 @@ block! {
         word: bits(WORD),
         /// No polygon is under way.
         idle: bit(),
-        /// What the set-up did, and the raster processor on each level.
+        /// The counters of the set-up, and of each level of the raster processor.
         tally: [Tally = Tally::widths(); self.format.levels() + 1],
         /// Fragments since the reset, modulo 2^32.
         fragments: bits(32),

@@ -38,7 +38,7 @@ block! {
         roots: stream(Work = self.format.work()),
         /// No polygon is under way.
         idle: bit(),
-        /// What was done.
+        /// The counters of the set-up.
         tally: Tally = Tally::widths(),
     }
 }

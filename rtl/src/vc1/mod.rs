@@ -105,13 +105,13 @@ block! {
     latency(self) = format!("a frame is merged in {} clocks of the merger", self.gfb().sequencer().stored_clocks());
     source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)";
     in(self) Vc1In {
-        /// Of each processor.
+        /// The inputs from each processor.
         processors: [ProcessorIn = self.processor(); self.processors],
         /// A word of the host for the bus.
         command: stream(BusWord = BusWord::widths()).on(PE),
         /// The host lets the sync line go.
         ready: bit().on(PE),
-        /// Of the host.
+        /// The inputs from the host.
         host: Host = self.gfb().inputs().host,
     }
     out(self) Vc1Out {

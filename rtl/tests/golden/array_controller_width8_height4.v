@@ -11,10 +11,10 @@
 module array_controller_width8_height4 (
     input  wire        clk,
     input  wire        rst,
-    // What to do.
+    // The instructions.
     input  wire        instructions_valid,
     input  wire [1:0]  instructions_source,      // Where the operand comes from: a `Source`.
-    input  wire [3:0]  instructions_function,    // What the ALU does: a `Function`.
+    input  wire [3:0]  instructions_function,    // The function of the ALU: a `Function`.
     input  wire [1:0]  instructions_begin,       // The carry that comes into the first byte: a `Begin`.
     input  wire [1:0]  instructions_mask,        // Which processors write: a `Mask`.
     input  wire        instructions_accumulates, // Results go to the accumulator.
@@ -48,7 +48,7 @@ module array_controller_width8_height4 (
     // To the pixels.
     output wire [1:0]  control_source,           // Where the operand comes from: a `Source`.
     output wire [7:0]  control_constant,         // The operand, if it is a constant.
-    output wire [3:0]  control_function,         // What the ALU does: a `Function`.
+    output wire [3:0]  control_function,         // The function of the ALU: a `Function`.
     output wire [1:0]  control_begin,            // The carry that comes in: a `Begin`.
     output wire [1:0]  control_mask,             // Which processors write: a `Mask`.
     output wire        control_accumulates,      // The result goes to the accumulator.
@@ -60,8 +60,8 @@ module array_controller_width8_height4 (
     output wire [1:0]  control_flagging,         // The change of the flag: a `Flagging`.
     output wire [8:0]  control_read,             // The address that is read.
     output wire [8:0]  control_write,            // The address that is written.
-    // To network and texture unit, with the pixels' control: at the edge behind it is what the instructions so far have
-    // written.
+    // To network and texture unit, with the pixels' control: after the next edge the registers contain the results of
+    // all instructions so far.
     output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
     output wire        given_texture,            // The texture unit begins.
     output wire        idle,                     // Nothing is under way but in the pixels.

@@ -11,7 +11,7 @@
 module backing_store_side8 (
     input  wire        clk,
     input  wire        rst,
-    // What the controller says.
+    // The commands of the controller.
     input  wire        save_claim,    // A region is about to be saved: the store is no longer free.
     input  wire [15:0] save_region,   // The number of the region that is saved.
     // The bit that the pixels read is one of the region's; its number is the address that is written.

@@ -16,7 +16,7 @@ module command_dma_words16 (
     input  wire [3:0]  store_address,                 // The address at which the instruction is written.
     // The instruction that is written.
     input  wire [1:0]  store_instruction_source,      // Where the operand comes from: a `Source`.
-    input  wire [3:0]  store_instruction_function,    // What the ALU does: a `Function`.
+    input  wire [3:0]  store_instruction_function,    // The function of the ALU: a `Function`.
     input  wire [1:0]  store_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
     input  wire [1:0]  store_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        store_instruction_accumulates, // Results go to the accumulator.
@@ -48,7 +48,7 @@ module command_dma_words16 (
     // To the array.
     output wire        instructions_valid,
     output wire [1:0]  instructions_source,           // Where the operand comes from: a `Source`.
-    output wire [3:0]  instructions_function,         // What the ALU does: a `Function`.
+    output wire [3:0]  instructions_function,         // The function of the ALU: a `Function`.
     output wire [1:0]  instructions_begin,            // The carry that comes into the first byte: a `Begin`.
     output wire [1:0]  instructions_mask,             // Which processors write: a `Mask`.
     output wire        instructions_accumulates,      // Results go to the accumulator.

@@ -10,7 +10,7 @@
 
 module compositor_pixels16_width8 (
     input  wire       clk,
-    input  wire [1:0] mode,       // What the node does: a `Mode`.
+    input  wire [1:0] mode,       // The mode of the node: a `Mode`.
     input  wire       advances,   // A byte of the pixel goes.
     input  wire       first,      // The byte is the first of the pixel's word.
     input  wire [3:0] pixel,      // The number of the pixel.

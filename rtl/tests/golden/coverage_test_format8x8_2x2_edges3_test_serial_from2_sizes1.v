@@ -67,7 +67,7 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels.
     output wire [159:0] parts_window_planes,        // The value of each plane at the window's upper left sample.
     output wire         idle,                       // No window is under way.
-    // What was done on each level, from the first.
+    // The counters of each level, from the first.
     output wire [31:0]  tally_0_busy,               // Clocks in which the unit worked.
     output wire [31:0]  tally_0_stalled,            // Clocks in which the unit had a result that was not taken.
     output wire [31:0]  tally_0_results,            // Results that the unit gave.

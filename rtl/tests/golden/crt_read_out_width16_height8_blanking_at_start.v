@@ -13,7 +13,7 @@ module crt_read_out_width16_height8_blanking_at_start (
     input  wire        rst,
     input  wire [47:0] word,        // The pixel at the address of the last clock.
     output reg  [6:0]  address,     // The pixel to read, in raster order.
-    // What the display gets.
+    // The outputs to the display.
     output wire        pixel_valid, // The display gets a pixel in this clock.
     output wire [23:0] pixel_rgb,   // The colour of the pixel.
     output wire        dark,        // The vertical blanking: no pixel is read.

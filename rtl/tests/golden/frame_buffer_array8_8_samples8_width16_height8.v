@@ -20,7 +20,7 @@ module frame_buffer_array8_8_samples8_width16_height8 (
     output wire        port_writes,  // The register is written.
     output wire [31:0] port_bytes,   // The bytes to write, one of each chip.
     output wire        done,         // The frame buffer has the region.
-    // What is shown.
+    // The pixels of the frame on display.
     output wire        pixels_valid,
     output wire [7:0]  pixels_red,   // The red of the pixel.
     output wire [7:0]  pixels_green, // The green of the pixel.

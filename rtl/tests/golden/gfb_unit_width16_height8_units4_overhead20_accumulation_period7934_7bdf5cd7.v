@@ -15,7 +15,7 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     input  wire        crt_clk,
     input  wire        crt_rst,
     input  wire        swap,                         // For one clock: exchange the banks.
-    // What the host says.
+    // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
     input  wire [6:0]  host_accesses_address,        // The pixel that the host accesses, in raster order.
@@ -27,7 +27,7 @@ module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5c
     input  wire        host_multipass_0_accumulates, // The next picture is the average of several passes.
     input  wire [1:0]  host_multipass_0_passes,      // The number of passes of the next picture: a code of `Passes`.
     input  wire [47:0] merged,                       // The pixel from the right end of the chain.
-    // What the host sees.
+    // The outputs to the host.
     output wire        view_read_valid,              // The access of the last clock was a read.
     output wire [47:0] view_read_word,               // The pixel that the last read asked for.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.

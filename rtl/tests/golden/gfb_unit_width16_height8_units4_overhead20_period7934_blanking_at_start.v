@@ -15,7 +15,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     input  wire        crt_clk,
     input  wire        crt_rst,
     input  wire        swap,                  // For one clock: exchange the banks.
-    // What the host says.
+    // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
     input  wire [6:0]  host_accesses_address, // The pixel that the host accesses, in raster order.
@@ -24,7 +24,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     // The word of a blank pixel: the greatest depth above the background's colour.
     input  wire [47:0] host_background,
     input  wire [47:0] merged,                // The pixel from the right end of the chain.
-    // What the host sees.
+    // The outputs to the host.
     output wire        view_read_valid,       // The access of the last clock was a read.
     output wire [47:0] view_read_word,        // The pixel that the last read asked for.
     // Blank pixels enter the chain: the round is the first since the banks were swapped.

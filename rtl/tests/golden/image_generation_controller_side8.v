@@ -11,15 +11,15 @@
 module image_generation_controller_side8 (
     input  wire        clk,
     input  wire        rst,
-    // What to do.
+    // The instructions.
     input  wire        instructions_valid,
     input  wire [4:0]  instructions_operation,      // The operation: an `Operation`.
     input  wire [5:0]  instructions_skip,           // Bits of the expression before the word; 0 without an expression.
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // The first address that is read.
     input  wire [7:0]  instructions_write,          // The first address that is written.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
-    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
+    // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
     input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
     input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.
@@ -35,13 +35,13 @@ module image_generation_controller_side8 (
     output wire [1:0]  control_source,              // Where the operand comes from: a `Source`.
     output wire        control_constant,            // The operand, if it is a constant.
     output wire        control_adds,                // The bit that is read, and the carry, are added to the operand.
-    output wire        control_first,               // The bit is the first of a word: carry and flag begin anew.
+    output wire        control_first,               // The bit is the first of a word: carry and flag restart.
     output wire [1:0]  control_mask,                // Which processors write the result: a `Mask`.
     // The flag is set where the words are less than the ones in memory, so far.
     output wire        control_compares,
     // The flag changes by the comparison only where the processor is enabled.
     output wire        control_gates,
-    output wire [2:0]  control_enabling,            // What becomes of the enable flags: an `Enabling`.
+    output wire [2:0]  control_enabling,            // The change of the enable flags: an `Enabling`.
     output wire        control_captures,            // The flag takes the new value of the enable flag.
     output wire [7:0]  control_read,                // The address that is read.
     output wire [7:0]  control_write,               // The address that is written.

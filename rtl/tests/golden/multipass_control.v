@@ -12,7 +12,7 @@ module multipass_control (
     input  wire       clk,
     input  wire       rst,
     input  wire       swap,             // For one clock: the banks are exchanged.
-    // What the host says.
+    // The settings from the host.
     input  wire       host_accumulates, // The next picture is the average of several passes.
     input  wire [1:0] host_passes,      // The number of passes of the next picture: a code of `Passes`.
     input  wire       busy,             // A sum is under way.

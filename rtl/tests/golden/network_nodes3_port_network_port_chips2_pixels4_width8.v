@@ -11,8 +11,8 @@
 module network_nodes3_port_network_port_chips2_pixels4_width8 (
     input  wire        clk,
     input  wire        rst,
-    // Of each node.
-    input  wire [1:0]  nodes_0_mode,     // What the node does: a `Mode`. It stays while a word goes.
+    // The inputs of each node.
+    input  wire [1:0]  nodes_0_mode,     // The mode of the node: a `Mode`. It stays while a word goes.
     input  wire        nodes_0_sends,    // A node that loads sends a byte of each chip.
     input  wire        nodes_0_first,    // The byte is the first of a word.
     input  wire [15:0] nodes_0_own,      // The node's own bytes of the pixels whose turn it is.

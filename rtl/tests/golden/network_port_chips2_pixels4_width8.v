@@ -11,7 +11,7 @@
 module network_port_chips2_pixels4_width8 (
     input  wire        clk,
     input  wire        rst,
-    input  wire [1:0]  mode,             // What the node does: a `Mode`. It stays while a word goes.
+    input  wire [1:0]  mode,             // The mode of the node: a `Mode`. It stays while a word goes.
     input  wire        sends,            // A node that loads sends a byte of each chip.
     input  wire        first,            // The byte is the first of a word.
     // What comes from the node before.

@@ -11,9 +11,9 @@
 module network_sequencer_pixels16_setup2 (
     input  wire       clk,
     input  wire       rst,
-    // What to do with each word, in turn.
+    // The jobs, one for each word.
     input  wire       jobs_valid,
-    input  wire [1:0] jobs_mode,  // What the node does with the word: a `Mode`.
+    input  wire [1:0] jobs_mode,  // The mode of the node for the word: a `Mode`.
     input  wire       jobs_bank,  // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0] jobs_bytes,
@@ -21,7 +21,7 @@ module network_sequencer_pixels16_setup2 (
     input  wire       go,         // All nodes are ready.
     input  wire [3:0] pixel,      // The pixel of each chip whose turn it is.
     input  wire       advances,   // A byte of the pixel goes.
-    output wire [1:0] mode,       // What the port does: a `Mode`.
+    output wire [1:0] mode,       // The mode of the port: a `Mode`.
     output wire       sends,      // A byte of the node goes.
     output reg        first,      // The byte is the first of its word.
     output reg  [1:0] bank,       // The bank, if the job needs one: a bit for each.

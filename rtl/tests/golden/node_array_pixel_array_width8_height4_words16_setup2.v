@@ -18,7 +18,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [3:0]  store_address,                 // The address at which the instruction is written.
     // The instruction that is written.
     input  wire [1:0]  store_instruction_source,      // Where the operand comes from: a `Source`.
-    input  wire [3:0]  store_instruction_function,    // What the ALU does: a `Function`.
+    input  wire [3:0]  store_instruction_function,    // The function of the ALU: a `Function`.
     input  wire [1:0]  store_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
     input  wire [1:0]  store_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        store_instruction_accumulates, // Results go to the accumulator.
@@ -55,9 +55,9 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [15:0] texture_bytes,                 // The bytes to write, one of each chip.
     input  wire        texture_done,                  // The texture unit has done.
     // From both directions of the network.
-    // What the node does with each word.
+    // The jobs of the node, one for each word.
     input  wire        network_0_jobs_valid,
-    input  wire [1:0]  network_0_jobs_mode,           // What the node does with the word: a `Mode`.
+    input  wire [1:0]  network_0_jobs_mode,           // The mode of the node for the word: a `Mode`.
     input  wire        network_0_jobs_bank,           // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  network_0_jobs_bytes,

@@ -23,7 +23,7 @@ module patch_table_patches8_pages4 (
     input  wire       settled,             // The scan has left the front buffer.
     input  wire       restart,             // All pages are free again.
     input  wire       resume,              // The held look-up is tried again.
-    // A patch of which the scan wants the page.
+    // A patch whose page the scan needs.
     input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
     input  wire [2:0] scan_patch,          // The number of the patch.
     input  wire       scan_buffer,         // The buffer to look into.

@@ -12,10 +12,10 @@ module pixel_array_width8_height4 (
     input  wire        array_clk,
     input  wire        array_rst,
     input  wire        network_clk,
-    // What to do; all coefficients are relative to the region.
+    // The instructions; all coefficients are relative to the region.
     input  wire        instructions_valid,
     input  wire [1:0]  instructions_source,      // Where the operand comes from: a `Source`.
-    input  wire [3:0]  instructions_function,    // What the ALU does: a `Function`.
+    input  wire [3:0]  instructions_function,    // The function of the ALU: a `Function`.
     input  wire [1:0]  instructions_begin,       // The carry that comes into the first byte: a `Begin`.
     input  wire [1:0]  instructions_mask,        // Which processors write: a `Mask`.
     input  wire        instructions_accumulates, // Results go to the accumulator.
@@ -54,7 +54,7 @@ module pixel_array_width8_height4 (
     input  wire [5:0]  texture_address,          // The register of the pixel.
     input  wire        texture_writes,           // The register is written.
     input  wire [15:0] texture_bytes,            // The bytes to write, one of each chip.
-    // To network and texture unit: at the edge behind it is what the instructions so far have written.
+    // To network and texture unit: after the next edge the registers contain the results of all instructions so far.
     output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
     output wire        given_texture,            // The texture unit begins.
     // To the network, from each bank: a byte of each chip.

@@ -18,7 +18,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [3:0]  stores_0_address,                 // The address at which the instruction is written.
     // The instruction that is written.
     input  wire [1:0]  stores_0_instruction_source,      // Where the operand comes from: a `Source`.
-    input  wire [3:0]  stores_0_instruction_function,    // What the ALU does: a `Function`.
+    input  wire [3:0]  stores_0_instruction_function,    // The function of the ALU: a `Function`.
     input  wire [1:0]  stores_0_instruction_begin,       // The carry that comes into the first byte: a `Begin`.
     input  wire [1:0]  stores_0_instruction_mask,        // Which processors write: a `Mask`.
     input  wire        stores_0_instruction_accumulates, // Results go to the accumulator.
@@ -108,9 +108,9 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        textures_2_writes,
     input  wire [15:0] textures_2_bytes,
     input  wire [2:0]  textures_done,                    // The nodes whose texture unit has done.
-    // What each node does with the words that go forth, from the first node to the last.
+    // The jobs of each node for the words that go forth, from the first node to the last.
     input  wire        forth_0_valid,
-    input  wire [1:0]  forth_0_mode,                     // What the node does with the word: a `Mode`.
+    input  wire [1:0]  forth_0_mode,                     // The mode of the node for the word: a `Mode`.
     input  wire        forth_0_bank,                     // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  forth_0_bytes,
@@ -122,9 +122,9 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [1:0]  forth_2_mode,
     input  wire        forth_2_bank,
     input  wire [5:0]  forth_2_bytes,
-    // What it does with those that go back.
+    // The jobs of each node for the words that go back.
     input  wire        back_0_valid,
-    input  wire [1:0]  back_0_mode,                      // What the node does with the word: a `Mode`.
+    input  wire [1:0]  back_0_mode,                      // The mode of the node for the word: a `Mode`.
     input  wire        back_0_bank,                      // The bank that the word is in, unless the node forwards.
     // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
     input  wire [5:0]  back_0_bytes,
@@ -149,7 +149,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     // All nodes are ready for a word of the direction.
     output wire        go_0,
     output wire        go_1,
-    // What goes off at the end of each direction.
+    // The bytes that leave the network at the end of each direction.
     output wire        off_0_valid,                      // There is a byte of each chip.
     output wire        off_0_first,                      // The byte is the first of a word.
     output wire [15:0] off_0_bytes,                      // The bytes, one of each chip.

@@ -21,8 +21,8 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire [6:0]   bins_0_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]   bins_0_read,           // The first address that is read.
     input  wire [7:0]   bins_0_write,          // The first address that is written.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
-    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
+    // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
     input  wire [39:0]  bins_0_coefficients_a, // Coefficient A, which is added from a column to the next.
     input  wire [39:0]  bins_0_coefficients_b, // Coefficient B, which is added from a line to the next.
     input  wire [39:0]  bins_0_coefficients_c, // Coefficient C, the value at column 0 of line 0.

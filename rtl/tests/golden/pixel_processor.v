@@ -10,15 +10,15 @@
 
 module pixel_processor (
     input  wire       clk,
-    // What all processors do.
+    // The control of all processors.
     input  wire [1:0] control_source,   // Where the operand comes from: a `Source`.
     input  wire       control_constant, // The operand, if it is a constant.
     input  wire       control_adds,     // The bit that is read, and the carry, are added to the operand.
-    input  wire       control_first,    // The bit is the first of a word: carry and flag begin anew.
+    input  wire       control_first,    // The bit is the first of a word: carry and flag restart.
     input  wire [1:0] control_mask,     // Which processors write the result: a `Mask`.
     input  wire       control_compares, // The flag is set where the words are less than the ones in memory, so far.
     input  wire       control_gates,    // The flag changes by the comparison only where the processor is enabled.
-    input  wire [2:0] control_enabling, // What becomes of the enable flags: an `Enabling`.
+    input  wire [2:0] control_enabling, // The change of the enable flags: an `Enabling`.
     input  wire       control_captures, // The flag takes the new value of the enable flag.
     input  wire [7:0] control_read,     // The address that is read.
     input  wire [7:0] control_write,    // The address that is written.

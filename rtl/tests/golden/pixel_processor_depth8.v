@@ -10,10 +10,10 @@
 
 module pixel_processor_depth8 (
     input  wire       clk,
-    // What all processors do.
+    // The control of all processors.
     input  wire [1:0] control_source,      // Where the operand comes from: a `Source`.
     input  wire [7:0] control_constant,    // The operand, if it is a constant.
-    input  wire [3:0] control_function,    // What the ALU does: a `Function`.
+    input  wire [3:0] control_function,    // The function of the ALU: a `Function`.
     input  wire [1:0] control_begin,       // The carry that comes in: a `Begin`.
     input  wire [1:0] control_mask,        // Which processors write: a `Mask`.
     input  wire       control_accumulates, // The result goes to the accumulator.

@@ -19,7 +19,7 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
     input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
     input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
-    // What varies over the polygon.
+    // The attributes of the polygon.
     input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
     input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
     // The value of the plane at the upper left pixel, with half a unit for rounding.
@@ -33,7 +33,7 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     input  wire         strict,
     // For one clock, when idle and while no picture is read: exchange the banks.
     input  wire         swap,
-    // What to show.
+    // The settings of the read-out.
     input  wire         show_start,            // For one clock, while no picture is read: read one.
     input  wire         show_clear,            // Empty the buffers on the way; constant while a picture is read.
     input  wire [23:0]  show_background,       // The colour where nothing was drawn.
@@ -51,7 +51,7 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     output reg  [31:0]  tally_stalled,         // Clocks in which the unit had a result that was not taken.
     output reg  [31:0]  tally_results,         // Results that the unit gave.
     output wire [31:0]  fragments,             // The fragments of the video processor asked for.
-    // What the broadcast did: packets that all have, and clocks in which one waited for room.
+    // The counters of the broadcast: packets that all have, and clocks in which one waited for room.
     output reg  [31:0]  broadcast_busy,        // Clocks in which the unit worked.
     output reg  [31:0]  broadcast_stalled,     // Clocks in which the unit had a result that was not taken.
     output reg  [31:0]  broadcast_results,     // Results that the unit gave.

@@ -11,15 +11,15 @@
 module renderer_side4_queue16_quadratic (
     input  wire        clk,
     input  wire        rst,
-    // What to do; all coefficients are relative to the region.
+    // The instructions; all coefficients are relative to the region.
     input  wire        instructions_valid,
     input  wire [4:0]  instructions_operation,      // The operation: an `Operation`.
     input  wire [5:0]  instructions_skip,           // Bits of the expression before the word; 0 without an expression.
     input  wire [6:0]  instructions_length,         // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  instructions_read,           // The first address that is read.
     input  wire [7:0]  instructions_write,          // The first address that is written.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
-    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
+    // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
     input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
     input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
     input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.

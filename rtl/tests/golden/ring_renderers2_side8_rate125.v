@@ -12,7 +12,7 @@
 module ring_renderers2_side8_rate125 (
     input  wire        clk,
     input  wire        rst,
-    // What each renderer is to do.
+    // The instructions for each renderer.
     input  wire        bins_0_valid,
     input  wire [4:0]  bins_0_operation,              // The operation: an `Operation`.
     // Bits of the expression before the word; 0 without an expression.
@@ -20,8 +20,8 @@ module ring_renderers2_side8_rate125 (
     input  wire [6:0]  bins_0_length,                 // Bits of the word: 1 to `LONGEST`.
     input  wire [7:0]  bins_0_read,                   // The first address that is read.
     input  wire [7:0]  bins_0_write,                  // The first address that is written.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
-    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
+    // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
     input  wire [39:0] bins_0_coefficients_a,         // Coefficient A, which is added from a column to the next.
     input  wire [39:0] bins_0_coefficients_b,         // Coefficient B, which is added from a line to the next.
     input  wire [39:0] bins_0_coefficients_c,         // Coefficient C, the value at column 0 of line 0.
@@ -57,8 +57,8 @@ module ring_renderers2_side8_rate125 (
     output wire [6:0]  instructions_0_length,         // Bits of the word: 1 to `LONGEST`.
     output wire [7:0]  instructions_0_read,           // The first address that is read.
     output wire [7:0]  instructions_0_write,          // The first address that is written.
-    // Of the expression, in two's complement, relative to the region; `c` is the constant where there is no expression.
-    // Longer words are of the same sign. Of a curve they are `d`, `e` and `f`.
+    // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
+    // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
     output wire [39:0] instructions_0_coefficients_a, // Coefficient A, which is added from a column to the next.
     output wire [39:0] instructions_0_coefficients_b, // Coefficient B, which is added from a line to the next.
     output wire [39:0] instructions_0_coefficients_c, // Coefficient C, the value at column 0 of line 0.

@@ -18,7 +18,7 @@ module set_up_format8x8_2x2_edges3 (
     input  wire [50:0]  packets_edges_a,            // What a pixel to the right adds to the edge function.
     input  wire [50:0]  packets_edges_b,            // What a line down adds to the edge function.
     input  wire [95:0]  packets_edges_c,            // The value of the edge function at the upper left pixel.
-    // What varies over the polygon.
+    // The attributes of the polygon.
     input  wire [159:0] packets_planes_x,           // What a pixel to the right adds to the plane.
     input  wire [159:0] packets_planes_y,           // What a line down adds to the plane.
     // The value of the plane at the upper left pixel, with half a unit for rounding.
@@ -62,7 +62,7 @@ module set_up_format8x8_2x2_edges3 (
     output wire [12:0]  roots_window_bounds_bottom, // The lower bound, a line of pixels.
     output wire [159:0] roots_window_planes,        // The value of each plane at the window's upper left sample.
     output wire         idle,                       // No polygon is under way.
-    // What was done.
+    // The counters of the set-up.
     output wire [31:0]  tally_busy,                 // Clocks in which the unit worked.
     output wire [31:0]  tally_stalled,              // Clocks in which the unit had a result that was not taken.
     output wire [31:0]  tally_results,              // Results that the unit gave.

@@ -11,7 +11,7 @@
 module texture_memory_texels16_textures2 (
     input  wire         clk,
     input  wire         rst,
-    // What the geometry processors write.
+    // The texel that the geometry processors write.
     input  wire         write_valid,      // A texel is written.
     // The texel's bank: the parity of the level, then of the row, then of the column.
     input  wire [2:0]   write_bank,
@@ -22,7 +22,7 @@ module texture_memory_texels16_textures2 (
     input  wire         describe_texture, // The number of the texture.
     input  wire [3:0]   describe_base,    // The texture's first address in each bank.
     input  wire [3:0]   describe_finest,  // The texture's finest level.
-    // What is sought.
+    // The place that is sought.
     input  wire         request_valid,    // A place is sought.
     input  wire [15:0]  request_u,        // The place from the left, in 1/2^16 of the texture.
     input  wire [15:0]  request_v,        // The place from below, in 1/2^16 of the texture.

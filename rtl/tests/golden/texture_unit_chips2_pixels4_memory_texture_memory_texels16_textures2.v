@@ -11,7 +11,7 @@
 module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
     input  wire        clk,
     input  wire        rst,
-    // What the geometry processors write.
+    // The texel that the geometry processors write.
     input  wire        write_valid,      // A texel is written.
     // The texel's bank: the parity of the level, then of the row, then of the column.
     input  wire [2:0]  write_bank,

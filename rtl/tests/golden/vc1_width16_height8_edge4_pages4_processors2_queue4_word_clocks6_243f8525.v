@@ -16,7 +16,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     input  wire        crt_rst,
     input  wire        pe_clk,
     input  wire        pe_rst,
-    // Of each processor.
+    // The inputs from each processor.
     // A pixel to draw.
     input  wire        processors_0_request_valid,
     input  wire [3:0]  processors_0_request_x,      // The column of the pixel, counted from the left.
@@ -45,7 +45,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     input  wire [31:0] command_word,                // A word of the packet.
     input  wire        command_last,                // This word ends the packet.
     input  wire        ready,                       // The host lets the sync line go.
-    // Of the host.
+    // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
     input  wire [6:0]  host_accesses_address,       // The pixel that the host accesses, in raster order.

@@ -11,7 +11,7 @@
 module video_controller_format8x8_2x2_edges3 (
     input  wire         clk,
     input  wire         rst,
-    // What to show.
+    // The settings of the read-out.
     input  wire         show_start,      // For one clock, while no picture is read: read one.
     input  wire         show_clear,      // Empty the buffers on the way; constant while a picture is read.
     input  wire [23:0]  show_background, // The colour where nothing was drawn.

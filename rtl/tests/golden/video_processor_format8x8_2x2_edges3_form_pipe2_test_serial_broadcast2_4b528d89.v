@@ -18,7 +18,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
     input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
     input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
-    // What varies over the polygon.
+    // The attributes of the polygon.
     input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
     input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
     // The value of the plane at the upper left pixel, with half a unit for rounding.
@@ -43,7 +43,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     input  wire         scan_clear,            // The pixel is emptied when it is read.
     output wire [47:0]  word,                  // The word sent to the video controller.
     output wire         idle,                  // No polygon is under way.
-    // What the set-up did, and the raster processor on each level.
+    // The counters of the set-up, and of each level of the raster processor.
     output wire [31:0]  tally_0_busy,          // Clocks in which the unit worked.
     output wire [31:0]  tally_0_stalled,       // Clocks in which the unit had a result that was not taken.
     output wire [31:0]  tally_0_results,       // Results that the unit gave.
