@@ -22,9 +22,9 @@ const MOST: f64 = 65535.0;
 /// u/w, v/w and 1/w at three corners with these texture coordinates and these distances w along the line of sight, all
 /// positive.
 ///
-/// Coordinates are first moved by whole repeats, so that the least of each is from 0 to 1; r is then the greatest, or
-/// 1. The nearest corner has the scale `floor(65535 / r)`. The others have less in proportion to 1/w, also rounded down
-/// and at least 8. u/w is u times the scale, rounded to the nearest whole number.
+/// Coordinates are first moved by whole repeats, so that the least of each is from 0 to 1. Let r be the greater of 1
+/// and the greatest coordinate. The nearest corner has the scale `floor(65535 / r)`. The others have less in proportion
+/// to 1/w, also rounded down and at least 8. u/w is u times the scale, rounded to the nearest whole number.
 pub(crate) fn mapped(coordinates: [DVec2; 3], distances: [f64; 3]) -> ([[u16; 2]; 3], [u16; 3]) {
     let [a, b, c] = coordinates;
     let least = a.min(b).min(c).floor();
