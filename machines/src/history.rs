@@ -103,11 +103,12 @@ impl Lane {
         if amount == 0 || from == to {
             return;
         }
-        match self.spans.last_mut() {
-            Some(last) if last.what == what && last.to == from && last.is_full(self.rate) => {
-                (last.to, last.amount) = (to, last.amount + amount);
-            }
-            _ => self.spans.push(Span { what, from, to, amount }),
+        let next = Span { what, from, to, amount };
+        let (rate, is_full) = (self.rate, next.is_full(self.rate));
+        let goes_on = |last: &&mut Span| is_full && last.what == what && last.to == from && last.is_full(rate);
+        match self.spans.last_mut().filter(goes_on) {
+            Some(last) => (last.to, last.amount) = (to, last.amount + amount),
+            None => self.spans.push(next),
         }
     }
 
