@@ -1,4 +1,4 @@
-//! Runs a circuit cycle by cycle: engines, testbenches, waves.
+//! Simulates a circuit cycle by cycle: engines, testbenches, waves.
 //!
 //! ```
 //! use tilewright_hdl::{Module, bit, bits, block, def};
@@ -35,40 +35,41 @@
 //! # }
 //! ```
 //!
-//! # What a run means
+//! # The meaning of a run
 //!
-//! Values are two-valued and change at instants only.
+//! Values are two-valued and change only at instants.
 //!
-//! - **Time.** Every clock is low at time 0, rises at each multiple of its period, the first time after one period, and
+//! - **Time.** Every clock is low at time 0. It rises at each multiple of its period, first after one period, and
 //!   falls half a period later. An *instant* is a time at which one or more clocks rise; [`Simulation::step`] goes to
 //!   the next one.
-//! - **An instant.** All expressions are settled with the inputs of this moment. The assertions and assumptions of the
-//!   clocks that rise are checked, unless the clock's reset is high; if one fails, the instant does not happen and the error
-//!   shows the values before it. Covers that hold are counted likewise ([`Simulation::covered`]). Then the registers, memory reads and memory writes of all those clocks sample at once, and then
-//!   they all change. Clocks that rise together therefore see each other's values from before.
-//! - **Inputs** change when they are set and hold until they are set again; at time 0 they are zero. Between two instants
-//!   the order of `set` and `get` does not matter to what is stored.
-//! - **The start** is the moment after a reset: registers with a reset value hold it, those with an initial value hold that instead, and memories
-//!   hold their contents. Everything else (registers with neither, the data of synchronous reads, memories of unknown contents) is
-//!   zero, or follows from the seed given to [`Simulation::seeded`] and the object's own hierarchical name.
-//!   [`Simulation::reset`] holds every reset high for an edge of each clock.
-//! - **Memories.** A read gives the word from before the instant. If that word is written at the same instant, by a port
-//!   on whichever clock, and the policy is `ReadUnderWrite::Any`, the read gives the old word with every bit inverted,
-//!   so that a circuit that relies on it fails its tests. Of two writes to one word the later port of a clock wins;
-//!   of two clocks at one instant, the later in the top module's list. Beyond the depth, reads give zero and writes do
-//!   nothing. An asynchronous read follows its address and the memory's words at once.
-//! - **Arrays** of instances mean as many instances, however they are run.
+//! - **An instant.** First, all expressions settle with the present inputs. Then the assertions and assumptions of
+//!   the rising clocks are checked, unless the clock's reset is high. If one fails, the instant does not happen, and
+//!   the error shows the values before it. Covers whose condition is true are counted ([`Simulation::covered`]).
+//!   Next, the registers, memory reads and memory writes of all these clocks sample at once, and then they all
+//!   change. So clocks that rise together see each other's previous values.
+//! - **Inputs** keep their values until they are set again; at time 0 they are zero. Between two instants, the
+//!   sequence of `set` and `get` does not affect the stored values.
+//! - **The start** is the moment after a reset. Registers have their initial values, or else their reset values;
+//!   memories have their contents. Everything else is zero: registers with neither value, the data of synchronous
+//!   reads, and memories of unknown contents. With [`Simulation::seeded`], these values follow instead from the seed
+//!   and the object's own hierarchical name. [`Simulation::reset`] keeps every reset high for an edge of each clock.
+//! - **Memories.** A read gives the word before the instant. If a port of any clock writes that word at the same
+//!   instant and the policy is `ReadUnderWrite::Any`, the read gives the old word inverted. So a circuit that relies
+//!   on the result fails its tests. If two ports of one clock write one word, the later port wins; if ports of two
+//!   clocks do at one instant, the clock that is later in the top module's list wins. Beyond the depth, reads give
+//!   zero and writes have no effect. An asynchronous read follows its address and the memory's words immediately.
+//! - **Arrays** mean the same as separate instances, however they are run.
 //!
 //! # Many runs at once
 //!
-//! A [`Batch`] runs one design under many stimuli, or from many seeds, at a time: inputs, names and memories have a run
-//! beside their name, time is the same for all. Each run is what a [`Simulation`] of it alone is, its waveform byte for
-//! byte; an assertion that fails says in which run, and stops all.
+//! A [`Batch`] runs one design under many stimuli, or from many seeds, at once. Inputs, names and memories take the
+//! run as an argument; time is common to all runs. Each run equals a [`Simulation`] of its own, and its waveform is
+//! the same byte for byte. A failing assertion names its run and stops all of them.
 //!
 //! ```
 //! # use tilewright_hdl::{Module, bits, block, def};
 //! # block! {
-//! #     /// Adds up what it is given.
+//! #     /// Adds up its inputs.
 //! #     struct Sum;
 //! #     in SumIn { x: bits(8) }
 //! #     out SumOut { sum: bits(8) }
@@ -89,22 +90,22 @@
 //! # }
 //! ```
 //!
-//! # How it runs
+//! # Engines
 //!
-//! [`program::compile`] makes a flat [`program::Program`] of a design, and an engine runs it: [`EngineKind::Compiled`],
-//! machine code made for the circuit, unless [`Simulation::on`] takes another one. All give the same results.
-//! [`EngineKind::Reference`] is the plainest one, to which the others are held; [`EngineKind::Interpreter`] is faster, and
-//! takes over by itself on a machine that no code can be generated for: [`Simulation::engine`] tells which one runs,
-//! [`Simulation::fallback`] why. [`EngineKind::Both`] runs machine code beside the reference and ends with
-//! [`Error::Differs`] at the first signal in which they are not alike. An instance array runs in lanes, all instances at a
-//! time. How the code is made, and what one with wider vectors needs, is in `sim/docs/engine.md`.
-//! [`Passes`] switches what makes it fast, for tests.
+//! [`program::compile`] makes a flat [`program::Program`] of a design, and an engine runs it. The default is
+//! [`EngineKind::Compiled`], which generates machine code for the circuit; [`Simulation::on`] selects another. All
+//! engines give the same results. [`EngineKind::Reference`] is the simplest one, and defines the correct results.
+//! [`EngineKind::Interpreter`] is faster, and replaces the compiled engine on a machine for which no code can be
+//! generated. [`Simulation::engine`] tells which engine runs, and [`Simulation::fallback`] why. [`EngineKind::Both`]
+//! runs machine code beside the reference and ends with [`Error::Differs`] at the first signal that differs. An
+//! instance array runs in vector lanes, all instances at once. `sim/docs/engine.md` describes the generated code and
+//! how to build for wider vectors. [`Passes`] switches optimisations off, for tests.
 //!
-//! # What a testbench costs
+//! # The cost of a testbench
 //!
-//! A run until a condition ([`Simulation::run_until`]) is as fast as one of a known length; a testbench that looks every
-//! clock pays for the call of each step and each look. Of a processor of RV32I, and a block with 32 inputs and 17 outputs,
-//! the least of 25 rounds on two cores of an AMD EPYC:
+//! A run until a condition ([`Simulation::run_until`]) is as fast as one of a known length. A testbench that looks at
+//! values in every clock pays for the call of each step and each look. The table is for an RV32I processor and for a
+//! block with 32 inputs and 17 outputs. It shows the best of 25 rounds on two cores of an AMD EPYC:
 //!
 //! ```text
 //! $ cargo bench -p tilewright-benches --bench testbench
@@ -130,12 +131,13 @@
 //!   read_u64 of 17 outputs                          59.2    16.65
 //! ```
 //!
-//! # What a waveform costs
+//! # The cost of a waveform
 //!
-//! A run without a trace pays nothing. With a [`Vcd`] of everything, only the values are looked at that the clocks and
-//! inputs that changed can have changed, and only those that did are written, by a thread of its own. Of a small circuit
-//! with one clock and no arrays, all values come in rows instead, many instants in one call of its code. On two cores of an
-//! AMD EPYC, for a frame of 640 x 480 pixels on the VC-1 with 16 processing elements (its teapot), medians of 3 rounds:
+//! A run without a trace pays nothing. With a [`Vcd`] of everything, each step looks only at values that the changed
+//! clocks and inputs can affect, and writes only those that changed. A separate thread writes the file. For a small
+//! circuit with one clock and no arrays, generated code instead collects all values of many instants, in rows. The
+//! figures are for a frame of 640 x 480 pixels on the VC-1 with 16 processing elements (its teapot). They are medians
+//! of 3 rounds on two cores of an AMD EPYC:
 //!
 //! ```text
 //! $ cargo bench -p tilewright-machines --bench vcd
@@ -149,7 +151,7 @@ mod engine;
 mod limbs;
 mod testbench;
 
-/// The value of a port, as [`Simulation::get`] gives it.
+/// The value of a port, as [`Simulation::get`] returns it.
 #[doc(no_inline)]
 pub use tilewright_hdl::{Bits, Bundle};
 

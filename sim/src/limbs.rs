@@ -1,5 +1,5 @@
-//! Arithmetic on numbers of any width as 64-bit limbs, the lowest first. Results fill all of `out`; the caller clears
-//! the bits above the width.
+//! Arithmetic on numbers of any width, as 64-bit limbs, the lowest first. Results fill all of `out`; the caller
+//! clears the bits above the width.
 
 use std::cmp::Ordering;
 
@@ -29,7 +29,7 @@ pub(crate) fn multiply(out: &mut [u64], a: &[u64], b: &[u64]) {
     }
 }
 
-/// `a` compared with `b`, of as many limbs, unsigned.
+/// `a` compared with `b`, with equal numbers of limbs, unsigned.
 pub(crate) fn compare(a: &[u64], b: &[u64]) -> Ordering {
     a.iter().rev().cmp(b.iter().rev())
 }

@@ -1,4 +1,4 @@
-//! The simulator: circuits on every engine, and what each pass makes of them.
+//! The simulator: circuits on every engine, and the effect of each pass on them.
 
 mod circuits;
 mod passes;

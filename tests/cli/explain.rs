@@ -6,7 +6,7 @@ use crate::cli::harness::Folder;
 fn a_pass_is_shown_with_the_users_names_and_source_lines() {
     let text = Folder::new().stdout("explain scan-counter --pass fold");
     assert!(
-        text.starts_with("# fold: Constants are computed, and operations that do nothing are left out.\n\n"),
+        text.starts_with("# fold: Constants are computed, and operations without effect are removed.\n\n"),
         "{text}"
     );
     let line = text.lines().find(|line| line.starts_with("line_end ")).unwrap();

@@ -1,5 +1,5 @@
-//! How long it takes from a description to the first cycle, by size: `cargo bench -p tilewright-benches --bench compile`. Twice
-//! the size is to take twice the time.
+//! The time from a description to the first cycle, by size: `cargo bench -p tilewright-benches --bench compile`.
+//! Twice the size should take twice the time.
 
 use std::time::Instant;
 
@@ -12,7 +12,7 @@ bundle! {
 }
 
 block! {
-    /// So many operations on values of that width, each on the two before it, with a register after every eighth.
+    /// Operations on values of this width, each on the previous two, with a register after every eighth.
     struct Flat {
         operations: u32,
         width: u32,
@@ -59,7 +59,7 @@ impl Lanes {
     }
 }
 
-/// Milliseconds to describe a block, and from there to the first cycle; the least of three times.
+/// Milliseconds to describe a block, and from there to the first cycle; the best of three times.
 fn measure<B: Block>(block: &B) -> [f64; 2] {
     let once = || {
         let start = Instant::now();

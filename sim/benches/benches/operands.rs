@@ -1,17 +1,17 @@
-//! How long it takes from a design to the first cycle where an operation has very many operands:
-//! `cargo bench -p tilewright-benches --bench operands`. Twice the operands are to take twice the time.
+//! The time from a design to the first cycle if an operation has very many operands:
+//! `cargo bench -p tilewright-benches --bench operands`. Twice the operands should take twice the time.
 
 use std::time::Instant;
 
 use tilewright_hdl::{Module, Signal, Width, bits, block, bundle, case, concat, elaborate, lit, mux, select, stack};
 use tilewright_sim::{EngineKind, Simulation};
 
-/// What is made of so many operands.
+/// The operation with the many operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Form {
-    /// Bits of one number, side by side, over and over.
+    /// Bits of one number, side by side, repeated.
     Bits,
-    /// Bits of a register as wide as the result, in another order.
+    /// Bits of a register as wide as the result, permuted.
     Shuffled,
     /// Computed bits, side by side.
     Computed,
@@ -21,9 +21,9 @@ enum Form {
     Cases,
     /// Computed values by conditions.
     Select,
-    /// What a register takes by conditions.
+    /// The next value of a register, by conditions.
     Whens,
-    /// Lanes, one after the other.
+    /// Lanes, one after another.
     Lanes,
 }
 
@@ -33,7 +33,7 @@ bundle! {
 }
 
 block! {
-    /// One operation of so many operands.
+    /// One operation with this number of operands.
     struct Operands {
         form: Form,
         operands: u32,
@@ -78,7 +78,7 @@ impl Operands {
     }
 }
 
-/// Seconds of processor time, or of the clock where the system does not say.
+/// Seconds of processor time, or of wall-clock time if the system does not tell.
 fn now(start: Instant) -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let spent = text.split(' ').next().and_then(|it| it.parse::<f64>().ok());

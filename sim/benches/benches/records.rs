@@ -1,4 +1,4 @@
-//! Queues of records, of which each field is used: `cargo bench -p tilewright-benches --bench records`.
+//! Queues of records, each field of which is used: `cargo bench -p tilewright-benches --bench records`.
 
 use std::time::Instant;
 
@@ -14,7 +14,7 @@ bundle! {
 }
 
 block! {
-    /// A queue between who makes records of a counter and who adds up their fields.
+    /// A queue from a maker of records, from a counter, to an adder of their fields.
     struct Unit;
     in UnitIn { seed: bits(32) }
     out UnitOut { sum: bits(32) }
@@ -39,7 +39,7 @@ impl Unit {
 }
 
 block! {
-    /// So many of them.
+    /// Several of them.
     struct Units {
         count: u32,
     }
@@ -56,7 +56,7 @@ impl Units {
     }
 }
 
-/// Nanoseconds a cycle, the least of five measurements, and the checksum.
+/// Nanoseconds a cycle, the best of five measurements, and the checksum.
 fn measure(units: &Units, passes: &Passes) -> (f64, u64) {
     let design = elaborate(units).expect("it keeps all rules");
     let mut sim = Simulation::with_passes(&design, passes).expect("every design can be compiled");

@@ -14,8 +14,8 @@ use tilewright_sim::Simulation;
 /// Cycles of a measurement.
 const CYCLES: u64 = 2000;
 
-/// How long a machine of so many elements takes to check, to run its first cycle, and to run one later, with inputs that
-/// are all ones.
+/// The times in which a machine with this side is checked, runs its first cycle, and runs a later one, with inputs
+/// that are all ones.
 fn print(what: &str, side: u32, module: Module) {
     let nodes = module.nodes.len();
     let start = Instant::now();

@@ -1,5 +1,6 @@
-//! What a testbench costs that looks every clock, beside a run that nobody watches: `cargo bench -p tilewright-benches --bench
-//! testbench`, or `.. -- step` for what has that in its name.
+//! The cost of a testbench that looks at every clock, beside a run without observers:
+//! `cargo bench -p tilewright-benches --bench testbench`, or `.. -- step` for the measurements with that in their
+//! names.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -7,11 +8,11 @@ use std::time::Instant;
 use tilewright_benches::designs::{Dots, DotsIn, DotsOut, Processor, ProcessorIn, ProcessorOut};
 use tilewright_sim::{Simulation, Vcd};
 
-/// How often each is measured; the least time counts, as neighbours only add to it.
+/// The number of measurements of each; the best time counts, because neighbours only add to it.
 const ROUNDS: usize = 25;
 /// Cycles of a measurement.
 const CYCLES: u64 = 50_000;
-/// Products, and so pairs of inputs, of the other design.
+/// Products, and so pairs of inputs, of the second design.
 const PAIRS: u32 = 16;
 
 type Core = Simulation<ProcessorIn, ProcessorOut>;
@@ -32,17 +33,17 @@ fn sums() -> Sums {
     sums
 }
 
-/// Nanoseconds of each of so many calls of a design.
+/// Nanoseconds for each of `count` calls.
 fn timed<S>(sim: &mut S, count: u64, mut call: impl FnMut(&mut S, u64)) -> f64 {
     let started = Instant::now();
     (0..count).for_each(|number| call(sim, number));
     started.elapsed().as_secs_f64() * 1e9 / count as f64
 }
 
-/// What is measured, each with what it does to its design.
+/// The measurements, each with its function of the design.
 type Measures<S> = Vec<(&'static str, fn(&mut S) -> f64)>;
 
-/// The least of rounds in which all take turns.
+/// The best time of each, measured round robin.
 fn least<S>(mut sim: S, measures: &Measures<S>) -> Vec<f64> {
     let mut times = vec![f64::INFINITY; measures.len()];
     for _ in 0..ROUNDS {
@@ -67,7 +68,7 @@ fn print<S>(design: &str, sim: S, mut measures: Measures<S>) {
     }
 }
 
-/// Runs a core for so many cycles, with a waveform of everything.
+/// Runs a core for some cycles, with a waveform of everything.
 fn traced(_: &mut Core) -> f64 {
     let folder = std::env::temp_dir().join(format!("tilewright-testbench-{}", std::process::id()));
     let mut sim = core();

@@ -1,4 +1,4 @@
-//! What takes part in a measurement: something that runs a design for so many cycles.
+//! The participants of a measurement: each runs a design for some cycles.
 
 use crate::error::Error;
 use crate::report::Made;
@@ -9,20 +9,21 @@ pub trait Contender {
     /// Its name, for a table.
     fn name(&self) -> &str;
 
-    /// What made it of what, if it is a model that Verilator made.
+    /// What made it, if it is a model made by Verilator.
     fn made(&self) -> Option<&Made> {
         None
     }
 
-    /// How long it took to make it, if that is not part of a run.
+    /// The build time, if that is not part of a run.
     fn build_time(&self) -> Option<Duration>;
 
-    /// How many stimuli it runs at once.
+    /// The number of stimuli that it runs at once.
     fn stimuli(&self) -> u32 {
         1
     }
 
-    /// Runs the design from its reset for so many cycles, at least 1. A cycle is a time at which one or more clocks rise.
+    /// Runs the design from its reset for `cycles` cycles, at least 1. A cycle is a time at which one or more clocks
+    /// rise.
     ///
     /// # Errors
     ///
@@ -30,13 +31,13 @@ pub trait Contender {
     fn run(&self, cycles: u64) -> Result<Run, Error>;
 }
 
-/// What a run comes to.
+/// The result of a run.
 #[derive(Debug, Clone)]
 pub struct Run {
     /// At the end, by stimulus: at least one.
     pub checksums: Vec<u32>,
-    /// From nothing to the end of the first cycle.
+    /// The time from nothing to the end of the first cycle.
     pub first_cycle: Duration,
-    /// The other cycles.
+    /// The time of the other cycles.
     pub others: Duration,
 }

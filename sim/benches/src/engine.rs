@@ -7,7 +7,7 @@ use crate::subject::Subject;
 use std::time::{Duration, Instant};
 use tilewright_sim::{Batch, EngineKind, Simulation};
 
-/// The engines of this computer. The first one is what others are compared with.
+/// The engines available on this computer. The first one is the reference for comparisons.
 pub fn engines() -> impl Iterator<Item = EngineKind> {
     [EngineKind::Compiled, EngineKind::Interpreter].into_iter().filter(|kind| kind.refused().is_none())
 }
@@ -21,7 +21,7 @@ fn name(kind: EngineKind) -> &'static str {
     }
 }
 
-/// A subject on an engine. Every run elaborates it anew, as the time to the first cycle has that in it.
+/// A subject on an engine. Every run elaborates it anew, because the time to the first cycle includes that.
 #[derive(Debug, Clone, Copy)]
 pub struct OnEngine {
     /// The engine.
@@ -106,7 +106,7 @@ impl Contender for AtOnce {
     }
 }
 
-/// What each stimulus of a subject ends with after so many cycles of the first, run alone.
+/// The final checksum of each stimulus of a subject after `cycles` cycles of the first, run alone.
 ///
 /// # Errors
 ///
@@ -122,13 +122,13 @@ pub fn alone(subject: Subject, cycles: u64) -> Result<Vec<u32>, Error> {
         sim.try_step()?;
         checksums.push(sim.get_u64(csum) as u32);
     }
-    // A stimulus whose reset has not ended yet is where the run begins.
+    // A stimulus whose reset has not ended yet is at the begin of its run.
     checksums.reverse();
     checksums.resize(subject.stimuli() as usize, *checksums.last().expect("there is one"));
     Ok(checksums)
 }
 
-/// Holds every reset, and the input `rst` of a design that has one, high for [`RESET_CYCLES`] of every clock.
+/// Sets every reset, and the input `rst` of a design that has one, high for [`RESET_CYCLES`] of every clock.
 ///
 /// # Errors
 ///

@@ -1,22 +1,22 @@
-//! Why a measurement comes to nothing.
+//! Errors of measurements.
 
 use tilewright_gen::tools::{Missing, Problems};
 
-/// Why a measurement comes to nothing.
+/// Why a measurement failed.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// A program that was asked for is not installed.
+    /// A requested program is not installed.
     #[error(transparent)]
     Missing(#[from] Missing),
     /// Verilator, clang or a model made by them failed.
     #[error("{0}")]
     Tool(#[from] Problems),
-    /// A model printed something else than its figures.
+    /// The output of a model is not its figures.
     #[error("{name}: the model printed `{printed}` instead of a checksum and two times")]
     Unreadable {
         /// The contender.
         name: String,
-        /// What it printed.
+        /// Its output.
         printed: String,
     },
     /// Our simulator stopped.
@@ -29,13 +29,13 @@ pub enum Error {
     Differs {
         /// The subject.
         design: String,
-        /// How long it ran.
+        /// The number of cycles.
         cycles: u64,
-        /// Who differs.
+        /// The simulator that differs.
         name: String,
         /// Its checksum.
         found: u32,
-        /// From whom.
+        /// The simulator with which it is compared.
         other: String,
         /// The other's checksum.
         expected: u32,

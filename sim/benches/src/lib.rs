@@ -1,11 +1,13 @@
-//! Designs that measure the simulator, and the measuring.
+//! Designs that measure the simulator, and the measurement.
 //!
-//! A [`Subject`] is a design of some size, such as `pim16`. It is there twice: as a description (in [`designs`]), and in Verilog as
-//! one would write it by hand (in the folder `verilog`). [`measure`] runs it in every engine of the simulator and, if it is
-//! given [`Compiler`](tilewright_gen::tools::Compiler)s, in models that their Verilators make of what we print of the description
-//! and of what is written by hand. All of them do the same cycles, alternately, and all have to end with the same checksum.
+//! A [`Subject`] is a design of some size, such as `pim16`. It exists twice: as a description (in [`designs`]), and
+//! in hand-written Verilog (in the folder `verilog`). [`measure`] runs it in every engine of the simulator. If it is
+//! given [`Compiler`](tilewright_gen::tools::Compiler)s, it also runs it in models that their Verilators make from
+//! the Verilog that we print and from the hand-written one. All of them run the same cycles, alternately, and all
+//! must end with the same checksum.
 //!
-//! `cargo bench -p tilewright-benches` prints the figures of the simulator alone, `tilewright bench --against verilator` all.
+//! `cargo bench -p tilewright-benches` prints the figures of the simulator alone,
+//! `tilewright bench --against verilator` those of all.
 
 mod contender;
 pub mod designs;
@@ -23,5 +25,5 @@ pub use measure::{Effort, Rivals, Watch, measure};
 pub use report::{FORMAT, Figures, Made, Measurement, Report, Versions};
 pub use subject::{Family, HandWritten, Subject, USUAL};
 
-/// For so many cycles of each clock the resets are high at the start.
+/// The number of cycles of each clock for which the resets are high at the start.
 pub const RESET_CYCLES: u64 = 4;

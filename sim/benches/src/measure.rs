@@ -1,4 +1,4 @@
-//! The measuring: contenders run alternately, round by round, and their checksums have to agree.
+//! The measurement: contenders run alternately, round by round, and their checksums must agree.
 
 use crate::contender::{Contender, Run};
 use crate::engine::{AtOnce, OnEngine, alone, engines};
@@ -10,39 +10,39 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 use tilewright_gen::tools::Compiler;
 
-/// How much to measure.
+/// The effort of a measurement.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
     /// Runs of each contender, at least 1.
     pub rounds: u32,
-    /// About so long runs the slowest contender.
+    /// The approximate run time of the slowest contender.
     pub time: Duration,
 }
 
-/// The models that a subject is measured beside; [`Rivals::default`] has none.
+/// The models with which a subject is compared; [`Rivals::default`] has none.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Rivals<'a> {
-    /// What makes them.
+    /// The compilers that make them.
     pub compilers: &'a [Compiler],
-    /// What they are made of, by names that [`Subject::verilog`] has; of all of those if none is named.
+    /// Their Verilog, by the names of [`Subject::verilog`]; all of those if none is given.
     pub verilog: &'a [String],
 }
 
-/// Told what goes on and how much of it is done, from 0 to 1; says whether to go on.
+/// Called with the present activity and its progress, from 0 to 1; returns whether to continue.
 pub type Watch<'a> = &'a mut dyn FnMut(&'static str, f64) -> ControlFlow<()>;
 
 /// Measures a subject on all engines, or with rivals on the fastest one and in their Verilators.
 ///
 /// # Errors
 ///
-/// A contender fails, the checksums differ, or the watcher wants to stop.
+/// A contender fails, the checksums differ, or `watch` asks to stop.
 pub fn measure(subject: Subject, rivals: Rivals, effort: Effort, watch: Watch) -> Result<Measurement, Error> {
     let mut show = |what, done| match watch(what, done) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Error::Interrupted { design: subject.to_string() }),
     };
     let mut contenders: Vec<Box<dyn Contender>> = Vec::new();
-    // The interpreter would keep the runs of the others short.
+    // The interpreter would make the runs of the others too short.
     let engines = engines().take(if rivals.compilers.is_empty() { usize::MAX } else { 1 });
     if subject.stimuli() > 1 {
         contenders.push(Box::new(AtOnce::new(subject)));
@@ -93,7 +93,8 @@ pub fn measure(subject: Subject, rivals: Rivals, effort: Effort, watch: Watch) -
     })
 }
 
-/// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly so long; `go_on` may break it off.
+/// The first of 100, 200, 500, 1000 and so on that takes the slowest contender nearly that long; `go_on` may stop the
+/// search.
 fn sufficient_cycles(
     contenders: &[Box<dyn Contender>],
     time: Duration,
@@ -114,7 +115,7 @@ fn sufficient_cycles(
     Ok(10_u64.pow(12))
 }
 
-/// The checksum that all runs ended with, which has to be the known one if there is one.
+/// The common checksum of all runs, which must be the known one if there is one.
 fn agreed(subject: Subject, cycles: u64, contenders: &[Box<dyn Contender>], runs: &[Vec<Run>]) -> Result<u32, Error> {
     let known = subject.known().find(|(known, _)| *known == cycles);
     let first = (contenders[0].name(), runs[0][0].checksums[0]);
@@ -141,7 +142,7 @@ fn agreed(subject: Subject, cycles: u64, contenders: &[Box<dyn Contender>], runs
     Ok(expected)
 }
 
-/// The middle one of the times; of an even number the lower of the two.
+/// The median of the times; for an even number, the lower of the two.
 fn median(runs: &[Run], of: impl Fn(&Run) -> Duration) -> Duration {
     let mut times: Vec<Duration> = runs.iter().map(of).collect();
     times.sort();

@@ -1,12 +1,12 @@
-//! What was measured, as a table and for programs.
+//! The results, as a table and for programs.
 
 use serde::Serialize;
 use std::fmt;
 
-/// A number for each time that the form of a report changes.
+/// The version of the report's format.
 pub const FORMAT: u32 = 2;
 
-/// All that was measured.
+/// All results.
 #[derive(Debug, Clone, Serialize)]
 pub struct Report {
     /// [`FORMAT`].
@@ -19,7 +19,7 @@ pub struct Report {
     pub designs: Vec<Measurement>,
 }
 
-/// What the models were made with.
+/// The tools that made the models.
 #[derive(Debug, Clone, Serialize)]
 pub struct Versions {
     /// Such as `5.048`, the newest first.
@@ -28,12 +28,12 @@ pub struct Versions {
     pub clang: String,
 }
 
-/// A model that Verilator made.
+/// A model made by Verilator.
 #[derive(Debug, Clone, Serialize)]
 pub struct Made {
     /// The version of Verilator.
     pub verilator: String,
-    /// Of which Verilog: `our Verilog`, or the name of a file that was written by hand.
+    /// Its Verilog: `our Verilog`, or the name of a hand-written file.
     pub verilog: String,
 }
 
@@ -44,9 +44,9 @@ pub struct Measurement {
     pub design: String,
     /// The cycles of each run.
     pub cycles: u64,
-    /// How many of them a frame takes, in a design that draws frames.
+    /// The number of cycles of a frame, in a design that draws frames.
     pub frame_cycles: Option<u64>,
-    /// What all runs ended with, 8 hexadecimal digits.
+    /// The common result of all runs, 8 hexadecimal digits.
     pub checksum: String,
     /// By simulator, ours first.
     pub simulators: Vec<Figures>,
@@ -57,19 +57,19 @@ pub struct Measurement {
 pub struct Figures {
     /// Its name, and what it runs.
     pub simulator: String,
-    /// What made it, if it is a model that Verilator made.
+    /// What made it, if it is a model made by Verilator.
     pub made: Option<Made>,
-    /// The median; of several stimuli at once, for a cycle of one of them.
+    /// The median; with several stimuli at once, for a cycle of one of them.
     pub ns_per_cycle: f64,
     /// Of the fastest run.
     pub least_ns_per_cycle: f64,
     /// Of the slowest run.
     pub most_ns_per_cycle: f64,
-    /// What it took to make a program of the design, if it was.
+    /// The time to build a program of the design, if one is built.
     pub build_seconds: Option<f64>,
     /// From a description or Verilog to the end of the first cycle, building included.
     pub first_cycle_seconds: f64,
-    /// How many times as long as in the first simulator a cycle takes.
+    /// The time of a cycle, relative to the first simulator.
     pub ratio: f64,
 }
 
@@ -114,7 +114,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// Of each Verilog that several Verilators have made models of, the fastest one and its ratio.
+/// For each Verilog of which several Verilators have made models, the fastest one and its ratio.
 fn faster(simulators: &[Figures]) -> Vec<(&Made, f64)> {
     let models: Vec<(&Made, f64)> = simulators.iter().filter_map(|it| Some((it.made.as_ref()?, it.ratio))).collect();
     let is_fastest = |(made, ratio): &&(&Made, f64)| {
@@ -124,7 +124,7 @@ fn faster(simulators: &[Figures]) -> Vec<(&Made, f64)> {
     models.iter().filter(is_fastest).copied().collect()
 }
 
-/// A time for people.
+/// A time for readers.
 struct Seconds(f64);
 
 impl fmt::Display for Seconds {

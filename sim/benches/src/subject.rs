@@ -1,4 +1,4 @@
-//! What there is to measure: a design of some size, by name, with what is known of it.
+//! The subjects of measurements: designs of some size, by name, with their known results.
 
 use std::fmt;
 use std::ops::RangeInclusive;
@@ -48,7 +48,7 @@ impl Family {
         Family::Nodes,
     ];
 
-    /// Its name, which stands before the size.
+    /// Its name, which precedes the size.
     pub fn name(self) -> &'static str {
         match self {
             Family::Pim => "pim",
@@ -64,25 +64,7 @@ impl Family {
         }
     }
 
-    /// What it is, with N for its size.
-    pub fn about(self) -> &'static str {
-        match self {
-            Family::Pim => "a chain of N merging units, each with a local frame buffer",
-            Family::Qt => "N units that walk down quadtrees",
-            Family::Flat => "the units of qtN, each a module of its own, so that nothing is replicated",
-            Family::Core => "N processors of RV32I, each with a program that sorts words",
-            Family::Simd => "N x N processors under one instruction",
-            Family::Pxpl => {
-                "N x N processors of one bit under one instruction, fed by a serial tree; N is a power of two"
-            }
-            Family::Systolic => "N x N cells that multiply matrices",
-            Family::Vc1 => "a VC-1 with N processors that draw at random, frame after frame",
-            Family::Renderer => "a renderer of Pixel-planes 5 that draws regions of N x N pixels; N is a power of two",
-            Family::Nodes => "N renderers of 32 x 32 pixels, one of them busy at a time",
-        }
-    }
-
-    /// The sizes that it can have.
+    /// The possible sizes.
     pub fn sizes(self) -> RangeInclusive<u32> {
         match self {
             Family::Pim | Family::Qt => 1..=4096,
@@ -102,21 +84,21 @@ impl Family {
     }
 }
 
-/// A design of some size, such as `pim16`, or `vc1x16@160x120` with a screen of that size; `qt1*16` is `qt1` with 16
-/// stimuli at once, of which the one of number `i` is held in reset `i` cycles longer than the first.
+/// A design of some size, such as `pim16`, or `vc1x16@160x120` with a screen of that size. `qt1*16` is `qt1` with 16
+/// stimuli at once; stimulus `i` stays in reset `i` cycles longer than the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Subject {
     family: Family,
     size: u32,
-    /// Of a VC-1.
+    /// The screen of a VC-1.
     screen: Screen,
     stimuli: u32,
 }
 
-/// How many stimuli there can be.
+/// The possible numbers of stimuli.
 const STIMULI: RangeInclusive<u32> = 1..=64;
 
-/// What is measured if nothing is asked for: small enough that a build with Verilator takes seconds.
+/// The default subjects: small enough that a build with Verilator takes seconds.
 pub const USUAL: [Subject; 6] = [
     Family::Pim.of_size(16),
     Family::Qt.of_size(1),
@@ -185,7 +167,7 @@ impl Subject {
     ///
     /// # Errors
     ///
-    /// There is none, unless a design has a mistake.
+    /// None, unless a design has a mistake.
     pub fn design(&self) -> Result<Design, Problems> {
         let size = self.size;
         match self.family {
@@ -205,12 +187,12 @@ impl Subject {
         Vc1Frames::new(self.screen, self.size).expect("it was tried when it was named")
     }
 
-    /// How many cycles a frame takes, in a design that draws frames.
+    /// The number of cycles of a frame, in a design that draws frames.
     pub fn frame_cycles(&self) -> Option<u64> {
         (self.family == Family::Vc1).then(|| self.vc1().frame_cycles())
     }
 
-    /// The same function in Verilog that was written by hand, if it was.
+    /// The hand-written Verilog with the same function, if it exists.
     pub fn hand_written(&self) -> Vec<HandWritten> {
         let written = |module, text, parameter| HandWritten { module, text, parameter: (parameter, self.size) };
         match self.family {
@@ -228,10 +210,10 @@ impl Subject {
         }
     }
 
-    /// The name of the Verilog that is printed of a design, among those of [`Subject::verilog`].
+    /// The name, among those of [`Subject::verilog`], of the Verilog printed from a design.
     pub const OUR_VERILOG: &str = "ours";
 
-    /// The names of what models can be made of: [`Subject::OUR_VERILOG`], and the modules that were written by hand.
+    /// The names of the Verilog for models: [`Subject::OUR_VERILOG`], and the hand-written modules.
     ///
     /// ```
     /// use tilewright_benches::Subject;
@@ -244,14 +226,14 @@ impl Subject {
         std::iter::once(Subject::OUR_VERILOG).chain(by_hand).collect()
     }
 
-    /// How many stimuli there are at once.
+    /// The number of stimuli at once.
     pub fn stimuli(&self) -> u32 {
         self.stimuli
     }
 
     /// The cycles after which the checksum of the first stimulus is known, and the checksum.
     pub fn known(&self) -> impl Iterator<Item = (u64, u32)> + use<> {
-        // The same function as of `qt`, so the same checksums.
+        // The same function as `qt`, so the same checksums.
         let name = Subject { stimuli: 1, ..*self }.to_string().replace("flat", "qt");
         KNOWN.iter().filter(move |(subject, ..)| *subject == name).map(|&(_, cycles, checksum)| (cycles, checksum))
     }

@@ -1,4 +1,4 @@
-//! A model that Verilator made as a contender.
+//! A model made by Verilator, as a contender.
 
 use crate::RESET_CYCLES;
 use crate::contender::{Contender, Run};
@@ -19,11 +19,12 @@ pub struct Verilated {
     model: Model,
 }
 
-/// The models of a subject that a Verilator makes: of what we print of it, and of what was written by hand; if some are named, of those alone.
+/// The models of a subject that a Verilator makes: from the Verilog that we print and from the hand-written one; if
+/// names are given, only those.
 ///
 /// # Errors
 ///
-/// Verilator or clang does not take one.
+/// Verilator or clang rejects one.
 pub fn models(compiler: &Compiler, subject: Subject, named: &[String]) -> Result<Vec<Verilated>, Error> {
     let design = subject.design().map_err(tilewright_sim::Error::from)?;
     let ports = ports(&design);
@@ -49,7 +50,7 @@ pub fn models(compiler: &Compiler, subject: Subject, named: &[String]) -> Result
     Ok(models)
 }
 
-/// The C++ header that tells the driver of the design's ports.
+/// The C++ header that describes the design's ports to the driver.
 fn ports(design: &Design) -> String {
     let top = design.top();
     let (mut clocks, mut resets) = (String::new(), String::new());

@@ -6,7 +6,7 @@ use tilewright_benches::designs::{Processor, ProcessorIn, ProcessorOut};
 use tilewright_benches::{Effort, Rivals, Subject, measure, reset};
 use tilewright_sim::Simulation;
 
-/// Runs a subject through all known checksums of at most so many cycles.
+/// Runs a subject through all known checksums of at most `most` cycles.
 #[track_caller]
 fn check(name: &str, most: u64) {
     let subject: Subject = name.parse().unwrap();
@@ -99,7 +99,7 @@ fn every_stimulus_of_several_at_once() {
     }
 }
 
-/// Where two clocks rise at one instant, it is one cycle of the simulator: there are somewhat fewer than is said.
+/// If two clocks rise at one instant, that is one cycle of the simulator: there are slightly fewer than stated.
 #[test]
 fn frames_follow_each_other_as_is_said() {
     for name in ["vc1x3@32x16", "vc1x16@32x16"] {

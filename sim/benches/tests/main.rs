@@ -1,4 +1,4 @@
-//! The benches: what they compute, and their Verilog.
+//! The benches: their results, and their Verilog.
 
 mod checksums;
 mod verilog;

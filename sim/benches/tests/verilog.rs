@@ -1,4 +1,4 @@
-//! What is printed of the designs, and what was written by hand, in the tools that take Verilog.
+//! The printed and the hand-written Verilog of the designs, in the tools that read Verilog.
 
 use tilewright_benches::designs::{Core, Pim, Pxpl, Qt, Regions, Simd, Vc1Frames};
 use tilewright_benches::{HandWritten, RESET_CYCLES, Subject, reset};
@@ -8,7 +8,7 @@ use tilewright_hdl::{Design, elaborate};
 use tilewright_rtl::parameter::Screen;
 use tilewright_sim::Simulation;
 
-/// Small designs; a small screen, as Yosys takes its time over what memories hold at the start.
+/// Small designs; a small screen, because Yosys is slow with the contents of memories.
 fn small() -> [Design; 7] {
     let pim = elaborate(&Pim { stages: 2, columns: 7, rows: 5 });
     let vc1 = elaborate(&Vc1Frames::new(Screen { width: 12, height: 8 }, 2).unwrap());
@@ -53,7 +53,7 @@ fn what_is_written_by_hand_has_the_known_checksums() {
     }
 }
 
-/// A testbench that compares the checksum after so many cycles.
+/// A testbench that compares the checksum after `cycles` cycles.
 fn bench(written: &HandWritten, cycles: u64, checksum: u32) -> VerilogFile {
     let (module, (parameter, value)) = (written.module, written.parameter);
     let text = format!(

@@ -1,4 +1,4 @@
-//! Which engine runs, and one that is made when it is needed.
+//! The choice of an engine, and an engine that is created when it is first needed.
 
 use std::cell::OnceCell;
 use std::ops::{Deref, DerefMut};
@@ -10,7 +10,7 @@ use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{interpreter, reference};
 
-/// Which engine executes a circuit. All give the same results.
+/// The engine that executes a circuit. All engines give the same results.
 ///
 /// ```
 /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
@@ -26,11 +26,11 @@ use crate::engine::{interpreter, reference};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum EngineKind {
-    /// The plainest one: the meaning that the others are held to.
+    /// The simplest one, which defines the correct results.
     Reference,
-    /// An interpreter that takes over by itself where no code can be generated.
+    /// An interpreter, which takes over if no code can be generated.
     Interpreter,
-    /// Machine code made for the circuit.
+    /// Machine code generated for the circuit.
     #[default]
     Compiled,
     /// Machine code beside the reference engine; the first difference is an error that names the signal and the clock.
@@ -38,7 +38,8 @@ pub enum EngineKind {
 }
 
 impl EngineKind {
-    /// Why this engine cannot run on this computer, if it cannot: only those that make machine code may be unable to.
+    /// Why this engine cannot run on this computer, if it cannot. This concerns only the engines that generate
+    /// machine code.
     ///
     /// ```
     /// use tilewright_sim::EngineKind;
@@ -52,24 +53,24 @@ impl EngineKind {
     }
 }
 
-/// An engine that is made when it is first needed: until then a simulation can be given another one for nothing.
+/// An engine that is created when it is first needed. Until then, a simulation can switch engines at no cost.
 pub(crate) struct Started {
     program: Arc<Program>,
-    /// The engine that was asked for.
+    /// The requested engine.
     chosen: EngineKind,
     /// Why no code can be generated, if it cannot.
     refused: Option<String>,
-    /// Of each run.
+    /// The seed of each run.
     pub seeds: Vec<u64>,
-    /// The engine, if it is the compiled one, which is told from the others: what a testbench asks of it in every cycle is done in
-    /// less time than it takes to find out at run time which engine it is.
+    /// The engine, if it is the compiled one. It is stored apart from the others because a testbench calls it in
+    /// every cycle, in less time than a dynamic dispatch would take.
     compiled: OnceCell<Box<Compiled>>,
-    /// The engine, if it is another one.
+    /// The engine, if it is any other one.
     other: OnceCell<Box<dyn Engine>>,
 }
 
 impl Started {
-    /// The circuit at its start on this engine, or on the interpreter where code cannot be generated.
+    /// The circuit at its start on this engine, or on the interpreter if no code can be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
         let refused = EngineKind::Compiled.refused();
         Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
@@ -81,12 +82,12 @@ impl Started {
         Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
-    /// As on a machine that no code can be generated for, for that reason.
+    /// Acts as on a machine for which no code can be generated, for the given reason.
     pub fn refuse(&self, reason: &str) -> Started {
         Started { refused: Some(reason.to_owned()), ..self.again(self.chosen, self.seeds.clone()) }
     }
 
-    /// The engine that was asked for.
+    /// The requested engine.
     pub fn chosen(&self) -> EngineKind {
         self.chosen
     }
@@ -96,48 +97,48 @@ impl Started {
         if self.fallback().is_some() { EngineKind::Interpreter } else { self.chosen }
     }
 
-    /// Why it is not the one that was asked for.
+    /// Why it is not the requested engine.
     pub fn fallback(&self) -> Option<&str> {
         let needs_code = matches!(self.chosen, EngineKind::Compiled | EngineKind::Both);
         self.refused.as_deref().filter(|_| needs_code)
     }
 
-    /// An edge of the only clock, if that is quickly done; whether it was.
+    /// An edge of the only clock, if there is a fast path; returns whether there was.
     #[inline]
     pub fn quick_edge(&mut self) -> bool {
         self.compiled.get_mut().is_some_and(|engine| engine.quick_edge())
     }
 
-    /// Sets an input that stands in that slot, if that is quickly done; whether it was.
+    /// Sets the input in this slot, if there is a fast path; returns whether there was.
     #[inline]
     pub fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
         self.compiled.get_mut().is_some_and(|engine| engine.quick_set(slot, number, triggers))
     }
 
-    /// Where a value stands for [`Started::quick_set`] and [`Started::quick_get`], as long as this engine runs.
+    /// The slot of a value for [`Started::quick_set`] and [`Started::quick_get`], valid as long as this engine runs.
     pub fn slot(&mut self, id: ValueId) -> Slot {
         self.compiled.get().map_or(Slot::NONE, |engine| engine.slot(id))
     }
 
-    /// The number in that slot, if it stands there as it is now.
+    /// The number in this slot, if it is up to date.
     #[inline]
     pub fn quick_get(&mut self, slot: Slot) -> Option<u64> {
         self.compiled.get_mut()?.quick_get(slot)
     }
 
-    /// As [`Started::quick_get`], brought up to date.
+    /// Like [`Started::quick_get`], but brings the number up to date first.
     pub fn refreshed(&mut self, slot: Slot) -> Option<u64> {
         self.compiled.get_mut()?.refreshed(slot)
     }
 
-    /// Puts another engine in its place.
+    /// Replaces the engine.
     #[cfg(test)]
     pub fn replace(&mut self, engine: Box<dyn Engine>) {
         self.compiled = OnceCell::new();
         self.other = OnceCell::from(engine);
     }
 
-    /// Makes the engine.
+    /// Creates the engine.
     #[cold]
     fn begin(&self) {
         let program = || self.program.clone();

@@ -1,4 +1,4 @@
-//! Two engines side by side, which must agree on everything that has a name, and on what is covered.
+//! Two engines side by side, which must agree on everything that has a name, and on covers.
 
 use std::sync::Arc;
 
@@ -8,22 +8,22 @@ use crate::engine::program::{Memory, Program, Triggers, ValueId, hierarchy};
 use crate::engine::reference;
 use crate::engine::{Difference, Done, Engine, Failed, Word};
 
-/// Two engines that do the same.
+/// Two engines that run the same circuit.
 pub(crate) struct Lockstep {
     program: Arc<Program>,
     reference: reference::Engine,
     other: Box<dyn Engine>,
-    /// Every value that has a name, once, in the order of the hierarchy, and the counters of covers.
+    /// Every named value, once, in the sequence of the hierarchy, and the counters of covers.
     named: Vec<ValueId>,
     instants: u64,
-    /// Something was set since the last comparison.
+    /// An input was set since the last comparison.
     touched: bool,
-    /// The first difference: from there on, nothing goes on.
+    /// The first difference; after it, neither engine continues.
     found: Option<Box<Difference>>,
 }
 
 impl Lockstep {
-    /// Both at the same start.
+    /// Both engines at the same start.
     pub fn new(program: Arc<Program>, reference: reference::Engine, other: Box<dyn Engine>) -> Lockstep {
         let mut seen = vec![false; program.circuit.len()];
         let signals = program.hierarchy.scopes.iter().flat_map(|scope| &scope.signals).map(|signal| signal.value);
@@ -34,7 +34,7 @@ impl Lockstep {
         lockstep
     }
 
-    /// Compares everything, after edges of these clocks or with none.
+    /// Compares everything, after edges of these clocks, or after none.
     fn compare(&mut self, rising: &[usize]) -> Result<(), Box<Difference>> {
         self.touched = false;
         let compared = self.compare_values(rising).and_then(|()| self.compare_memories(rising));
@@ -59,7 +59,7 @@ impl Lockstep {
         Err(self.difference(self.name(id, lane as u32), rising, reference, other))
     }
 
-    /// Compares the words that the reference engine has written, and from time to time others too.
+    /// Compares the words that the reference engine has written, and others from time to time.
     fn compare_memories(&mut self, rising: &[usize]) -> Result<(), Box<Difference>> {
         let mut words = self.reference.take_written();
         if self.instants.is_multiple_of(ALL_EVERY) {
@@ -94,7 +94,7 @@ impl Lockstep {
         Box::new(Difference { signal, instant: self.instants, clocks, reference, other })
     }
 
-    /// What the engines make of an assertion that fails on one of them.
+    /// The difference for an assertion that fails on one engine only.
     fn assertion(&self, failed: Failed, on_reference: bool) -> Box<Difference> {
         let assert = &self.program.asserts[failed.assert as usize];
         let hierarchy = &self.program.hierarchy;
@@ -129,9 +129,9 @@ impl Lockstep {
     }
 }
 
-/// How many words of a memory are compared although nobody has written them; the rest shows when it is read.
+/// The number of unwritten words of a memory that are compared; a difference in others is found when they are read.
 const COMPARED: u32 = 64;
-/// After how many instants they are.
+/// The number of instants between comparisons of unwritten words.
 const ALL_EVERY: u64 = 256;
 
 impl Engine for Lockstep {
@@ -223,7 +223,7 @@ mod tests {
         pub struct Out<T> { pub y: T }
     }
 
-    /// Takes over its input.
+    /// Stores its input.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Follow;
 
@@ -243,7 +243,7 @@ mod tests {
         }
     }
 
-    /// Side by side, the second with another input than the first.
+    /// Two engines side by side, the second with a different input.
     fn apart(x: u64, other: u64) -> Lockstep {
         let program = Arc::new(compile(&elaborate(&Follow).unwrap(), &crate::Passes::default()));
         let engine = || reference::Engine::new(program.clone(), &[0]);

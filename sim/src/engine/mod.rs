@@ -1,4 +1,4 @@
-//! What executes a circuit: the interface that every engine has, and the engines.
+//! The interface of all engines, and the engines.
 
 mod choice;
 mod compiled;
@@ -29,7 +29,7 @@ pub use passes::Passes;
 use program::{Program, Triggers, ValueId};
 use until::Until;
 
-/// An assertion that does not hold.
+/// An assertion that fails.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Failed {
     /// Its index in [`Program::asserts`](crate::engine::program::Program::asserts).
@@ -38,33 +38,33 @@ pub(crate) struct Failed {
     pub lane: u32,
 }
 
-/// What has been done of what was asked for.
+/// The part of a request that was carried out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Done {
-    /// How many edges.
+    /// The number of edges.
     pub edges: u64,
-    /// What may have changed.
+    /// Everything that may have changed.
     pub changed: Triggers,
 }
 
-/// The state of a clock. All else follows from how often it has risen, so that an edge is a matter of one number.
+/// The state of a clock. Everything else follows from the count of its edges, so an edge changes one number only.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Ticks {
     /// In picoseconds.
     pub period: u64,
-    /// How often it has risen.
+    /// The number of edges so far.
     pub cycles: u64,
-    /// How often it can rise until its time has no room in 64 bits.
+    /// The largest number of edges whose time fits in 64 bits.
     pub most: u64,
 }
 
 impl Ticks {
-    /// When it rose last; 0 if it has not.
+    /// The time of the last edge; 0 if there was none.
     pub fn last(&self) -> u64 {
         self.cycles * self.period
     }
 
-    /// When it rises next; none if that time has no room in 64 bits.
+    /// The time of the next edge; `None` if it does not fit in 64 bits.
     #[inline]
     pub fn next(&self) -> Option<u64> {
         (self.cycles < self.most).then(|| self.last() + self.period)
@@ -78,11 +78,11 @@ pub(crate) struct Word {
     pub memory: u32,
     /// The lane.
     pub lane: u32,
-    /// The address in it.
+    /// The address within it.
     pub address: u32,
 }
 
-/// Where two engines first differ.
+/// The first difference between two engines.
 ///
 /// ```
 /// use tilewright_hdl::Bits;
@@ -95,16 +95,16 @@ pub(crate) struct Word {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Difference {
-    /// The signal's hierarchical name, that of a memory with the address, or an instance and the message of an assertion
-    /// in it, which is 1 if it holds.
+    /// The signal's hierarchical name. It may also be the name of a memory with an address, or of an instance with
+    /// the message of an assertion in it. The value of an assertion is 1 if it passes.
     pub signal: String,
-    /// How many instants had passed.
+    /// The number of instants before it.
     pub instant: u64,
-    /// The clocks that rose then; none if the inputs of a later moment make the difference.
+    /// The clocks that rose then; none if later inputs cause the difference.
     pub clocks: Vec<String>,
-    /// What the reference engine has.
+    /// The value on the reference engine.
     pub reference: Bits,
-    /// What the other one has.
+    /// The value on the other engine.
     pub other: Bits,
 }
 
@@ -125,28 +125,28 @@ impl fmt::Display for Difference {
 
 impl std::error::Error for Difference {}
 
-/// How many limbs a row is a multiple of: a line of the cache.
+/// A row has a multiple of this number of limbs: a cache line.
 pub(crate) const LINE: usize = 8;
 
 /// A running circuit.
 ///
 /// Values are exchanged as 64-bit limbs, lane after lane, the lowest limb first, with zeros above the width.
 pub(crate) trait Engine: Send {
-    /// A value in all lanes, computed if it has to be.
+    /// A value in all lanes, computed if necessary.
     fn read(&mut self, id: ValueId) -> &[u64];
 
-    /// One lane of a value of up to 64 bits, computed if it has to be.
+    /// One lane of a value of up to 64 bits, computed if necessary.
     fn number(&mut self, id: ValueId, lane: u32) -> u64 {
         self.read(id)[lane as usize]
     }
 
-    /// Brings numbers that were seen up to date, each the only lane of a value of up to 64 bits; leaves the indices of those
-    /// that were others in `changed`. In `note`, which is empty the first time, an engine notes what it likes about them.
+    /// Brings numbers seen earlier up to date. Each is the only lane of a value of up to 64 bits. `changed` gets the
+    /// indices of those that differ. The engine may store notes about them in `note`, which is empty the first time.
     fn renew(&mut self, ids: &[ValueId], seen: &mut [u64], _note: &mut Vec<u32>, changed: &mut Vec<u32>) {
         renew_each(self, ids, seen, changed);
     }
 
-    /// Sets an input, all lanes of it.
+    /// Sets an input, in all its lanes.
     fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers);
 
     /// Sets an input of one lane and up to 64 bits.
@@ -166,27 +166,30 @@ pub(crate) trait Engine: Send {
     /// The assertions that fail at an edge of these clocks.
     fn check(&mut self, rising: &[usize]) -> Vec<Failed>;
 
-    /// So many edges of these clocks, one after another, with nothing in between; none before which an assertion fails.
-    /// At an edge all of them sample, then their registers, read data and memories change.
+    /// Executes `count` edges of these clocks, one after another, with nothing in between. It stops before an edge at
+    /// which an assertion fails. At an edge all clocks sample first; then their registers, read data and memories
+    /// change.
     ///
     /// # Errors
     ///
-    /// Two engines side by side differ.
+    /// The two engines of a pair differ.
     fn edges(&mut self, rising: &[usize], count: u64) -> Result<Done, Box<Difference>>;
 
-    /// Goes through some of the next instants of several clocks, up to a time; perhaps through none. An assertion holds before each.
+    /// Executes some of the next instants of several clocks, up to a time; perhaps none. All assertions pass before
+    /// each of them.
     fn instants(&mut self, _ticks: &mut [Ticks], _until: u64) {}
 
-    /// As [`Engine::edges`], but that none follows on one after which the condition holds; whether it does at the end.
+    /// Like [`Engine::edges`], but stops after an edge after which the condition is true; returns whether it is true
+    /// at the end.
     ///
     /// # Errors
     ///
-    /// Two engines side by side differ.
+    /// The two engines of a pair differ.
     fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
         one_by_one(self, rising, count, until)
     }
 
-    /// That two engines side by side have agreed so far, also on what follows from the inputs of this moment.
+    /// Checks that the two engines of a pair have agreed so far, including values that depend on the present inputs.
     ///
     /// # Errors
     ///
@@ -195,39 +198,41 @@ pub(crate) trait Engine: Send {
         Ok(())
     }
 
-    /// Whether a value is certainly as it was when this was last asked with the same `seen`, in which an engine notes what
-    /// it likes; empty the first time. Cheaper than to read it.
+    /// Whether a value is certainly the same as at the last call with the same `seen`, where the engine may store
+    /// notes; it is empty the first time. This is cheaper than reading the value.
     fn is_as_seen(&mut self, _id: ValueId, _seen: &mut Vec<u64>) -> bool {
         false
     }
 
-    /// At how many edges units had nothing to do and were left out, of all units together; or how many edges of clocks were left out.
+    /// The number of edges at which units had nothing to do and were skipped, summed over all units; or the number of
+    /// clock edges that were skipped.
     fn left_out(&self) -> u64 {
         0
     }
 
-    /// How many versions of loops have been made for what came often.
+    /// The number of specialised loop versions made for frequent values.
     fn versions(&self) -> u64 {
         0
     }
 
-    /// Prepares for these values being read together.
+    /// Prepares for reading these values together.
     fn watch(&mut self, _values: &[ValueId]) {}
 
-    /// Prepares for these values being taken before each of many edges, in rows; gives what [`Engine::edges_in_rows`]
-    /// knows them by, or nothing where the engine does not do so with them.
+    /// Prepares for collecting these values before each of many edges, in rows. Returns the index for
+    /// [`Engine::edges_in_rows`], or `None` if the engine cannot do so for them.
     fn take_in_rows(&mut self, _values: &[ValueId]) -> Option<usize> {
         None
     }
 
-    /// Edges as in [`Engine::edges`], perhaps fewer of them, with the values as they are before each: a row for each edge
-    /// that is done, of the limbs of one value after the other and zeros up to a multiple of [`LINE`]. Nothing where the values have to be read at each edge.
+    /// Executes edges like [`Engine::edges`], perhaps fewer, and collects the values before each. Each executed edge
+    /// has a row: the limbs of one value after another, and zeros up to a multiple of [`LINE`]. Returns `None` if the
+    /// values must be read at each edge instead.
     fn edges_in_rows(&mut self, _rows: usize, _rising: &[usize], _count: u64) -> Option<(Done, &[Cell<u64>])> {
         None
     }
 }
 
-/// As [`Engine::renew`], one number after another.
+/// Like [`Engine::renew`], one number after another.
 fn renew_each<E: Engine + ?Sized>(engine: &mut E, ids: &[ValueId], seen: &mut [u64], changed: &mut Vec<u32>) {
     changed.clear();
     for ((&id, seen), index) in ids.iter().zip(seen).zip(0..) {
@@ -238,7 +243,7 @@ fn renew_each<E: Engine + ?Sized>(engine: &mut E, ids: &[ValueId], seen: &mut [u
     }
 }
 
-/// Edges until a condition holds, with a look at it after each.
+/// Executes edges until a condition is true, checking it after each.
 fn one_by_one<E: Engine + ?Sized>(
     engine: &mut E,
     rising: &[usize],

@@ -1,6 +1,7 @@
-//! What is done to make a program fast, each of it for tests to switch.
+//! The optimisation passes, each of which tests can switch off.
 
-/// The optimisation passes. None changes what a circuit does, which running a design with and without them shows.
+/// The optimisation passes. None changes the behaviour of a circuit; tests run designs with and without them to show
+/// it.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -10,62 +11,65 @@
 /// let without_folding = Passes { fold: false, ..Passes::default() };
 /// let mut sim = Simulation::with_passes(&design, &without_folding)?;
 /// sim.run(5);
-/// assert_eq!(sim.peek("count")?, 0); // as with it
+/// assert_eq!(sim.peek("count")?, 0); // the same as with it
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Passes {
-    /// Instances of one module that were written one by one run as an array.
+    /// Runs separate instances of one module as an array.
     pub siblings: bool,
-    /// Constants are computed, and operations that do nothing are left out.
+    /// Computes constants, and removes operations without effect.
     pub fold: bool,
-    /// What is equal is computed once.
+    /// Computes equal expressions once.
     pub share: bool,
-    /// What is the same in all lanes, or in all rows, is computed once.
+    /// Computes once what is the same in all lanes, or in all rows.
     pub uniform: bool,
-    /// Lanes that are computed alike, but were written one by one, are computed together.
+    /// Computes lanes together that are described one by one but computed alike.
     pub lift: bool,
-    /// Words wider than a register of the machine are split into the fields that they are made of.
+    /// Splits words wider than a machine register into the fields that they consist of.
     pub fields: bool,
-    /// From how many lanes on what has one bit in each is computed in words of as many lanes as the machine has bits; a row of fewer lanes
-    /// in one word.
+    /// From this number of lanes on, 1-bit lanes are computed in words of as many lanes as a machine word has bits. A
+    /// row with fewer lanes uses a single word.
     pub pack_from: u32,
-    /// Work on an array is postponed to one loop.
+    /// Postpones work on an array to one loop.
     pub postpone: bool,
-    /// A choice by one value for all lanes becomes a branch around the loop; loops are parted, and left out where nothing would change.
+    /// Makes a branch around the loop of a choice that all lanes share. Loops are split, and skipped if nothing would
+    /// change.
     pub branch: bool,
-    /// Choices between constants become tables, and shifted halves rotations.
+    /// Makes tables of choices between constants, and rotations of shifted halves.
     pub lookups: bool,
-    /// Words of memories with the same ports stand side by side.
+    /// Places the words of memories with the same ports side by side.
     pub side_by_side: bool,
-    /// A memory that is full of one word at the start is not written then.
+    /// Does not write a memory at the start if all its words are equal then.
     pub blanks: bool,
-    /// Bytes of a memory up to which lanes read it, each at its own address, in the loop that takes the words; larger
-    /// ones have a loop of their own.
+    /// The largest memory, in bytes, that lanes read at addresses of their own within the loop that uses the words.
+    /// Larger ones have a loop of their own.
     pub near: usize,
-    /// After how many edges without a change of the inputs that are up to 8 bits wide code is made for them.
+    /// After this number of edges with unchanged inputs of up to 8 bits, code is made for their present values.
     pub held_after: u64,
-    /// After how many edges with a look at an output before each there is a function for what is left to do at an edge.
+    /// After this number of edges, each preceded by a look at an output, a function is made for the remaining work of
+    /// an edge.
     pub looks_after: u64,
-    /// From how many operations on a function is cut into several.
+    /// Functions of more operations than this are split.
     pub longest: usize,
-    /// How often a combination of numbers that choose what all lanes of a loop do has to come, until there is a version of the loop for it.
+    /// A combination of numbers that select the operation of all lanes in a loop must occur this often before the
+    /// loop gets a version for it.
     pub versions_after: u32,
-    /// How many operations on vectors such a loop has, at the least.
+    /// The least number of vector operations in such a loop.
     pub versions_from: usize,
-    /// How many lanes values of an instance of an array have, at the most, from which on the instances run one by one, as units, of which those
-    /// are left out that have nothing to do.
+    /// From this largest number of lanes within an instance of an array on, the instances run one by one, as units.
+    /// Units with nothing to do are skipped.
     pub apart_from: u32,
-    /// How many operations on single values such an instance has, at the least.
+    /// The least number of scalar operations in such an instance.
     pub apart_single: usize,
-    /// How many operations on vectors an edge of a clock takes, about and at the least, so that it is left out where nothing happens at it,
-    /// in a circuit of several clocks.
+    /// The least number of vector operations, approximately, at a clock edge that is skipped when nothing happens at
+    /// it. It applies to circuits with several clocks.
     pub idle_from: usize,
-    /// No machine code is made of operations: what it would be made of is evaluated instead, by what operations mean. Slow; it
-    /// tells whether a mistake is made before code or in it.
+    /// Interprets the operations that would become machine code. It is slow, and tells whether a mistake is made
+    /// before code generation or in it.
     pub evaluated: bool,
-    /// What code works on lies between pages that nobody may touch, so that code that reaches out of it ends the program;
-    /// on wherever debug assertions are.
+    /// Places the data of generated code between protected pages, so that an access out of bounds ends the program.
+    /// It is on if debug assertions are.
     pub guarded: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What registers and memories hold before the first edge, for whatever engine is to hold it.
+//! The values of registers and memories before the first edge, for any engine.
 
 use std::ops::Range;
 
@@ -8,17 +8,17 @@ use tilewright_hdl::{Bits, limbs_for, top_mask};
 use crate::engine::program::hierarchy::Role;
 use crate::engine::program::{Memory, Program, Register, ValueId};
 
-/// State that is zero at first, and told what is not.
+/// State that is zero at first; only other values are set.
 pub(crate) trait State {
-    /// The value that each of these lanes of a register, or of read data, has.
+    /// Sets the value of these lanes of a register, or of read data.
     fn set(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]);
 
-    /// The word that each of these lanes of a memory has at each of these addresses.
+    /// Sets the word of these lanes of a memory at each of these addresses.
     fn set_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]);
 }
 
-/// Sets registers to their values at power-on or after a reset, memories to their contents, and the rest from the seed of its run, zeros if
-/// that is 0.
+/// Sets registers to their values at power-on or after a reset, and memories to their contents. Everything else comes
+/// from the seed of its run, or is zero if the seed is 0.
 pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
     for (index, memory) in (0..).zip(&program.memories) {
         fill_memory(index, memory, state);
@@ -40,7 +40,7 @@ pub(crate) fn start(program: &Program, seeds: &[u64], state: &mut impl State) {
     }
 }
 
-/// Gives a register what it holds after a reset.
+/// Sets a register to its value after a reset.
 pub(crate) fn reset(program: &Program, register: &Register, state: &mut impl State) {
     let lanes = program.circuit[register.value].lanes;
     match &register.reset {
@@ -76,8 +76,8 @@ fn fill_words(index: u32, lanes: Range<u32>, words: &[Bits], state: &mut impl St
     }
 }
 
-/// Fills registers, read data and unknown memories of a run with numbers that depend on the seed and the name alone, so that an
-/// array starts the same whether it runs in lanes or unrolled.
+/// Fills registers, read data and unknown memories of a run with numbers that depend only on the seed and the name.
+/// So an array starts alike whether it runs in lanes or unrolled.
 fn scatter(program: &Program, run: u32, seed: u64, state: &mut impl State) {
     for place in program.hierarchy.places(run) {
         let scope = program.hierarchy.scope(place.scope);

@@ -1,4 +1,4 @@
-//! What ends a run.
+//! The condition that ends a run.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Relation;
@@ -6,7 +6,7 @@ use tilewright_hdl::ir::Relation;
 use crate::engine::program::ValueId;
 use crate::limbs;
 
-/// How a value is to compare with a number, both unsigned.
+/// The comparison of a value with a number, both unsigned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Order {
     Is,
@@ -16,7 +16,7 @@ pub(crate) enum Order {
 }
 
 impl Order {
-    /// What the value is to the number while this does not hold.
+    /// The relation that is true if this one is not.
     pub fn otherwise(self) -> Relation {
         match self {
             Order::Is => Relation::Ne,
@@ -37,7 +37,7 @@ pub(crate) struct Until {
 }
 
 impl Until {
-    /// Whether it holds for this value.
+    /// Whether the condition is true for this value.
     pub fn holds(&self, value: &[u64]) -> bool {
         let order = limbs::compare(value, self.number.limbs());
         match self.order {

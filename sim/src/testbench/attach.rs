@@ -1,4 +1,4 @@
-//! What can watch a simulation, and how it is attached.
+//! The observers of a simulation, and how they are attached.
 
 use tilewright_hdl::Bundle;
 
@@ -9,14 +9,14 @@ use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
 
-/// What a wave shows: a port, or anything with a name.
+/// An item of a wave: a port, or anything with a name.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
 /// let mut sim = Simulation::of(&Counter)?;
 /// sim.set(sim.i.enable, 1);
 /// let ports = sim.record([sim.o.count]); // by a port, ..
-/// let inside = sim.record(["late"]); // .. or by the name of anything inside
+/// let inside = sim.record(["late"]); // .. or by the name of any object inside
 /// sim.run(3);
 /// ports.expect(r"
 ///     clk   |___/~\_/~\_/
@@ -47,7 +47,7 @@ impl From<&str> for Probe {
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// Writes a waveform file from here on; [`Simulation::finish`] ends it.
+    /// Writes a waveform file from now on; [`Simulation::finish`] ends it.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -69,13 +69,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.trace(0, vcd)
     }
 
-    /// The header of the file that [`Simulation::trace`] would write: from `$version` to `$enddefinitions`.
+    /// The header of the file that [`Simulation::trace`] would write, from `$version` to `$enddefinitions`.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// let header = sim.trace_header(&Vcd::to("counter.vcd").only("late"))?;
-    /// assert!(String::from_utf8(header).unwrap().contains(" late ")); // and there is no file yet
+    /// assert!(String::from_utf8(header).unwrap().contains(" late ")); // and no file is created
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -86,7 +86,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(header(&self.circuit.program, 0, &vcd.patterns)?.text)
     }
 
-    /// Records inputs and outputs at every instant from here on, and what memories were poked with before the first step.
+    /// Records inputs and outputs at every instant from now on, and the memory words that were poked before the first
+    /// step.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -102,15 +103,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// After the first step, or with a seed: a replay could not start from the same state.
+    /// Called after the first step, or with a seed: a replay could not start from the same state.
     #[track_caller]
     pub fn recording(&mut self) -> Recorder {
         self.circuit.recording(0)
     }
 
-    /// Draws a wave of these ports and signals, by [`Port`] or by name, from here on. In the last part of a name `*` stands for any characters:
-    /// `entry_*` are the fields of the record `entry`, or of the payload of a stream, each by its name. Of a signal with lanes it draws all,
-    /// or by `cells[3]` one.
+    /// Draws a wave of these ports and signals, given as a [`Port`] or by name, from now on. In the last part of a
+    /// name, `*` stands for any characters: `entry_*` matches each field of the record `entry`, or of a stream's
+    /// payload. For a signal with lanes the wave shows all lanes, or with `cells[3]` a single one.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

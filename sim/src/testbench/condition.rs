@@ -1,4 +1,4 @@
-//! What a run is to go on until.
+//! The condition at which a run stops.
 
 use tilewright_hdl::Bundle;
 
@@ -9,7 +9,7 @@ use crate::testbench::run::done;
 use crate::testbench::running::{Running, bits};
 use crate::testbench::simulation::Simulation;
 
-/// What a port is to be: made of a [`Port`] by [`Port::is`] and its like, or of one of 1 bit by itself, which is to be 1.
+/// A condition on a port, made by [`Port::is`] and similar methods. A 1-bit [`Port`] by itself means that it is 1.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -17,19 +17,19 @@ use crate::testbench::simulation::Simulation;
 /// sim.set(sim.i.enable, 1);
 /// let nine = sim.o.square.is(9);
 /// assert_eq!(sim.run_until(nine, 100), Some(3)); // 3
-/// assert_eq!(sim.run_until(nine, 100), Some(16)); // 19, of which the lower 4 bits are 3
+/// assert_eq!(sim.run_until(nine, 100), Some(16)); // 19, whose lower 4 bits are 3
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Condition {
     port: Port,
-    /// Nothing for a port that is to be 1.
+    /// `None` for a port that must be 1.
     compared: Option<(Order, u64)>,
 }
 
 /// Conditions for [`Simulation::run_until`]; numbers are unsigned.
 impl Port {
-    /// The port is this number.
+    /// The port equals this number.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -42,13 +42,13 @@ impl Port {
         self.compared(Order::Is, number)
     }
 
-    /// The port is another number.
+    /// The port differs from this number.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// sim.set(sim.i.enable, 1);
-    /// assert_eq!(sim.run_until(sim.o.count.is_not(0), 100), Some(1)); // whatever comes next
+    /// assert_eq!(sim.run_until(sim.o.count.is_not(0), 100), Some(1)); // any other value
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn is_not(self, number: u64) -> Condition {
@@ -70,7 +70,7 @@ impl Port {
         self.compared(Order::Below, number)
     }
 
-    /// The port is this number or a larger one.
+    /// The port is at least this number.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -95,18 +95,19 @@ impl From<Port> for Condition {
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// Goes from instant to instant until a condition holds, but not through more than `limit` of them; gives how many it
-    /// were, or `None` if the condition does not hold after `limit`.
+    /// Advances from instant to instant until a condition is true, but at most `limit` instants. Returns the number
+    /// of instants, or `None` if the condition is still not true after `limit`.
     ///
-    /// The condition is looked at after each instant, settled with the inputs of this moment; so there is always one, also
-    /// if the condition holds before. With one clock and nobody watching, this is as fast as [`Simulation::run`].
+    /// The condition is checked after each instant, settled with the present inputs. So there is always at least one
+    /// instant, even if the condition is true before. With one clock and no observer, this is as fast as
+    /// [`Simulation::run`].
     ///
     /// ```
     /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
     /// # bundle! {
-    /// #     /// What is counted.
+    /// #     /// The event.
     /// #     pub struct CounterIn<T> { pub enable: T }
-    /// #     /// How many there were.
+    /// #     /// The number of events.
     /// #     pub struct CounterOut<T> { pub count: T, pub full: T }
     /// # }
     /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -131,8 +132,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// The number of the condition does not fit into its port, or a port of several bits is not compared with one; or as
-    /// [`Simulation::step`].
+    /// The number of the condition does not fit in its port, or a port of several bits is not compared with a number;
+    /// or as [`Simulation::step`].
     #[track_caller]
     pub fn run_until(&mut self, condition: impl Into<Condition>, limit: u64) -> Option<u64> {
         let until = self.circuit.until(condition.into());
@@ -145,7 +146,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
     }
 
-    /// As [`Simulation::run_until`].
+    /// Like [`Simulation::run_until`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -162,7 +163,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// The condition is not one of its port, as in [`Simulation::run_until`].
+    /// The condition is invalid for its port, as in [`Simulation::run_until`].
     #[track_caller]
     pub fn try_run_until(&mut self, condition: impl Into<Condition>, limit: u64) -> Result<Option<u64>, Error> {
         let until = self.circuit.until(condition.into());
@@ -180,7 +181,7 @@ impl Running {
         let width = self.program.value(value).width;
         assert!(
             compared.is_some() || width == 1,
-            "`{name}` has {width} bits: say what it is to be, as in `sim.o.{name}.is(5)`"
+            "`{name}` has {width} bits: compare it with a number, as in `sim.o.{name}.is(5)`"
         );
         let (order, number) = compared.unwrap_or((Order::Is, 1));
         match number.into_value(width) {
@@ -189,7 +190,7 @@ impl Running {
         }
     }
 
-    /// What the condition says, such as `count` to be below 5.
+    /// The condition in words, such as `count` to be below 5.
     pub fn condition_text(&self, Condition { port, compared }: Condition) -> String {
         let (order, number) = match compared.unwrap_or((Order::Is, 1)) {
             (Order::Is, number) => ("", number),
@@ -200,7 +201,7 @@ impl Running {
         format!("`{}` to be {order}{number}", self.declared(port).name)
     }
 
-    /// Goes on until the condition holds; gives after how many instants.
+    /// Advances until the condition is true; returns the number of instants.
     fn try_run_until(&mut self, until: &Until, limit: u64) -> Result<Option<u64>, Error> {
         if self.is_plain() {
             let fits = limit.min(self.timeline.room());

@@ -1,4 +1,4 @@
-//! How often covers were hit.
+//! The counts of covers.
 
 use tilewright_hdl::{Bundle, Loc};
 
@@ -17,26 +17,26 @@ use super::simulation::Simulation;
 /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
 /// def!(count = m.reg(2).reset(0));
 /// count.when(i.enable, count + 1);
-/// m.cover("it stands at 0", count.eq(0));
+/// m.cover("it is at 0", count.eq(0));
 /// #     ShownOut { count: *count }
 /// # };
 /// let mut sim = tilewright_sim::Simulation::from_design(&design).unwrap();
 /// sim.run(10);
 /// let covered = &sim.covers()[0];
-/// assert_eq!((&*covered.path, covered.count), ("it stands at 0", 10));
+/// assert_eq!((&*covered.path, covered.count), ("it is at 0", 10));
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Covered {
-    /// Its name behind the instance's path: `u_table.a page is taken`.
+    /// Its name after the instance's path: `u_table.a page is taken`.
     pub path: String,
-    /// At how many edges it was hit while the reset was low, those of all its lanes together.
+    /// The number of edges at which it was hit while the reset was low, summed over its lanes.
     pub count: u64,
-    /// Where the description states it.
+    /// The place in the description.
     pub loc: Loc,
 }
 
 impl Running {
-    /// The covers of a run, in order of declaration.
+    /// The covers of a run, in the sequence of declaration.
     pub fn covers(&mut self, run: u32) -> Vec<Covered> {
         let program = self.program.clone();
         let mut all = Vec::new();
@@ -53,14 +53,14 @@ impl Running {
         all
     }
 
-    /// How often the cover of that path was hit in a run.
+    /// The count of the cover with this path in a run.
     pub fn covered(&mut self, path: &str, run: u32) -> Result<u64, UnknownName> {
         let all = self.covers(run);
         let found = all.iter().find(|cover| cover.path == path).map(|cover| cover.count);
         found.ok_or_else(|| UnknownName::new("cover", path, &all.into_iter().map(|it| it.path).collect::<Vec<_>>()))
     }
 
-    /// How often a cover was hit in each lane, without what was counted while its reset was high.
+    /// The count of a cover in each lane, without the edges at which its reset was high.
     fn counted(&mut self, index: usize) -> Vec<u64> {
         let cover = &self.program.covers[index];
         let (value, clock) = (cover.counter, cover.clock as usize);
@@ -69,7 +69,7 @@ impl Running {
         until.iter().zip(&self.in_reset[index]).map(|(counted, ignored)| counted.wrapping_sub(*ignored)).collect()
     }
 
-    /// The reset of a clock begins or ends: what is counted between does not count.
+    /// Notes that a clock's reset begins or ends: edges between do not count.
     pub fn cover_reset(&mut self, clock: usize, high: bool) {
         let program = self.program.clone();
         for (index, cover) in program.covers.iter().enumerate().filter(|(_, cover)| cover.clock as usize == clock) {
@@ -84,7 +84,7 @@ impl Running {
         }
     }
 
-    /// Nothing has been counted.
+    /// Sets all counts to zero.
     pub fn clear_covers(&mut self) {
         let lanes = |cover: &Cover| self.program.value(cover.counter).lanes as usize;
         self.in_reset = self.program.covers.iter().map(|cover| vec![0; lanes(cover)]).collect();
@@ -93,12 +93,13 @@ impl Running {
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// At how many edges a cover of that name was hit while the reset was low: `sim.covered("u_table.a page is taken")`.
+    /// The number of edges at which the cover with this name was hit while the reset was low:
+    /// `sim.covered("u_table.a page is taken")`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// block! {
-    ///     /// Counts from 0 to 9, again and again.
+    ///     /// Counts from 0 to 9 repeatedly.
     ///     pub struct Digit;
     ///     in DigitIn { count: bit() }
     ///     out DigitOut { digit: below(10) }
@@ -110,7 +111,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///         def!(wraps = i.count & digit.eq(9));
     ///         digit.when(wraps, 0).when(i.count, digit + 1);
     ///         m.cover("all digits are counted", wraps);
-    ///         m.cover("it holds", m.stable(digit));
+    ///         m.cover("it is stable", m.stable(digit));
     ///         DigitOut { digit: *digit }
     ///     }
     /// }
@@ -119,23 +120,23 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// sim.set(sim.i.count, 1);
     /// sim.run(25);
     /// assert_eq!(sim.covered("all digits are counted")?, 2);
-    /// assert_eq!(sim.uncovered(), ["it holds"]);
+    /// assert_eq!(sim.uncovered(), ["it is stable"]);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// There is no such cover; the error has the nearest name.
+    /// There is no such cover; the error suggests the nearest name.
     pub fn covered(&mut self, path: &str) -> Result<u64, UnknownName> {
         self.circuit.covered(path, 0)
     }
 
-    /// All covers, in order of declaration, with how often each was hit.
+    /// All covers, in the sequence of declaration, with their counts.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
-    /// assert!(sim.covers().is_empty()); // it states none
+    /// assert!(sim.covers().is_empty()); // the block has none
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn covers(&mut self) -> Vec<Covered> {
@@ -147,7 +148,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
-    /// assert!(sim.uncovered().is_empty()); // where there are none, all are covered
+    /// assert!(sim.uncovered().is_empty()); // without covers, none is missing
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn uncovered(&mut self) -> Vec<String> {
@@ -156,7 +157,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 }
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
-    /// At how many edges a cover of that name was hit in a run.
+    /// The number of edges at which the cover with this name was hit in a run.
     ///
     /// ```
     /// use tilewright_hdl::*;
@@ -164,18 +165,18 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// # let design = tilewright_sim::shown! { |m, i| in { enable: bit() } out { count: bits(2) }
     /// def!(count = m.reg(2).reset(0));
     /// count.when(i.enable, count + 1);
-    /// m.cover("it stands at 0", count.eq(0));
+    /// m.cover("it is at 0", count.eq(0));
     /// #     ShownOut { count: *count }
     /// # };
     /// let mut batch = tilewright_sim::Batch::from_design(&design, 2).unwrap();
     /// batch.set(batch.port("enable").unwrap(), 1, 1);
     /// batch.run(8);
-    /// assert_eq!([0, 1].map(|run| batch.covered("it stands at 0", run).unwrap()), [8, 2]);
+    /// assert_eq!([0, 1].map(|run| batch.covered("it is at 0", run).unwrap()), [8, 2]);
     /// ```
     ///
     /// # Errors
     ///
-    /// There is no such cover; the error has the nearest name.
+    /// There is no such cover; the error suggests the nearest name.
     pub fn covered(&mut self, path: &str, run: u32) -> Result<u64, UnknownName> {
         self.ready().circuit.covered(path, run)
     }

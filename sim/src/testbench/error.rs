@@ -1,4 +1,4 @@
-//! What can go wrong, in whole sentences.
+//! Errors, in whole sentences.
 
 use std::fmt;
 use std::path::PathBuf;
@@ -7,9 +7,9 @@ use tilewright_hdl::{Loc, Problems};
 
 use crate::engine::Difference;
 
-/// Why a simulation could not be made or could not go on.
+/// Why a simulation could not be made or could not continue.
 ///
-/// Its `Debug` is its sentences, so that a `main` that returns it says what is wrong.
+/// Its `Debug` text is its sentences, so that a `main` that returns it prints them.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, Error, for_examples::Counter};
@@ -26,15 +26,15 @@ pub enum Error {
     /// The description has mistakes.
     #[error(transparent)]
     Description(#[from] Problems),
-    /// Assertions or assumptions do not hold.
+    /// Assertions or assumptions fail.
     #[error("{}", sentences(.0))]
     Violated(Vec<Violation>),
-    /// A batch needs a run, and has no room for any number of them.
+    /// A batch needs at least one run, and the number of runs is limited.
     #[error("a batch of this design has from 1 to {most} runs, not {runs}")]
     Runs {
-        /// How many were asked for.
+        /// The requested number.
         runs: u32,
-        /// How many there can be.
+        /// The largest possible number.
         most: u32,
     },
     /// There is no such name.
@@ -43,10 +43,10 @@ pub enum Error {
     /// A step needs a clock.
     #[error("the design has no clock to step: use `set` and `get` alone")]
     NoClock,
-    /// The time of the next edge has no room in 64 bits.
+    /// The time of the next edge does not fit in 64 bits.
     #[error("the simulation is at its end: the next edge would be later than 2^64 ps, which is 213 days")]
     Late,
-    /// Two engines side by side do not agree.
+    /// Two engines side by side differ.
     #[error(transparent)]
     Differs(#[from] Box<Difference>),
     /// A trace could not be written.
@@ -54,7 +54,7 @@ pub enum Error {
     Trace {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         source: std::io::Error,
     },
 }
@@ -72,7 +72,7 @@ fn sentences(violations: &[Violation]) -> String {
     violations.iter().map(Violation::to_string).collect::<Vec<_>>().join("\n")
 }
 
-/// An assertion or assumption that does not hold at an edge of its clock.
+/// An assertion or assumption that fails at an edge of its clock.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -88,9 +88,9 @@ fn sentences(violations: &[Violation]) -> String {
 pub struct Violation {
     /// Its message.
     pub message: String,
-    /// It is an assumption: not the circuit is wrong, but what it is given.
+    /// It is an assumption: the stimulus is wrong, not the circuit.
     pub is_assumption: bool,
-    /// The run of a [`Batch`](crate::Batch), from 0; `None` where there is only one.
+    /// The run of a [`Batch`](crate::Batch), from 0; `None` if there is only one.
     pub run: Option<u32>,
     /// The instance's path below the top; the top module's name for the top itself.
     pub instance: String,
@@ -100,7 +100,7 @@ pub struct Violation {
     pub cycle: u64,
     /// The time of the edge in picoseconds.
     pub time: u64,
-    /// Where the description states it.
+    /// The place in the description.
     pub loc: Loc,
 }
 
@@ -124,11 +124,11 @@ impl fmt::Display for Violation {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownName {
-    /// What was looked for: `signal`, `memory`, `clock`, `port`.
+    /// The kind of object: `signal`, `memory`, `clock`, `port`.
     pub what: &'static str,
     /// The name as given.
     pub name: String,
-    /// The nearest name that there is, or what there is to choose from.
+    /// The nearest existing name, or a list of names to choose from.
     pub hint: String,
 }
 
@@ -138,7 +138,7 @@ impl UnknownName {
         UnknownName::among(what, name, names, names)
     }
 
-    /// The error with the nearest of `names` as its hint, or if none is near with what there is to `choose` from.
+    /// The error with the nearest of `names` as its hint or, if none is near, with the names to `choose` from.
     pub(crate) fn among(what: &'static str, name: &str, names: &[String], choose: &[String]) -> UnknownName {
         let nearest = names.iter().min_by_key(|candidate| distance(name, candidate));
         let hint = match nearest {
@@ -162,7 +162,7 @@ impl fmt::Display for UnknownName {
 
 impl std::error::Error for UnknownName {}
 
-/// The Levenshtein distance: how many characters have to be added, removed or replaced.
+/// The Levenshtein distance: the number of characters to add, remove or replace.
 fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

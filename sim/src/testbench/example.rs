@@ -1,4 +1,4 @@
-//! The frame of an example in the documentation: a block without ports around a few lines that describe hardware.
+//! The frame of a documentation example: a block without ports around a few lines that describe hardware.
 #![expect(
     unpredictable_function_pointer_comparisons,
     reason = "a block can be compared, but an example is the only one"
@@ -12,10 +12,11 @@ use tilewright_hdl::{Block, Design, Module, elaborate};
 use crate::engine::EngineKind;
 use crate::testbench::simulation::Simulation;
 
-/// The clocks that an example's assertions are checked in.
+/// The number of clocks for which an example's assertions are checked.
 const CLOCKS: u64 = 64;
 
-/// What an example describes. It has no ports, so it states by itself what holds, or is looked at by the names of its registers and nets.
+/// The circuit of an example. It has no ports, so it states its own assertions, or a test reads its registers and
+/// nets by name.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Example {
     build: fn(Module),
@@ -31,7 +32,7 @@ impl Block for Example {
         (self.build)(m);
     }
 
-    // A pointer would be another number in each run.
+    // A function pointer would be a different number in each run.
     fn name(&self) -> String {
         "example".to_owned()
     }
@@ -44,11 +45,11 @@ impl Example {
     }
 }
 
-/// Runs an example that states what holds, for 64 clocks.
+/// Runs an example with assertions for 64 clocks.
 ///
 /// # Panics
 ///
-/// It has mistakes, states nothing, or something of it does not hold.
+/// It has mistakes, states no assertion, or an assertion fails.
 #[doc(hidden)]
 #[track_caller]
 pub fn example(build: fn(Module)) {
@@ -58,7 +59,7 @@ pub fn example(build: fn(Module)) {
     simulation(&design).run(CLOCKS);
 }
 
-/// An example whose values over time are looked at.
+/// An example whose values over time are read.
 ///
 /// # Panics
 ///
@@ -78,11 +79,11 @@ pub struct Traced {
 }
 
 impl Traced {
-    /// What a register or a net of that name is just before each of the first edges, as many as are asked for.
+    /// The values of the register or net with this name just before each of the first `N` edges.
     ///
     /// # Panics
     ///
-    /// There is none of that name, or an assertion does not hold.
+    /// There is no such name, or an assertion fails.
     #[track_caller]
     pub fn values<const N: usize>(&self, name: &str) -> [u64; N] {
         let mut sim = simulation(&self.design);
@@ -94,7 +95,8 @@ impl Traced {
     }
 }
 
-/// The design of a block of which an example shows what `build` says: `m` and `i` are its arguments, and it returns a `ShownOut`.
+/// The design of a block for an example. `build` is given: `m` and `i` are its arguments, and it returns a
+/// `ShownOut`.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! shown {
@@ -115,7 +117,7 @@ macro_rules! shown {
     }};
 }
 
-/// On the engine that says what is right.
+/// On the reference engine.
 #[track_caller]
 fn simulation(design: &Design) -> Simulation {
     Simulation::from_design(design).unwrap_or_else(|error| panic!("{error}")).on(EngineKind::Reference)

@@ -4,14 +4,14 @@ use tilewright_hdl::catalog::{Entry, Parameter};
 use tilewright_hdl::{DEFAULT_PERIOD, Module, ReadUnderWrite, Script, bit, bits, block, def, elaborate};
 
 block! {
-    /// Counts, and squares how far it is.
+    /// Counts, and squares the count.
     pub struct Counter;
     in CounterIn {
-        /// It counts.
+        /// Counts while high.
         enable: bit(),
     }
     out CounterOut {
-        /// How far it is.
+        /// The count.
         count: bits(8),
         /// The square of its lower 4 bits.
         square: bits(8),
@@ -31,7 +31,7 @@ impl Counter {
     }
 }
 
-/// The counter with the clocks of its scenario.
+/// The counter, whose scenario has a parameter for its clocks.
 pub const COUNTER: Entry = Entry {
     name: "counter",
     summary: "counts",
@@ -74,11 +74,11 @@ block! {
     /// Adds one to each word.
     pub struct Increment;
     in IncrementIn {
-        /// What comes in.
+        /// The stream that comes in.
         words: stream(8),
     }
     out IncrementOut {
-        /// One more.
+        /// Each word plus one.
         sums: stream(8),
     }
 }

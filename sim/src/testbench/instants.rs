@@ -1,4 +1,4 @@
-//! Letting time pass for a running circuit.
+//! Advancing a running circuit in time.
 
 use crate::engine::Failed;
 use crate::engine::program::Triggers;
@@ -16,7 +16,7 @@ impl Running {
         self.engine.set_reset(clock, high);
     }
 
-    /// As [`Running::try_step`].
+    /// Like [`Running::try_step`].
     ///
     /// # Panics
     ///
@@ -35,7 +35,7 @@ impl Running {
         done(self.try_step());
     }
 
-    /// Goes to the next instant, if that is quickly done.
+    /// Advances to the next instant, if there is a fast path.
     #[inline]
     fn quick_step(&mut self) -> bool {
         let is_done = self.observers.is_empty() && self.timeline.room() > 0 && self.engine.quick_edge();
@@ -45,7 +45,7 @@ impl Running {
         is_done
     }
 
-    /// Goes to the next instant and through the edges there.
+    /// Advances to the next instant and through its edges.
     #[inline]
     pub fn try_step(&mut self) -> Result<(), Error> {
         if self.quick_step() {
@@ -60,7 +60,7 @@ impl Running {
         self.single_step()
     }
 
-    /// Goes to the next instant with a look at everything, and through the edges there.
+    /// Advances to the next instant, with all checks and observers, and through its edges.
     fn single_step(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?;
         self.timeline.rising_at(until, &mut self.rising);
@@ -76,7 +76,7 @@ impl Running {
         self.rise(until)
     }
 
-    /// Goes through the edges of the clocks that rise then.
+    /// Executes the edges of the clocks that rise then.
     fn rise(&mut self, until: u64) -> Result<(), Error> {
         let done = self.engine.edges(&self.rising, 1)?;
         if done.edges == 0 {
@@ -88,8 +88,8 @@ impl Running {
         Ok(())
     }
 
-    /// As many of the next instants as the only observer takes in rows, which may be none; an instant at which an assertion
-    /// fails is not among them.
+    /// Executes the next instants that the only observer takes in rows, perhaps none. It stops before an instant at
+    /// which an assertion fails.
     fn rows(&mut self, n: u64) -> Result<u64, Error> {
         if self.program.clocks.len() != 1 || self.observers.len() != 1 {
             return Ok(0);
@@ -121,17 +121,17 @@ impl Running {
         Ok(())
     }
 
-    /// So many instants.
+    /// Executes `n` instants.
     pub fn try_run(&mut self, n: u64) -> Result<(), Error> {
         match self.is_plain() {
-            // An engine counts down to the last one, so it takes one at least.
+            // An engine counts down to the last edge, so it executes at least one.
             true if n == 0 => Ok(()),
             true => self.repeat(n),
             false => self.repeat_seen(n),
         }
     }
 
-    /// So many instants that somebody watches.
+    /// Executes `n` instants with observers.
     fn repeat_seen(&mut self, n: u64) -> Result<(), Error> {
         let mut left = n;
         while left > 0 {
@@ -144,15 +144,15 @@ impl Running {
         Ok(())
     }
 
-    /// Whether instants follow each other alike, as there is one clock and nobody watches.
+    /// Whether all instants are alike: there is one clock and no observer.
     pub fn is_plain(&self) -> bool {
         self.program.clocks.len() == 1 && self.observers.is_empty()
     }
 
-    /// So many edges of the only clock.
+    /// Executes `n` edges of the only clock.
     fn repeat(&mut self, n: u64) -> Result<(), Error> {
         let fits = n.min(self.timeline.room());
-        // An engine counts down to the last one, so it takes one at least.
+        // An engine counts down to the last edge, so it executes at least one.
         if fits > 0 {
             let done = self.engine.edges(&[0], fits)?;
             self.timeline.repeat(done.edges);
@@ -170,7 +170,7 @@ impl Running {
         self.violated(failed, self.timeline.next_time().unwrap_or(u64::MAX))
     }
 
-    /// Every instant up to and including that time.
+    /// Executes every instant up to and including this time.
     pub fn try_run_to(&mut self, time: u64) -> Result<(), Error> {
         if self.observers.is_empty() && self.program.clocks.len() > 1 {
             return self.run_unseen_to(time);
@@ -186,7 +186,7 @@ impl Running {
         Ok(())
     }
 
-    /// The same of several clocks, while nobody watches.
+    /// The same for several clocks, without observers.
     fn run_unseen_to(&mut self, time: u64) -> Result<(), Error> {
         loop {
             self.engine.instants(self.timeline.ticks(), time);
@@ -199,7 +199,7 @@ impl Running {
         }
     }
 
-    /// Ends what watches.
+    /// Ends all observers.
     pub fn finish(&mut self) -> Result<(), Error> {
         let until = self.timeline.next_time().unwrap_or(1);
         self.rising.clear();
@@ -209,7 +209,7 @@ impl Running {
         Ok(self.engine.agree()?)
     }
 
-    /// A clock by its name or its port's.
+    /// The clock with this name or port name.
     pub fn clock(&self, name: &str) -> Result<usize, UnknownName> {
         let clocks = &self.program.clocks;
         clocks.iter().position(|clock| clock.name == name || clock.port == name).ok_or_else(|| {

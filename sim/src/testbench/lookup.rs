@@ -1,4 +1,4 @@
-//! From a hierarchical name, such as `u_cell[3].sum`, to what it names.
+//! From a hierarchical name, such as `u_cell[3].sum`, to its object.
 
 use tilewright_hdl::ir::Shape;
 
@@ -14,8 +14,8 @@ pub(crate) struct Found<'a> {
     pub lane: u32,
 }
 
-/// Finds a signal of a run. `NAME[i]` and `NAME[i][j]` are lanes of a signal that has lanes in its own module. The scope `lane`, which stands
-/// between an array's element and its signals in Verilog, may be left out.
+/// Finds a signal of a run. `NAME[i]` and `NAME[i][j]` are lanes of a signal that has lanes in its own module. The
+/// scope `lane`, which Verilog has between an array's element and its signals, may be omitted.
 pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Result<Found<'a>, UnknownName> {
     let (place, name) = enter(hierarchy, path, run, "signal")?;
     let signals = &hierarchy.scope(place.scope).signals;
@@ -30,8 +30,8 @@ pub(crate) fn signal<'a>(hierarchy: &'a Hierarchy, path: &str, run: u32) -> Resu
     })
 }
 
-/// Finds the signals of an instance whose names match the last of `path`, in which `*` stands for any characters: each with its path. Of one with lanes
-/// these are all, where the name has no index.
+/// Finds the signals of an instance whose names match the last part of `path`, in which `*` stands for any
+/// characters, each with its path. For a signal with lanes, a name without an index means all of them.
 pub(crate) fn signals<'a>(
     hierarchy: &'a Hierarchy,
     path: &str,
@@ -75,12 +75,12 @@ fn display_name(signal: &Signal) -> String {
     format!("{}{}", signal.name, hierarchy::index(signal.shape, 0))
 }
 
-/// The lane of something that a name with an index for each axis means, if it means that.
+/// The lane that a name with an index for each axis means, if it is one.
 fn lane(of: &str, shape: Shape, name: &str) -> Option<u32> {
     hierarchy::at_index(shape, name.strip_prefix(of)?)
 }
 
-/// Follows a path to the instance that its last name is in.
+/// Follows a path to the instance that contains its last name.
 fn enter(hierarchy: &Hierarchy, path: &str, run: u32, what: &'static str) -> Result<(Place, String), UnknownName> {
     let mut place = hierarchy.top(run);
     let mut names: Vec<&str> = path.split('.').collect();

@@ -1,4 +1,4 @@
-//! What drives and observes a running circuit: simulations, batches of runs, ports, waves and recordings.
+//! Drivers and observers of a running circuit: simulations, batches of runs, ports, waves and recordings.
 
 mod attach;
 mod batch;

@@ -1,4 +1,4 @@
-//! Signals and memories by name: what they hold, and what they are to hold.
+//! Signals and memories by name: reading and replacing their values.
 
 use tilewright_hdl::{Bits, Bundle};
 
@@ -11,21 +11,21 @@ use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// The value of anything with a name, settled: a port, a register, a named net, the data of a synchronous memory
-    /// read, such as `u_cell[3].sum`.
+    /// The settled value of any named object, such as `u_cell[3].sum`: a port, a register, a named net, or the data
+    /// of a synchronous memory read.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// sim.set(sim.i.enable, 1);
     /// sim.run(3);
-    /// assert_eq!(sim.peek("late")?, 2); // no port
+    /// assert_eq!(sim.peek("late")?, 2); // not a port
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// There is no such name; the error has the nearest one.
+    /// There is no such name; the error suggests the nearest one.
     pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
         self.circuit.peek(path, 0)
     }
@@ -51,7 +51,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.peek_word(path, 0, address)
     }
 
-    /// All words of a memory, that of address 0 first.
+    /// All words of a memory, from address 0 on.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -68,13 +68,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.peek_words(path, 0)
     }
 
-    /// Replaces a word of a memory at once.
+    /// Replaces a word of a memory immediately.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// sim.poke_memory("squares", 0, 99)?;
-    /// assert_eq!(sim.get(sim.o.square), 99); // an asynchronous read sees it at once
+    /// assert_eq!(sim.get(sim.o.square), 99); // an asynchronous read sees it immediately
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -84,8 +84,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// The address is beyond its depth, the value does not fit, or a recording goes on and the first step is over: before
-    /// it, what is poked is part of what the recording starts from.
+    /// The address is beyond its depth, the value does not fit, or the first step of a recording is over. Words poked
+    /// before the first step are part of the recording's start.
     #[track_caller]
     pub fn poke_memory(&mut self, path: &str, address: u32, value: impl IntoValue) -> Result<(), UnknownName> {
         self.circuit.poke_word(path, 0, address, value)
@@ -93,7 +93,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 }
 
 impl Running {
-    /// The value of a name in one run.
+    /// The value of a named object in one run.
     pub fn peek(&mut self, path: &str, run: u32) -> Result<Bits, UnknownName> {
         let (value, lane) = match self.peeked.get(&run).and_then(|names| names.get(path)) {
             Some(known) => *known,

@@ -27,13 +27,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// The scenario is of another block; or as [`Simulation::try_step`].
+    /// The scenario is for another block; or as [`Simulation::try_step`].
     pub fn play(&mut self, scenario: &Scenario) -> Result<(), Error> {
         self.play_watched(scenario, u64::MAX, |_, _| ControlFlow::Continue(())).map(|_| ())
     }
 
-    /// As [`Simulation::play`], with a call of `watch` every `slice` picoseconds and before every event; it gets how much
-    /// of the scenario has been played, from 0 to 1, and may break it off.
+    /// Like [`Simulation::play`], but calls `watch` every `slice` picoseconds and before every event. `watch` gets
+    /// the fraction of the scenario played so far, from 0 to 1, and may stop it.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

@@ -1,4 +1,4 @@
-//! Handles of ports, and what may be put into one.
+//! Handles of ports, and the values that can be assigned to them.
 
 use tilewright_hdl::{Bits, Leaf, limbs_for};
 
@@ -16,15 +16,15 @@ use tilewright_hdl::{Bits, Leaf, limbs_for};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Port {
-    /// Inputs first, in order of declaration, then outputs.
+    /// Inputs first, in the sequence of declaration, then outputs.
     pub(crate) index: u32,
 }
 
 impl Leaf for Port {}
 
-/// What a signal of some width can be set to: an integer, a `bool`, [`Bits`], or the limbs of a value.
+/// A value for a signal of some width: an integer, a `bool`, [`Bits`], or the limbs of a value.
 ///
-/// A negative integer is taken in two's complement. Nothing is cut off: a value that does not fit is an error.
+/// A negative integer is converted to two's complement. Nothing is truncated: a value that does not fit is an error.
 ///
 /// ```
 /// use tilewright_hdl::Bits;
@@ -36,7 +36,7 @@ impl Leaf for Port {}
 /// assert_eq!([5_u64, 1][..].into_value(65), Ok(Bits::from_u128(65, 1 << 64 | 5)));
 /// ```
 pub trait IntoValue {
-    /// The value in `width` bits, or a sentence's end such as `cannot hold 300`.
+    /// The value in `width` bits, or the end of a sentence such as `cannot hold 300`.
     ///
     /// ```
     /// use tilewright_hdl::Bits;
@@ -48,16 +48,16 @@ pub trait IntoValue {
     ///
     /// # Errors
     ///
-    /// It needs more bits, or it is [`Bits`] of another width.
+    /// The value needs more bits, or it is [`Bits`] of another width.
     fn into_value(self, width: u32) -> Result<Bits, String>;
 
-    /// The value as a number that needs no more than 64 bits and is not negative, if it is one and has no width of its own.
+    /// The value as a non-negative number of at most 64 bits, if it is one and has no width of its own.
     #[doc(hidden)]
     fn to_limb(&self) -> Option<u64> {
         None
     }
 
-    /// The limbs of the value, if it is one of that width and stands somewhere.
+    /// A reference to the limbs of the value, if it has that width and is stored as limbs.
     #[doc(hidden)]
     fn limbs_of(&self, width: u32) -> Option<&[u64]> {
         let _ = width;

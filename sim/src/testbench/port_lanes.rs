@@ -1,4 +1,4 @@
-//! Ports that have lanes: a value for each of them.
+//! Ports with lanes: a value for each lane.
 
 use tilewright_hdl::{Bits, limbs_for};
 

@@ -1,25 +1,25 @@
-//! How the ports of a bundle follow each other, so that values can be handed to them without a look at their names.
+//! The sequence of a bundle's ports, so that values can be assigned to them without their names.
 
 use tilewright_hdl::{Bundle, Fields, Leaf, Visited, uneven};
 
 use crate::testbench::port::Port;
 
-/// What comes next in a bundle.
+/// The next item of a bundle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Next {
     Port(Port),
-    /// An output among the inputs, as the `ready` of a stream is.
+    /// An output among the inputs, as the `ready` of a stream.
     Back,
-    /// So many elements.
+    /// A list of this length.
     List(usize),
 }
 
-/// The ports of a bundle, in order.
+/// The ports of a bundle, in sequence.
 #[derive(Debug, Clone)]
 pub(crate) struct PortOrder(Vec<Next>);
 
 impl PortOrder {
-    /// That of the inputs.
+    /// The sequence of the inputs.
     pub fn of<I: Bundle>(ports: &I::Of<Port>) -> PortOrder {
         let mut parts = Vec::new();
         ports.visit(&mut |part| {
@@ -36,7 +36,7 @@ impl PortOrder {
     ///
     /// # Panics
     ///
-    /// A list is not as long as that of the ports, which are given for the message.
+    /// A list is not as long as that of the ports; `ports` are for the message.
     #[track_caller]
     pub fn pair<I: Bundle, V: Leaf>(&self, ports: &I::Of<Port>, values: &I::Of<V>, mut set: impl FnMut(Port, &V)) {
         let mut parts = self.0.iter();
@@ -53,7 +53,7 @@ impl PortOrder {
                 Some(uneven) => {
                     panic!("input{uneven} is a list of {}, but is set to a list of {}", uneven.needs, uneven.has)
                 }
-                None => panic!("the values have not the shape of the inputs: give each input a value"),
+                None => panic!("the values do not have the shape of the inputs: give each input a value"),
             }
         }
         let mut parts = self.0.iter();

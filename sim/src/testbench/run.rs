@@ -1,4 +1,4 @@
-//! Letting time pass.
+//! Advancing in time.
 
 use tilewright_hdl::Bundle;
 
@@ -6,7 +6,7 @@ use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::simulation::Simulation;
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// Goes to the next instant at which a clock rises, and through the edges there.
+    /// Advances to the next instant at which a clock rises, and through its edges.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -19,14 +19,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// An assertion of the design does not hold, a trace cannot be written, or there is no clock.
+    /// An assertion of the design fails, a trace cannot be written, or there is no clock.
     #[track_caller]
     #[inline]
     pub fn step(&mut self) {
         self.circuit.step();
     }
 
-    /// As [`Simulation::step`], `n` times.
+    /// Calls [`Simulation::step`] `n` times.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -45,7 +45,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         done(self.try_run(n));
     }
 
-    /// Runs through every instant up to and including that time in picoseconds.
+    /// Advances through every instant up to and including this time in picoseconds.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -64,7 +64,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         done(self.try_run_to(time));
     }
 
-    /// Runs until a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
+    /// Advances until a clock, given directly or by name, has risen `n` more times. Other clocks rise in between.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -90,7 +90,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         }
     }
 
-    /// Holds every reset high for one edge of every clock, then low.
+    /// Sets every reset high for one edge of every clock, then low.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -98,7 +98,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// sim.set(sim.i.enable, 1);
     /// sim.run(10);
     /// sim.reset();
-    /// // What has no reset value goes on meanwhile, and so does time.
+    /// // Registers without a reset value continue, and time advances.
     /// assert_eq!((sim.get_u64(sim.o.count), sim.peek("late")?.to_u64(), sim.time()), (0, Some(10), 110_000));
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
@@ -111,7 +111,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         done(self.try_reset());
     }
 
-    /// As [`Simulation::step`], for a program that reports errors itself.
+    /// Like [`Simulation::step`], for a program that reports errors itself.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -125,20 +125,20 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Violated`] if assertions do not hold before the edge, which then does not happen; [`Error::Trace`] if a
-    /// file could not be written at an instant before; [`Error::NoClock`]; [`Error::Differs`].
+    /// [`Error::Violated`] if assertions fail before the edge, which then does not happen; [`Error::Trace`] if a file
+    /// could not be written at an earlier instant; [`Error::NoClock`]; [`Error::Differs`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         self.circuit.try_step()
     }
 
-    /// As [`Simulation::reset`]; after an error the resets stay high.
+    /// Like [`Simulation::reset`]; after an error, the resets stay high.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// sim.set(sim.i.enable, 1);
     /// assert!(sim.try_run(1000).is_err());
-    /// sim.try_reset()?; // nothing is checked while the reset is high
+    /// sim.try_reset()?; // no assertion is checked while the reset is high
     /// assert_eq!(sim.get(sim.o.count), 0);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
@@ -150,7 +150,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.try_reset()
     }
 
-    /// As [`Simulation::run`].
+    /// Like [`Simulation::run`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -168,7 +168,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.try_run(n)
     }
 
-    /// As [`Simulation::run_to`].
+    /// Like [`Simulation::run_to`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -186,7 +186,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.try_run_to(time)
     }
 
-    /// Ends every trace: writes what is left of it.
+    /// Ends every trace and writes the rest of it.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -197,14 +197,15 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// sim.run(3);
     /// sim.finish()?;
     /// let size = std::fs::metadata(&path).unwrap().len();
-    /// sim.run(3); // goes on without the trace
+    /// sim.run(3); // continues without the trace
     /// assert_eq!(std::fs::metadata(&path).unwrap().len(), size);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] for the first file that could not be written to its end; the others are. [`Error::Differs`].
+    /// [`Error::Trace`] for the first file that could not be completed; the other files are complete.
+    /// [`Error::Differs`].
     pub fn finish(&mut self) -> Result<(), Error> {
         self.circuit.finish()
     }
@@ -222,7 +223,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.timeline.time()
     }
 
-    /// How many times a clock, or one of that name, has risen.
+    /// The number of times that a clock, given directly or by name, has risen.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

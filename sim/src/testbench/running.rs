@@ -1,4 +1,4 @@
-//! A running circuit, whatever the bundles of its ports: what simulations and batches are around.
+//! A running circuit without its port bundles: the core of simulations and batches.
 
 use std::sync::Arc;
 
@@ -12,52 +12,55 @@ use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::timeline::Timeline;
 use crate::testbench::trace::{Observer, Poked};
 
-/// A running circuit and who watches it.
+/// A running circuit and its observers.
 pub(crate) struct Running {
     pub program: Arc<Program>,
     pub engine: Started,
     pub timeline: Timeline,
     pub resets: Vec<bool>,
     pub observers: Vec<Box<dyn Observer + Send>>,
-    /// The words that were replaced before the first step, of which recordings tell.
+    /// The memory words replaced before the first step, which recordings include.
     pub poked: Poked,
-    /// The runs that are recorded: from the first step on, a recording has to explain everything.
+    /// The recorded runs: from the first step on, a recording must explain everything.
     pub recorded: Vec<u32>,
-    /// What may have changed since the observers last saw it, if there are any.
+    /// Everything that may have changed since the observers last saw it, if there are observers.
     pub changed: Triggers,
-    /// The clocks of the coming instant; kept to save an allocation.
+    /// The clocks of the coming instant; kept to avoid an allocation.
     pub rising: Vec<usize>,
-    /// By cover, how often its counter counted in each lane while the reset was high, and what it had when the reset began, if that is high.
+    /// For each cover, two numbers in each lane: the count while the reset was high, and, if the reset is high now,
+    /// the count at its begin.
     pub in_reset: Vec<Vec<u64>>,
     pub before_reset: Vec<Vec<u64>>,
-    /// By run, the value and the lane of each name that was looked at: a testbench looks at the same ones in every cycle.
+    /// For each run, the value and lane of each name that was looked up: a testbench looks at the same names in every
+    /// cycle.
     pub peeked: FxHashMap<u32, FxHashMap<String, (ValueId, u32)>>,
-    /// By number.
+    /// By port number.
     ports: Vec<Wired>,
 }
 
-/// What is asked of a port in every cycle.
+/// The data of a port that is needed in every cycle.
 #[derive(Clone, Copy)]
 struct Wired {
     value: ValueId,
     width: u32,
     is_signed: bool,
     triggers: Triggers,
-    /// It can be set to a smaller number at once: 0 for an output, and for an input of more than 64 bits.
+    /// Numbers below this can be set directly: 0 for an output, and for an input of more than 64 bits.
     end: u64,
-    /// Where the engine has it, once it was set or looked at: to ask for it each time takes longer than the rest.
+    /// The engine's slot for it, once it has been set or read: looking the slot up each time would take longer than
+    /// the rest.
     slot: Slot,
 }
 
 impl Running {
-    /// So many runs of a design.
+    /// `runs` runs of a design.
     pub fn new(design: &Design, runs: u32, passes: &Passes) -> Running {
         let program = Arc::new(program::compile_lanes(design, runs, passes));
         let engine = Started::new(program.clone(), EngineKind::default(), vec![0; runs as usize]);
         Running::started(program, engine)
     }
 
-    /// The same at its start, with the same engine and seeds.
+    /// The same circuit at its start, with the same engine and seeds.
     pub fn another(&self) -> Running {
         Running::started(self.program.clone(), self.engine.again(self.engine.chosen(), self.engine.seeds.clone()))
     }
@@ -66,7 +69,7 @@ impl Running {
         let ports = program.inputs.iter().chain(&program.outputs).map(|port| {
             let width = program.value(port.value).width;
             let is_set = width <= 64 && port.triggers != Triggers::NONE;
-            // Of 64 bits, the largest number takes the long way.
+            // For 64 bits, the largest number takes the slow path.
             let end = if is_set { top_mask(width).saturating_add(1) } else { 0 };
             Wired {
                 value: port.value,
@@ -112,7 +115,7 @@ impl Running {
 
     pub fn restart(&mut self, engine: Started) {
         self.engine = engine;
-        // They were of the engine before.
+        // The slots belonged to the previous engine.
         self.ports.iter_mut().for_each(|port| port.slot = Slot::NONE);
         self.resets.fill(false);
         self.poked.clear();
@@ -156,7 +159,7 @@ impl Running {
     #[track_caller]
     fn set_bits(&mut self, port: Port, value: impl IntoValue) {
         let input = self.program.inputs.get(port.index as usize);
-        // What stands somewhere need not be copied.
+        // A value stored as limbs need not be copied.
         if let Some(limbs) = input.and_then(|input| value.limbs_of(self.program.value(input.value).width)) {
             return self.write(port, limbs);
         }
@@ -164,8 +167,8 @@ impl Running {
         self.write(port, bits.limbs());
     }
 
-    /// Sets an input of up to 64 bits in the only run, if it is one and the number fits. It is one function for all types of
-    /// numbers, compiled with the engine.
+    /// Sets an input of up to 64 bits in the only run, if it is one and the number fits. A single function serves all
+    /// types of numbers and is compiled with the engine.
     fn set_limb(&mut self, port: Port, limb: u64) -> bool {
         let Some(&Wired { triggers, end, slot, .. }) = self.ports.get(port.index as usize) else { return false };
         if limb >= end {
@@ -190,7 +193,7 @@ impl Running {
         self.may_have_changed(input.triggers);
     }
 
-    /// Tells those who watch, if anybody does.
+    /// Tells the observers, if there are any.
     #[inline]
     pub fn may_have_changed(&mut self, triggers: Triggers) {
         if !self.observers.is_empty() {
@@ -198,13 +201,13 @@ impl Running {
         }
     }
 
-    /// Has somebody watch.
+    /// Adds an observer.
     pub fn observe_by(&mut self, observer: Box<dyn Observer + Send>) {
         self.changed = Triggers::ALL;
         self.observers.push(observer);
     }
 
-    /// The value as an input takes it.
+    /// The value converted to the width of an input.
     #[track_caller]
     pub fn fitting(&self, port: Port, value: impl IntoValue) -> Bits {
         let Some(input) = self.program.inputs.get(port.index as usize) else {
@@ -219,7 +222,7 @@ impl Running {
         }
     }
 
-    /// A port in one run.
+    /// The value of a port in one run.
     #[track_caller]
     #[inline]
     pub fn get(&mut self, port: Port, run: u32) -> Bits {
@@ -239,7 +242,7 @@ impl Running {
         }
     }
 
-    /// A port of up to 64 bits in one run.
+    /// The value of a port of up to 64 bits in one run.
     #[track_caller]
     #[inline]
     pub fn narrow(&mut self, port: Port, run: u32) -> u64 {
@@ -260,19 +263,20 @@ impl Running {
         self.engine.number(value, run)
     }
 
-    /// A port that stands in a slot, brought up to date.
+    /// The value of a port that has a slot, brought up to date.
     fn refreshed(&mut self, port: Port) -> Option<u64> {
         self.find(port);
         self.engine.refreshed(self.wired(port).slot)
     }
 
-    /// Finds out where the engine has a port, which may be another place than before.
+    /// Looks up the engine's slot of a port, which may have moved.
     fn find(&mut self, port: Port) {
         let wired = &mut self.ports[port.index as usize];
         wired.slot = self.engine.slot(wired.value);
     }
 
-    /// The number that a port is in one run, however wide it is; `instead` gives what does not fit 64 bits.
+    /// The value of a port in one run as a number, whatever its width; `instead` names the method to use for more
+    /// than 64 bits.
     #[track_caller]
     #[inline]
     pub fn number(&mut self, port: Port, run: u32, instead: &str) -> u64 {
@@ -286,10 +290,11 @@ impl Running {
     #[inline(never)]
     fn other_number(&mut self, port: Port, run: u32, instead: &str) -> u64 {
         let number = self.other_bits(port, run).to_u64();
-        number.unwrap_or_else(|| panic!("`{}` does not fit 64 bits: use `{instead}`", self.declared(port).path))
+        number.unwrap_or_else(|| panic!("`{}` does not fit in 64 bits: use `{instead}`", self.declared(port).path))
     }
 
-    /// The number that a port is in the only run, negative if it is signed and so is its value; none if it is out of the range of `i128`.
+    /// The value of a port in the only run as a number, negative if the port is signed and the value is; `None` if it
+    /// is out of the range of `i128`.
     pub fn signed(&mut self, port: Port) -> Option<i128> {
         let bits = self.get(port, 0);
         match self.wired(port).is_signed {

@@ -13,8 +13,8 @@ use crate::testbench::running::Running;
 
 /// A running circuit.
 ///
-/// `I` and `O` are the block's input and output bundles; a simulation made by [`Simulation::from_design`] has none and
-/// finds its ports by name.
+/// `I` and `O` are the block's input and output bundles. A simulation made by [`Simulation::from_design`] has none;
+/// find its ports by name.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -34,7 +34,7 @@ pub struct Simulation<I: Bundle = (), O: Bundle = ()> {
 }
 
 impl Simulation {
-    /// Elaborates and compiles a block; its default clock has a period of 10 ns.
+    /// Elaborates and compiles a block. Its default clock has a period of 10 ns.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -52,7 +52,7 @@ impl Simulation {
         Simulation::at(block, DEFAULT_PERIOD)
     }
 
-    /// As [`Simulation::of`], with another period of the default clock.
+    /// Like [`Simulation::of`], with another period of the default clock.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -73,7 +73,7 @@ impl Simulation {
         Simulation::new(&design, 1, i, o, &Passes::default())
     }
 
-    /// Compiles a design; ports are found by [`Simulation::port`].
+    /// Compiles a design; find its ports with [`Simulation::port`].
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -93,7 +93,7 @@ impl Simulation {
         Simulation::with_passes(design, &Passes::default())
     }
 
-    /// As [`Simulation::from_design`], with some optimisation passes only.
+    /// Like [`Simulation::from_design`], with the given optimisation passes only.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -101,7 +101,7 @@ impl Simulation {
     ///
     /// let design = tilewright_hdl::elaborate(&Counter)?;
     /// let mut sim = Simulation::with_passes(&design, &Passes::default())?;
-    /// sim.run(5); // as `Simulation::from_design`
+    /// sim.run(5); // the same as with `Simulation::from_design`
     /// assert_eq!(sim.peek("count")?, 0);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
@@ -115,7 +115,7 @@ impl Simulation {
 }
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// So many runs of a design.
+    /// `runs` runs of a design.
     pub(crate) fn new(
         design: &Design,
         runs: u32,
@@ -129,7 +129,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(Simulation { i, o, circuit: Running::new(design, runs, passes), inputs })
     }
 
-    /// Another simulation of the circuit, at time 0, on the same engine and with the same seed: the block is not elaborated again.
+    /// Another simulation of the circuit, at time 0, on the same engine and with the same seed. It does not elaborate
+    /// the block again.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -147,8 +148,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Simulation { i, o, circuit: self.circuit.another(), inputs }
     }
 
-    /// The same circuit at time 0, with registers that a reset does not set and memories of unknown contents filled
-    /// from `seed`, deterministically; 0 means zeros, as does not calling this. Inputs become zero.
+    /// The same circuit at time 0, with a seed that determines the start of registers without a reset and of memories
+    /// with unknown contents. A seed of 0 means zeros, which is also the default. Inputs become zero.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -161,43 +162,44 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// After the first step, or with a trace attached.
+    /// Called after the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: u64) -> Self {
         self.circuit.seed(vec![seed]);
         self
     }
 
-    /// The same circuit at time 0 on this engine; inputs become zero. Where no code can be generated for this machine, it
-    /// is the interpreter if that needs code: [`Simulation::engine`] tells, and [`Simulation::fallback`] why.
+    /// The same circuit at time 0 on this engine; inputs become zero. If the engine generates code and cannot do so
+    /// for this machine, the interpreter runs instead: [`Simulation::engine`] tells, and [`Simulation::fallback`]
+    /// says why.
     ///
     /// ```
     /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?.on(EngineKind::Reference);
     /// sim.set(sim.i.enable, 1);
     /// sim.run(5);
-    /// assert_eq!(sim.get(sim.o.square), 25); // as on any other
+    /// assert_eq!(sim.get(sim.o.square), 25); // the same as on any other
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
     /// # Panics
     ///
-    /// After the first step, or with a trace attached.
+    /// Called after the first step, or with a trace attached.
     #[track_caller]
     pub fn on(mut self, kind: EngineKind) -> Self {
         self.circuit.put_on(kind);
         self
     }
 
-    /// At how many edges instances that run one by one had nothing to do, and were left out, all of them together
-    /// ([`Passes::apart_from`] says which they are); or how many edges of clocks were left out, where there are several
-    /// ([`Passes::idle_from`]). 0 on engines that leave nothing out.
+    /// The number of edges at which instances that run one by one had nothing to do and were skipped, summed over all
+    /// instances ([`Passes::apart_from`] says which they are). With several clocks it is the number of clock edges
+    /// that were skipped ([`Passes::idle_from`]). It is 0 on engines that skip nothing.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # use tilewright_sim::Passes;
     /// block! {
-    ///     /// Counts as long as it is told to.
+    ///     /// Counts while it is enabled.
     ///     struct Node;
     ///     in NodeIn { is_busy: bit() }
     ///     out NodeOut { count: bits(8) }
@@ -212,7 +214,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// }
     ///
     /// block! {
-    ///     /// Four of them, the last of which is busy.
+    ///     /// Four counters, the last of which is busy.
     ///     struct Nodes;
     ///     out NodesOut { all: bits(32) }
     /// }
@@ -238,8 +240,9 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.engine.left_out()
     }
 
-    /// How many versions of loops over lanes have been made so far: each for numbers that came often of the single values which choose
-    /// what all lanes do, as an instruction does (`sim/docs/engine.md`). 0 on an engine that makes no code.
+    /// The number of specialised versions of lane loops so far. Each version is for frequent values of the scalars
+    /// that select the operation of all lanes, as an instruction does (`sim/docs/engine.md`). It is 0 on an engine
+    /// that generates no code.
     ///
     /// ```
     /// use tilewright_hdl::{Module, bits, block, case, def, elaborate, row};
@@ -270,14 +273,14 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.engine.versions()
     }
 
-    /// As on a machine that no code can be generated for, for that reason.
+    /// Acts as on a machine for which no code can be generated, for the given reason.
     #[doc(hidden)]
     pub fn without_code(mut self, reason: &str) -> Self {
         self.circuit.restart(self.circuit.engine.refuse(reason));
         self
     }
 
-    /// The engine that runs: the one chosen, or the interpreter where no code can be generated for this machine.
+    /// The engine that runs: the chosen one, or the interpreter if no code can be generated for this machine.
     ///
     /// ```
     /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
@@ -290,13 +293,13 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.engine.kind()
     }
 
-    /// Why the interpreter runs although another one was chosen; nothing if the chosen one runs.
+    /// Why the interpreter runs although another engine was chosen; `None` if the chosen one runs.
     ///
     /// ```
     /// # use tilewright_sim::{EngineKind, Simulation, for_examples::Counter};
     /// let sim = Simulation::of(&Counter)?;
     /// # let mut sim = sim;
-    /// // A reason is there exactly if the engine is another than the one that was chosen.
+    /// // There is a reason exactly if the engine is not the chosen one.
     /// assert_eq!(sim.fallback().is_some(), sim.engine() != EngineKind::Compiled);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
@@ -317,19 +320,19 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         &self.circuit.program
     }
 
-    /// The port of that Verilog name or bundle path.
+    /// The port with this Verilog name or bundle path.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// assert_eq!(sim.port("count")?, sim.o.count);
-    /// assert!(sim.port("late").is_err()); // a register inside is no port: `peek` finds it
+    /// assert!(sim.port("late").is_err()); // a register inside is not a port: use `peek`
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
     /// # Errors
     ///
-    /// There is none.
+    /// There is no such port.
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
         self.circuit.port(name)
     }
@@ -343,7 +346,7 @@ pub(crate) fn in_step<V>(ports: &[Port], values: impl IntoIterator<Item = V>, mu
         set(*port, value);
         count += 1;
     }
-    // What is left is only counted.
+    // The remaining values are only counted.
     let (has, needs) = (count + usize::from(count == ports.len()) * values.count(), ports.len());
     assert!(has == needs, "a list of {needs} inputs is set to a list of {has}: give each input one value");
 }

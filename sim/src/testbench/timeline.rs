@@ -1,7 +1,7 @@
-//! Which clocks rise when.
+//! The times at which clocks rise.
 //!
-//! Every clock is low at time 0, rises for the first time after one period, falls half a period later, and so on. An
-//! instant is a time at which one or more clocks rise.
+//! Every clock is low at time 0. It rises first after one period, falls half a period later, and so on. An instant is
+//! a time at which one or more clocks rise.
 
 use crate::engine::Ticks;
 use crate::engine::program::Program;
@@ -19,17 +19,17 @@ impl Timeline {
         Timeline { clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
     }
 
-    /// Now: the time of the last instant, in picoseconds.
+    /// The time of the last instant, in picoseconds.
     pub fn time(&self) -> u64 {
         self.clocks.iter().map(Ticks::last).max().unwrap_or(0)
     }
 
-    /// The time of the next instant; `None` without clocks, or if that time has no room in 64 bits.
+    /// The time of the next instant; `None` without clocks, or if that time does not fit in 64 bits.
     pub fn next_time(&self) -> Option<u64> {
         self.clocks.iter().filter_map(Ticks::next).min()
     }
 
-    /// All clocks, for an engine that goes through many instants.
+    /// All clocks, for an engine that executes many instants.
     pub fn ticks(&mut self) -> &mut [Ticks] {
         &mut self.clocks
     }
@@ -39,30 +39,30 @@ impl Timeline {
         if self.clocks.is_empty() { Error::NoClock } else { Error::Late }
     }
 
-    /// How many edges of the only clock have room; none without clocks.
+    /// The number of edges of the only clock whose times still fit; 0 without clocks.
     #[inline]
     pub fn room(&self) -> u64 {
         self.clocks.first().map_or(0, |clock| clock.most - clock.cycles)
     }
 
-    /// The clocks that rise at `time`, into `rising`.
+    /// Writes the clocks that rise at `time` to `rising`.
     pub fn rising_at(&self, time: u64, rising: &mut Vec<usize>) {
         rising.clear();
         rising.extend((0..self.clocks.len()).filter(|&clock| self.clocks[clock].next() == Some(time)));
     }
 
-    /// How many edges a clock has had.
+    /// The number of edges that a clock has had.
     pub fn cycles(&self, clock: usize) -> u64 {
         self.clocks[clock].cycles
     }
 
-    /// So many edges of the only clock are done.
+    /// Notes that `edges` edges of the only clock are done.
     #[inline]
     pub fn repeat(&mut self, edges: u64) {
         self.clocks[0].cycles += edges;
     }
 
-    /// The edges of `rising` are done.
+    /// Notes that the edges of `rising` are done.
     pub fn advance(&mut self, rising: &[usize]) {
         rising.iter().for_each(|&clock| self.clocks[clock].cycles += 1);
     }

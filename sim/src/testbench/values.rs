@@ -1,4 +1,4 @@
-//! Inputs and outputs of a simulation: one, a list, a bundle at a time.
+//! Inputs and outputs of a simulation: single ones, lists, and whole bundles.
 
 use tilewright_hdl::{Bits, Bundle, Fields, Leaf, Visited};
 
@@ -6,7 +6,8 @@ use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::simulation::{Simulation, in_step};
 
 impl<I: Bundle, O: Bundle> Simulation<I, O> {
-    /// Sets an input from now on. Several inputs may be set in any order; nothing happens before the next step.
+    /// Sets an input from now on. The sequence in which inputs are set does not matter; the circuit does not change
+    /// before the next step.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -28,12 +29,12 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.set(port, value);
     }
 
-    /// Sets a list of inputs, one of the fields of the bundle, each to the value at its place.
+    /// Sets a list of inputs, which is a field of the bundle, element by element.
     ///
     /// ```
     /// # use tilewright_hdl::{Block, Module, Width, bits, bundle};
     /// # bundle! {
-    /// #     /// What is multiplied.
+    /// #     /// The factors.
     /// #     pub struct DotIn<T> { pub left: Vec<T>, pub right: Vec<T> }
     /// #     /// The products.
     /// #     pub struct DotOut<T> { pub products: Vec<T> }
@@ -68,7 +69,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         in_step(list(&self.i), values, |port, value| circuit.set(port, value));
     }
 
-    /// Sets the inputs of a record, one of the fields of the bundle.
+    /// Sets the inputs of a record, which is a field of the bundle.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -117,7 +118,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         in_step(&sought, given, |port, value| circuit.set(port, value));
     }
 
-    /// The values of a list of outputs, one of the fields of the bundle, settled, as numbers.
+    /// The settled values of a list of outputs, which is a field of the bundle, as numbers.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Products};
@@ -137,7 +138,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         list(&self.o).iter().map(|port| circuit.narrow(*port, 0)).collect()
     }
 
-    /// Sets an input that has lanes, a value for each; a grid row by row.
+    /// Sets an input with lanes, one value for each; a grid is given row by row.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Products};
@@ -155,7 +156,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.set_lanes(port, values);
     }
 
-    /// The lanes of a port, settled, as numbers; a grid row by row. A plain port has one.
+    /// The settled lanes of a port, as numbers; a grid is given row by row. A plain port has one lane.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Products};
@@ -173,7 +174,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.lanes(port)
     }
 
-    /// The value of a port, settled: an output as it follows from the state and the inputs of this moment.
+    /// The settled value of a port: an output as it follows from the state and the present inputs.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -189,7 +190,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.get(port, 0)
     }
 
-    /// As [`Simulation::get`], as limbs of 64 bits, the lowest first: who looks at a wide port in each clock gets no copy.
+    /// Like [`Simulation::get`], as 64-bit limbs, the lowest first. It makes no copy, which helps to read a wide port
+    /// in each clock.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -205,7 +207,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.limbs(port, 0)
     }
 
-    /// As [`Simulation::get`], for a port of up to 64 bits.
+    /// Like [`Simulation::get`], for a port of up to 64 bits.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -225,8 +227,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.circuit.narrow(port, 0)
     }
 
-    /// Sets every input of the input bundle; [`Simulation::drive_bits`] takes values wider than 64 bits. The `ready` of a stream in it is an
-    /// output, and its value means nothing here.
+    /// Sets every input of the input bundle; [`Simulation::drive_bits`] takes values wider than 64 bits. The `ready`
+    /// of a stream in it is an output, so its value is ignored.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -261,7 +263,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// A value has another width than its port, or a list is not as long as the block's.
+    /// A value's width differs from its port's, or a list is not as long as the block's.
     #[track_caller]
     pub fn drive_bits(&mut self, values: I::Of<Bits>) {
         self.drive_each(&values);
@@ -273,7 +275,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         self.inputs.pair::<I, V>(&self.i, values, |port, value| circuit.set(port, value.clone()));
     }
 
-    /// Every output, settled.
+    /// The settled values of all outputs.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -293,7 +295,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         O::convert_leaves(&self.o, &mut |port: &Port| circuit.get(*port, run))
     }
 
-    /// Every output as a number, settled; easy to compare with an expected bundle.
+    /// The settled values of all outputs as numbers; easy to compare with an expected bundle.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -307,7 +309,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// An output is wider than 64 bits and does not fit.
+    /// An output's value does not fit in 64 bits.
     #[track_caller]
     pub fn read_u64(&mut self) -> O::Of<u64> {
         self.read_run_u64(0)
@@ -319,7 +321,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         O::convert_leaves(&self.o, &mut |port: &Port| circuit.number(*port, run, "read"))
     }
 
-    /// Drives one bundle of inputs after another, an instant each, and gives the outputs settled before each edge.
+    /// Drives one bundle of inputs after another, one per instant, and returns the settled outputs before each edge.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

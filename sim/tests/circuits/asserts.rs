@@ -1,4 +1,5 @@
-//! What assertions and an edge both need of many lanes is as on the reference engine, and so is the cycle in which one fails.
+//! Values of many lanes that both assertions and an edge need are the same as on the reference engine, and so is the
+//! cycle in which an assertion fails.
 
 use tilewright_hdl::{Block, Module, Width, bits, bundle, def, elaborate, mux, stack};
 use tilewright_sim::{EngineKind, Passes, Simulation};
@@ -14,7 +15,7 @@ bundle! {
     pub struct RowOut<T> { pub count: T, pub least: T, pub sums: T }
 }
 
-/// Adds what it is given.
+/// Adds up its input.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Worker;
 
@@ -35,7 +36,7 @@ impl Block for Worker {
     }
 }
 
-/// Some of them; the number of clocks in which none is flagged, and the least line.
+/// Several workers; the number of clocks in which none is flagged, and the lowest line.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Row;
 
@@ -61,7 +62,7 @@ impl Block for Row {
     }
 }
 
-/// What is seen in each clock, until an assertion fails.
+/// The values seen in each clock, until an assertion fails.
 fn seen(seed: u64, kind: EngineKind, passes: &Passes) -> Vec<String> {
     let mut sim = Simulation::with_passes(&elaborate(&Row).unwrap(), passes).unwrap().on(kind);
     let mut random = Random::new(seed);

@@ -1,4 +1,4 @@
-//! Many runs at once: each is what a simulation of it alone gives.
+//! Many runs at once: each is the same as a simulation of its own.
 
 use std::fs;
 use std::path::PathBuf;
@@ -110,7 +110,7 @@ impl Block for Limit {
     }
 }
 
-/// A stimulus: the same for a run whether it is alone or not.
+/// A stimulus: the same for a run, alone or in a batch.
 fn random(run: u32, step: u32, port: u32) -> Bits {
     let mut z = u64::from(run) << 40 | u64::from(step) << 16 | u64::from(port);
     let mut draw = || {

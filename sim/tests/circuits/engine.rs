@@ -1,4 +1,5 @@
-//! The engine that the tests of [`every_engine`](crate::circuits::every_engine) run on: the compiled one, or the one that the environment names.
+//! The engine for the tests of [`every_engine`](crate::circuits::every_engine): the compiled one, or the one that the
+//! environment names.
 
 use std::env;
 use std::process::Command;
@@ -6,7 +7,7 @@ use std::process::Command;
 use tilewright_hdl::Block;
 use tilewright_sim::{EngineKind, Simulation};
 
-/// The environment's variable.
+/// The environment variable.
 const ENGINE: &str = "TILEWRIGHT_TEST_ENGINE";
 
 pub fn engine() -> EngineKind {
@@ -27,7 +28,7 @@ pub fn of<B: Block>(block: &B) -> Simulation<B::In, B::Out> {
     Simulation::of(block).unwrap().on(engine())
 }
 
-/// Runs the tests of `every_engine` in a process of their own, on another engine than the compiled one.
+/// Runs the tests of `every_engine` in a process of their own, on an engine other than the compiled one.
 fn again_on(engine: &str) {
     let mut tests = Command::new(env::current_exe().unwrap());
     let output = tests.env(ENGINE, engine).arg("every_engine::").output().unwrap();

@@ -1,5 +1,5 @@
-//! The engines are alike in everything that a testbench can see, whatever it does: values, names inside, memories,
-//! errors, times, waveform files, waves in text and recordings.
+//! The engines agree in everything that a testbench can see, whatever it does: values, names inside, memories,
+//! errors, times, waveform files, text waves and recordings.
 
 use std::fs;
 
@@ -99,7 +99,7 @@ impl Block for Row {
     }
 }
 
-/// What a testbench does.
+/// An action of a testbench.
 #[derive(Debug, Clone)]
 enum Act {
     Drive { enable: u64, x: u64, wide: u128, pick: u64 },
@@ -127,7 +127,7 @@ fn act() -> impl Strategy<Value = Act> {
     ]
 }
 
-/// Every name of the circuit that `peek` takes, and that of every memory.
+/// Every name of the circuit that `peek` accepts, and that of every memory.
 fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
     let hierarchy = &sim.program().hierarchy;
     let (mut signals, mut memories) = (Vec::new(), Vec::new());
@@ -143,7 +143,7 @@ fn names(sim: &Simulation<RowIn, RowOut>) -> (Vec<String>, Vec<String>) {
     (signals, memories)
 }
 
-/// All that is seen while these things are done on an engine.
+/// Everything seen during these actions on an engine.
 fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act]) -> Vec<String> {
     let mut sim = Simulation::of(&row).unwrap().on(kind).seeded(seed);
     assert_eq!(sim.engine(), kind);
@@ -190,7 +190,7 @@ fn transcript(row: Row, kind: EngineKind, seed: u64, observed: bool, acts: &[Act
                 Ok(())
             }
             Act::Reset => sim.try_reset(),
-            // A recording takes no more of them.
+            // A recording accepts no more of them.
             Act::Poke { .. } if recording.is_some() && sim.time() > 0 => Ok(()),
             Act::Poke { lane, address, word } => {
                 sim.poke_memory(&format!("u_cell[{lane}].store"), *address, *word).unwrap();

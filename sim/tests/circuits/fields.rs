@@ -1,5 +1,5 @@
-//! Words that the compiled engine splits into fields: on it and on the reference engine side by side, all is as if they
-//! were whole.
+//! Words that the compiled engine splits into fields: side by side with the reference engine, the result is the same
+//! as for whole words.
 
 use tilewright_hdl::{
     Bits, Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, concat, elaborate, lit, mux, row,
@@ -11,7 +11,8 @@ bundle! {
     pub struct CellOut<T> { pub y: T, pub word: T }
 }
 
-/// Words of two rows and a few fields on their way through a register without a reset, one with, a choice and two memories.
+/// Words of two rows and a few fields on their way through a register without a reset, one with a reset, a choice and
+/// two memories.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     policy: ReadUnderWrite,
@@ -23,7 +24,7 @@ const WIDTH: u32 = 3 * 24 + 6 * 16 + 33 + 7 + 1;
 fn fold(word: Signal) -> Signal {
     let row3 = word.part(WIDTH - 72, 72).unpack(row(3)).xor_all().zext(64);
     let row6 = word.part(41, 96).unpack(row(6)).xor_all().zext(64);
-    // Lanes of it two by two, and one alone.
+    // Lanes of it in pairs, and a single one.
     let pairs = word.part(41, 96).unpack(row(3)).xor_all().zext(64);
     let lane = word.part(41 + 32, 16).zext(64);
     row3 ^ (row6 << 7)

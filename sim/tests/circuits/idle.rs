@@ -1,4 +1,5 @@
-//! Clocks that have nothing to do while others go on: all is as on the reference engine, and their edges are left out.
+//! Clocks that have nothing to do while others run: the results equal those of the reference engine, and edges are
+//! skipped.
 
 use tilewright_hdl::{
     Block, Clock, Module, Period, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, elaborate, mux,
@@ -16,14 +17,15 @@ bundle! {
     struct WorkerOut<T> { value: T, works: T, since: T }
 }
 
-/// Works for some clocks when it is told to, on its own clock or by another one; and counts the clocks since then, up to a limit.
+/// Works for some clocks when it is told to, on its own clock or by another one. It counts the clocks since then, up
+/// to a limit.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Worker {
     seed: u64,
 }
 
 impl Worker {
-    /// A value made of others.
+    /// A value computed from others.
     fn value(random: &mut Random, of: &[Signal]) -> Signal {
         let [a, b, c] = [(); 3].map(|()| random.one(of));
         match random.below(4) {
@@ -57,7 +59,7 @@ impl Block for Worker {
         timer.when(starts, 1 + random.below(15)).when(timer.ne(0), *timer - 1);
         let works = timer.ne(0);
 
-        // What sees more of what counts than whether it has come to its limit.
+        // Logic that sees more of a counter than whether it has reached its limit.
         let kept = fast.reg("kept", 9).reset(0);
         kept.when(works, *since);
         let rung = fast.reg("rung", 8).reset(0);
@@ -109,7 +111,7 @@ bundle! {
     struct MachineOut<T> { value: T, works: T, since: T, turns: T, slept: T }
 }
 
-/// Workers on one clock, a clock that goes on and wakes them, and one that hardly does anything.
+/// Workers on one clock, a running clock that wakes them, and one that does hardly anything.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Machine {
     seed: u64,
@@ -150,8 +152,8 @@ impl Block for Machine {
     }
 }
 
-/// Runs a machine on generated code, on what code would be made of, and on the reference engine by the same random inputs, which
-/// seldom change, and side by side; gives how many edges were left out.
+/// Runs a machine on generated code, on evaluated lowered functions, and on the reference engine, side by side with
+/// the same random inputs, which seldom change. Returns the number of skipped edges.
 fn run(seed: u64) -> u64 {
     let design = elaborate(&Machine { seed }).unwrap();
     let mut random = Random::new(seed ^ 0x1d1e);
@@ -193,7 +195,7 @@ fn run(seed: u64) -> u64 {
                 };
                 sim.set(sim.port("go").unwrap(), 0);
                 let ended = ended.and_then(|()| sim.try_run(instants));
-                // The last one only some machines have.
+                // Only some machines have the last one.
                 let registers =
                     ["kept", "upper", "beats", "paces", "echo", "overheard"].map(|name| format!("u_worker[0].{name}"));
                 let names =
@@ -221,7 +223,7 @@ fn random_machines_run_as_on_the_reference_engine() {
     assert!(many > 6, "edges at which nothing happens are left out: {left_out:?}");
 }
 
-/// By hand, for a long time: docs/decisions/engine.md has the command.
+/// Run by hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many machines as IDLE_MACHINES says, from IDLE_SEED on"]
 fn random_machines_from_a_seed_run_as_on_the_reference_engine() {

@@ -1,4 +1,5 @@
-//! Many instants of several clocks at once, while nobody looks on: all is as on the reference engine at the end, where an assertion fails, too.
+//! Many instants of several clocks at once, without observers: the final state equals that of the reference engine,
+//! also if an assertion fails.
 
 use tilewright_hdl::{Block, Clock, Module, Period, Width, bit, bits, bundle, def, elaborate, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
@@ -12,8 +13,8 @@ bundle! {
     pub struct Out<T> { pub sum: T, pub since: T, pub turns: T, pub ticks: T, pub heard: T }
 }
 
-/// Lanes that add for some clocks when they are told to, by an input or by the slow clock, and rest then but for a counter. A quick clock
-/// counts by itself; the slow one looks at both.
+/// Lanes that add for some clocks when an input or the slow clock tells them to, and then rest except for a counter.
+/// A fast clock counts by itself; the slow one looks at both.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Clocks;
 
@@ -54,7 +55,8 @@ impl Block for Clocks {
     }
 }
 
-/// What is seen after each of these spans in picoseconds, with inputs that change before, and how many edges were left out.
+/// The values seen after each of these spans in picoseconds, with inputs that change before, and the number of
+/// skipped edges.
 fn run(kind: EngineKind, passes: &Passes, acts: &[(u64, [u64; 3])]) -> (Vec<String>, u64) {
     let mut sim = Simulation::with_passes(&elaborate(&Clocks).unwrap(), passes).unwrap().on(kind);
     let ports = ["go", "limit", "pace"].map(|name| sim.port(name).unwrap());

@@ -1,4 +1,4 @@
-//! How lanes of a module's own are called: `NAME[i]` in a row, `NAME[i][j]` in a grid.
+//! The names of a module's own lanes: `NAME[i]` in a row, `NAME[i][j]` in a grid.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use tilewright_sim::{Error, Simulation, Vcd};
 
 use crate::circuits::build::Build;
 
-/// A row of counters with starts of their own, a grid of their sums, a memory a lane, and a condition on each.
+/// A row of counters with different starts, a grid of their sums, a memory for each lane, and a condition on each.
 fn machine() -> Design {
     let b = &mut Build::new("machine");
     let step = b.input("step", 8, Shape::Row(3));
@@ -32,7 +32,7 @@ fn machine() -> Design {
     Design::new(vec![b.module.clone()]).unwrap()
 }
 
-/// What sets the three inputs.
+/// The values of the three inputs.
 fn steps(lanes: [u64; 3]) -> Bits {
     Bits::new(24, lanes[0] | lanes[1] << 8 | lanes[2] << 16)
 }

@@ -1,4 +1,5 @@
-//! A testbench that looks every clock sees what it would see on the reference engine, also once there is code for that.
+//! A testbench that looks at every clock sees the same as on the reference engine, even after code is made for its
+//! looks.
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, def, elaborate, mux};
 use tilewright_sim::{EngineKind, Passes, Simulation};
@@ -8,7 +9,7 @@ bundle! {
     pub struct Out<T> { pub sum: T, pub next: T, pub word: T, pub widened: T }
 }
 
-/// Outputs that follow from a register, a memory and the inputs; the edge needs the same.
+/// Outputs that depend on a register, a memory and the inputs; the edge needs the same values.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mixed;
 
@@ -35,7 +36,7 @@ impl Block for Mixed {
     }
 }
 
-/// What a testbench that looks now and then sees.
+/// The values seen by a testbench that looks occasionally.
 fn seen(kind: EngineKind, looks_after: u64) -> Vec<String> {
     let passes = Passes { looks_after, held_after: 40, ..Passes::default() };
     let mut sim = Simulation::with_passes(&elaborate(&Mixed).unwrap(), &passes).unwrap().on(kind);
@@ -48,7 +49,7 @@ fn seen(kind: EngineKind, looks_after: u64) -> Vec<String> {
             sim.set(add, cycle & 0x1f);
             sim.set(wide, Bits::from_limbs(70, &[cycle * 0x1234_5678_9abc, cycle & 0x3f]));
         }
-        // At first at one thing alone, which has a function before there is anything else.
+        // At first at one value only, which has a function before anything else does.
         if cycle % 3 != 0 && cycle > 100 {
             let values = [next, word, sum, widened].map(|port| sim.get(port));
             seen.push(format!("{values:?}"));

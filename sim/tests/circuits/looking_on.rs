@@ -1,4 +1,4 @@
-//! Looks at the same for many cycles, as most testbenches do, with whatever may come between two of them.
+//! Looks at the same values for many cycles, as most testbenches do, with any action between two looks.
 
 use std::path::Path;
 
@@ -12,8 +12,8 @@ bundle! {
     pub struct Out<T> { pub sum: T, pub next: T, pub gated: T, pub word: T, pub fetched: T, pub total: T, pub widened: T }
 }
 
-/// Registers of all kinds, plain and enabled, narrow and wide, and as many beside as are wanted; memories read at once and an
-/// edge later, written by two ports.
+/// Registers of all kinds, plain and enabled, narrow and wide, with a given number of others beside them; memories
+/// read asynchronously and synchronously, and written by two ports.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Machine {
     beside: u32,
@@ -33,7 +33,7 @@ impl Block for Machine {
         let later = m.memory("later", 8, 8, ReadUnderWrite::Any).fill(Bits::new(8, 5));
         def!(found = words.read_async(sum.slice(0..4)));
         def!(coming = sum + i.add + found);
-        // Nothing but zero while the input is held low.
+        // Always zero while the input is low.
         def!(gated = coming & i.gate.repeat(8));
         def!(widened = i.wide ^ coming.zext(70));
         let total = m.reg("total", 70).reset(0);
@@ -52,7 +52,7 @@ impl Block for Machine {
     }
 }
 
-/// Numbers that look as if by chance.
+/// Pseudo-random numbers.
 struct Chance(u64);
 
 impl Chance {
@@ -62,7 +62,7 @@ impl Chance {
     }
 }
 
-/// All that a testbench sees which looks at the same for a while, and then does something else.
+/// Everything seen by a testbench that looks at the same values for a while, and then does something else.
 fn seen(design: &Machine, seed: u64, kind: EngineKind, passes: &Passes, file: &Path) -> Vec<String> {
     let mut sim = Simulation::with_passes(&elaborate(design).unwrap(), passes).unwrap().on(kind);
     let ports = ["sum", "next", "gated", "word", "fetched", "total", "widened"].map(|name| sim.port(name).unwrap());
@@ -98,7 +98,7 @@ fn seen(design: &Machine, seed: u64, kind: EngineKind, passes: &Passes, file: &P
                 seen.push(std::fs::read_to_string(file).unwrap());
             }
             _ => {
-                // What has been set back is another moment all the same.
+                // A value that was changed and restored is a new moment all the same.
                 let before = sim.get(ports[1]);
                 sim.set(add, 1);
                 seen.push(sim.get(ports[1]).to_string());
@@ -115,7 +115,7 @@ fn whatever_comes_between_two_looks_is_seen_by_the_next() {
     let folder = tempfile::tempdir().unwrap();
     let file = &folder.path().join("looks.vcd");
     let mut stops = 0;
-    // With few registers a look leaves all that an edge changes, with many what it computes anyway.
+    // With few registers, a look keeps all changes of an edge; with many, only what it computes anyway.
     for (beside, seed) in [(0, 1), (0, 2), (80, 3)] {
         let design = &Machine { beside };
         let expected = seen(design, seed, EngineKind::Reference, &Passes::default(), file);

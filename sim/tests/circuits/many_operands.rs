@@ -1,11 +1,11 @@
-//! Operations of so many operands that code is made of them in pieces.
+//! Operations with so many operands that their code is made in pieces.
 
 use tilewright_hdl::{Module, Signal, bits, block, case, concat, elaborate, lit, mux, select};
 use tilewright_sim::{EngineKind, Passes, Simulation};
 
 use crate::circuits::random::Random;
 
-/// More operands than any step has, and than those that are looked for in few values.
+/// More operands than any step has, and more than the limit for finding pieces of a few values.
 const OPERANDS: u32 = 1500;
 
 block! {

@@ -1,4 +1,4 @@
-//! Circuits that run: what a testbench sees of them, on every engine.
+//! Running circuits: what a testbench sees of them, on every engine.
 #![allow(missing_docs)]
 
 mod asserts;

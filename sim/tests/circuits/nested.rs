@@ -1,11 +1,11 @@
-//! Arrays in arrays, on both engines side by side: what loops store, recompute and leave out.
+//! Arrays in arrays, on both engines side by side: what loops store, recompute and skip.
 
 use std::collections::BTreeSet;
 
 use tilewright_hdl::{Block, Module, Width, bits, bundle, cat, constants, stack};
 use tilewright_sim::{EngineKind, Simulation};
 
-/// Runs a block that has no inputs on both engines; what it gives has to change, or there would be little to compare.
+/// Runs a block without inputs on both engines. Its output must change, or there would be little to compare.
 #[track_caller]
 fn agree<B: Block<Out = SumOut>>(block: &B) {
     let mut sim = Simulation::of(block).unwrap().on(EngineKind::Both);
@@ -26,7 +26,7 @@ bundle! {
     pub struct SumOut<T> { pub sum: T }
 }
 
-/// Adds what its row holds to what it holds itself.
+/// Adds its row's value to its own.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Adder;
 
@@ -45,7 +45,7 @@ impl Block for Adder {
     }
 }
 
-/// Takes the sum of its adders, which depends on what it holds, into account.
+/// Uses the sum of its adders, which depends on its own value.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct AdderRow;
 
@@ -67,7 +67,7 @@ impl Block for AdderRow {
     }
 }
 
-/// Blocks with a seed each.
+/// Blocks, each with a seed.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Rows<B>(u32, B);
 
@@ -95,7 +95,7 @@ bundle! {
     pub struct LeafOut<T> { pub y: T }
 }
 
-/// Holds its input.
+/// Stores its input.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Leaf;
 
@@ -112,7 +112,7 @@ impl Block for Leaf {
     }
 }
 
-/// Two leaves that are given its input and half of it.
+/// Two leaves, fed its input and half of it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Pair;
 
@@ -130,7 +130,7 @@ impl Block for Pair {
     }
 }
 
-/// Pairs that are given values of a counter, the same in every group.
+/// Pairs that are fed values of a counter, the same in every group.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Group;
 
@@ -148,7 +148,7 @@ impl Block for Group {
     }
 }
 
-/// Groups that are all given the same.
+/// Groups that are all fed the same.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Groups;
 
@@ -171,7 +171,7 @@ fn a_row_that_all_groups_share_is_made_into_an_array_of_more_lanes() {
     agree(&Groups);
 }
 
-/// A value of 1024 bits, of few that are as wide.
+/// A value of 1024 bits, computed from a few equally wide ones.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Wide;
 

@@ -1,5 +1,5 @@
-//! Lanes of one bit that the compiled engine packs in words: on it and on the reference engine side by side, all is as if they were
-//! apart.
+//! Lanes of one bit that the compiled engine packs in words: side by side with the reference engine, the result is
+//! the same as for separate lanes.
 
 use tilewright_hdl::{
     Bits, Design, Module, ReadUnderWrite, bit, bits, block, codes, constants, elaborate, grid, interleave, lit, mux,
@@ -8,7 +8,7 @@ use tilewright_hdl::{
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 
 codes! {
-    /// Who writes.
+    /// The processors that write.
     enum Mask { Nobody, Everybody, Chosen, Both }
 }
 
@@ -43,7 +43,7 @@ impl Processor {
 }
 
 block! {
-    /// A grid of them, whose bits are moved, combined and looked at.
+    /// A grid of them, whose bits are moved, combined and read.
     struct Square { rows: u32, columns: u32, policy: ReadUnderWrite }
     in(self) SquareIn { x: bits(7), go: bit(), mask: one_of::<Mask>(), at: bits(3), all: bits(self.columns) }
     out(self) SquareOut { y: bits(self.columns), any: bit(), odd: bit(), sum: bits(8), last: bit().of(row(self.columns)), picked: bit().of(row(self.columns)) }
@@ -85,7 +85,7 @@ impl Square {
 }
 
 block! {
-    /// A row whose bits change places.
+    /// A row whose bits are permuted.
     struct Places { lanes: u32 }
     in(self) PlacesIn { x: bits(self.lanes), a: bit(), b: bit() }
     out(self) PlacesOut { all: bits(2 * self.lanes), half: bits(self.lanes), one: bit(), parity: bit(), sum: bits(8) }
@@ -146,7 +146,7 @@ fn square(rows: u32, columns: u32, policy: ReadUnderWrite) -> Design {
     elaborate(&Square { rows, columns, policy }).unwrap()
 }
 
-/// Bits are packed wherever there are as many as a word has.
+/// Bits are packed whenever they fill a word.
 fn passes() -> Passes {
     Passes { pack_from: 8, looks_after: 5, held_after: 9, ..Passes::default() }
 }
@@ -252,7 +252,7 @@ fn a_row_is_packed_in_one_word() {
 }
 
 block! {
-    /// Rows of numbers whose lanes change places in a regular way, and in one that is not.
+    /// Rows of numbers whose lanes are permuted, in a regular way and in an irregular one.
     struct Regular { lanes: u32, width: u32 }
     in(self) RegularIn { x: bits(self.width) }
     out(self) RegularOut { sum: bits(self.width) }

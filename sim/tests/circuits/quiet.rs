@@ -1,4 +1,4 @@
-//! Loops that are parted, and left out where nothing would change: all is as on the reference engine.
+//! Loops that are split, and skipped if nothing would change: the results equal those of the reference engine.
 
 use tilewright_hdl::{
     Module, ReadUnderWrite, Signal, bit, bits, block, case, constants, elaborate, lit, mux, row, select,
@@ -8,7 +8,7 @@ use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 use crate::circuits::random::Random;
 
 block! {
-    /// Rows of registers and of memories, which change by an operation that all lanes share.
+    /// Rows of registers and of memories, changed by an operation that all lanes share.
     struct Rows { seed: u64 }
     in RowsIn { op: bits(3), go: bits(3), x: bits(8) }
     out RowsOut { some: bits(8), flags: bit() }
@@ -45,7 +45,7 @@ impl Rows {
         RowsOut { some: registers[1].lane(7) ^ registers[3].lane(9), flags: flag.lane(1) }
     }
 
-    /// A value made of others.
+    /// A value computed from others.
     fn value(random: &mut Random, of: &[Signal]) -> Signal {
         let [a, b, c] = [(); 3].map(|()| random.one(of));
         match random.below(4) {
@@ -56,7 +56,7 @@ impl Rows {
         }
     }
 
-    /// What a register becomes: often what it was.
+    /// The next value of a register: often the old one.
     fn next(random: &mut Random, i: RowsIn, stays: Signal, flag: Signal, values: &[Signal]) -> Signal {
         let [first, second] = [(); 2].map(|()| random.one(values));
         let value = Rows::value(random, values);
@@ -71,7 +71,8 @@ impl Rows {
     }
 }
 
-/// Runs such a circuit on both engines, side by side; tells into how many loops its loop was parted, at the most.
+/// Runs such a circuit on both engines, side by side; returns the largest number of loops into which its loop was
+/// split.
 fn run(seed: u64) -> usize {
     let design = elaborate(&Rows { seed }).unwrap();
     let mut random = Random::new(seed ^ 0x5eed);
@@ -99,7 +100,7 @@ fn loops_in_which_nothing_would_change_are_left_out() {
 }
 
 block! {
-    /// Two writes to the same words, and a sum of what a register only sometimes becomes.
+    /// Two writes to the same words, and a sum of a register's occasional next value.
     struct Apart;
     in ApartIn { writes: bits(2), at: bits(2), adds: bit(), x: bits(8) }
     out ApartOut { word: bits(8), total: bits(8) }
@@ -120,7 +121,7 @@ impl Apart {
     }
 }
 
-/// The later write wins, and the sum is of each clock, though parts of the loop are left out.
+/// The later write wins, and the sum is correct in each clock, although parts of the loop are skipped.
 #[test]
 fn parts_keep_their_order_and_what_others_take_of_them() {
     let design = elaborate(&Apart).unwrap();

@@ -1,6 +1,6 @@
 //! Random numbers that are the same every time.
 
-/// Numbers at random: xorshift.
+/// Random numbers: xorshift.
 pub struct Random(u64);
 
 impl Random {
@@ -20,7 +20,7 @@ impl Random {
     }
 }
 
-/// Runs as many machines as `<NAME>_MACHINES` says, from number `<NAME>_SEED` on, by hand; each gives how many edges were left out.
+/// Runs `<NAME>_MACHINES` machines, from number `<NAME>_SEED` on, by hand; each returns the number of skipped edges.
 pub fn campaign(name: &str, run: impl Fn(u64) -> u64) {
     let (seed, machines) = (number(&format!("{name}_SEED")), number(&format!("{name}_MACHINES")));
     let left_out: u64 = (seed..seed + machines).map(run).sum();
@@ -28,7 +28,7 @@ pub fn campaign(name: &str, run: impl Fn(u64) -> u64) {
     assert!(left_out > 0);
 }
 
-/// The number in a variable of the environment.
+/// The number in an environment variable.
 fn number(name: &str) -> u64 {
     let text = std::env::var(name).unwrap_or_else(|_| panic!("{name} says no number"));
     text.parse().unwrap_or_else(|_| panic!("{name} is no number: {text}"))

@@ -1,4 +1,4 @@
-//! Rows that are put together, and values that are taken apart into lanes, where both stand in memory as they are.
+//! Rows that are joined, and values that are split into lanes, when both have the same layout in memory.
 
 use tilewright_hdl::{Module, bits, block, elaborate, grid, row, stack};
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
@@ -6,7 +6,7 @@ use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
 use crate::circuits::random::Random;
 
 block! {
-    /// Rows from inputs, from words and computed ones, which neighbours look at; and all lanes of one in a value.
+    /// Rows from inputs, from words and computed ones, which neighbours read; and all lanes of one in a value.
     struct Gatherer { rows: u32, columns: u32, width: u32 }
     in(self) GathererIn {
         rows: [bits(self.width).of(row(self.columns)); self.rows - 2],

@@ -6,7 +6,7 @@ use tilewright_sim::{EngineKind, Passes, Simulation};
 
 use crate::circuits::build::Build;
 
-/// All passes, none, and all but one, with code for held inputs and functions that are cut early.
+/// All passes, none, and all but one, with code for constant inputs and functions that are cut early.
 fn every_passes() -> Vec<Passes> {
     let without: [fn(&mut Passes); 10] = [
         |passes| passes.siblings = false,
@@ -29,7 +29,8 @@ fn every_passes() -> Vec<Passes> {
     [Passes::default(), Passes::none(), plain].into_iter().chain(without).collect()
 }
 
-/// The top of these modules under changing inputs, machine code beside the reference engine, whatever passes there are.
+/// The top of these modules under changing inputs, with machine code beside the reference engine, for all sets of
+/// passes.
 fn run(modules: Vec<Module>) {
     let design = Design::new(modules).unwrap();
     for passes in every_passes() {

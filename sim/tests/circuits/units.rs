@@ -1,5 +1,5 @@
-//! Instances that run one by one and are left out while they have nothing to do: all is as on the reference engine, and they are left
-//! out.
+//! Instances that run one by one and are skipped while they have nothing to do: the results equal those of the
+//! reference engine.
 
 use tilewright_hdl::{
     Block, Module, ReadUnderWrite, Signal, Width, bit, bits, bundle, cat, constants, elaborate, lit, mux, row,
@@ -58,7 +58,7 @@ struct Unit {
 }
 
 impl Unit {
-    /// A value made of others.
+    /// A value computed from others.
     fn value(random: &mut Random, of: &[Signal]) -> Signal {
         let [a, b, c] = [(); 3].map(|()| random.one(of));
         match random.below(5) {
@@ -117,7 +117,7 @@ bundle! {
     struct ChainOut<T> { lanes: T, words: T, copy: T }
 }
 
-/// A unit in which numbers go through rows of lanes, or through memories, while no register of one lane changes.
+/// A unit in which numbers pass through rows of lanes, or through memories, while no scalar register changes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Chain {
     lanes: u32,
@@ -144,7 +144,7 @@ impl Block for Chain {
             memory.read_async(lit(1, 1))
         });
         let [lanes, words] = [("lanes", end.xor_all()), ("words", written)].map(|(name, value)| m.pipe(name, value));
-        // What a testbench puts there comes out, and so does a reset.
+        // A word that a testbench pokes comes out, and so does a reset.
         let poked = m.memory("poked", 4, 8, ReadUnderWrite::Old);
         let copy = m.reg("copy", 8).reset(0);
         copy.next(poked.read_async(lit(2, 3)));
@@ -195,8 +195,8 @@ impl Block for Machine {
     }
 }
 
-/// Runs a machine on generated code and on the reference engine by the same random inputs, many edges at a time or few, and on both
-/// side by side; gives how many edges of units were left out.
+/// Runs a machine on generated code and on the reference engine with the same random inputs, many or few edges at a
+/// time, and on both side by side. Returns the number of skipped edges of units.
 fn run(seed: u64) -> u64 {
     let design = elaborate(&Machine { seed }).unwrap();
     let mut random = Random::new(seed ^ 0x5eed);
@@ -253,7 +253,7 @@ fn random_machines_run_as_on_the_reference_engine() {
     assert!(many > 2, "units that have nothing to do are left out: {left_out:?}");
 }
 
-/// By hand, for a long time: docs/decisions/engine.md has the command.
+/// Run by hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many machines as UNITS_MACHINES says, from UNITS_SEED on"]
 fn random_machines_from_a_seed_run_as_on_the_reference_engine() {

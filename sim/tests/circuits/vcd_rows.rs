@@ -1,4 +1,4 @@
-//! A waveform whose steps are written many at a time is the one that is written step by step.
+//! A waveform whose steps are written many at a time equals one that is written step by step.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ codes! {
     enum Phase { Idle, Load, Store }
 }
 
-/// Values of all kinds that a row has: of a bit, of several, of several limbs, names of codes, words of a memory; and an
+/// Values of all kinds in a row: one bit, several bits, several limbs, names of codes, words of a memory; and an
 /// assertion on a count.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mix;
@@ -57,7 +57,8 @@ fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("rows_{name}.vcd"))
 }
 
-/// The file of a run in which inputs and resets change now and then, and an assertion fails; `vcd` says what is traced.
+/// The file of a run in which inputs and resets change now and then and an assertion fails; `vcd` selects what is
+/// traced.
 fn waves(kind: EngineKind, looks_after: u64, vcd: impl FnOnce(&Path) -> Vcd) -> Vec<u8> {
     let design = tilewright_hdl::elaborate(&Mix).unwrap();
     let passes = Passes { looks_after, ..Passes::default() };

@@ -1,4 +1,4 @@
-//! Versions of loops for instructions that come often: all is as on the reference engine.
+//! Versions of loops for frequent instructions: the results equal those of the reference engine.
 
 use tilewright_hdl::{Module, ReadUnderWrite, Signal, bit, bits, block, case, constants, elaborate, lit, mux, row};
 use tilewright_sim::{EngineKind, Passes, Simulation};
@@ -6,7 +6,7 @@ use tilewright_sim::{EngineKind, Passes, Simulation};
 use crate::circuits::random::Random;
 
 block! {
-    /// Processors under one instruction, whose fields choose what all of them do.
+    /// Processors under one instruction, whose fields select what all of them do.
     struct Processors { seed: u64 }
     in ProcessorsIn { op: bits(3), source: bits(2), mask: bits(2), flags: bits(4), at: bits(3), x: bits(8) }
     out ProcessorsOut { some: bits(8), any: bit(), total: bits(8), edges: bits(16) }
@@ -24,7 +24,7 @@ impl Processors {
         let delayed = m.reg("delayed", bits(3)).reset(0);
         let numbers = constants(word, |lane| u64::from(lane * 37 % 251));
         let x = i.x.zext(width);
-        // What the neighbour has is looked at before it changes: that register waits.
+        // The neighbour's value is read before it changes: that register waits.
         let neighbour = if random.below(2) == 0 { sum.previous(x) } else { numbers };
         let read = memory.read_async(mux(i.flags.bit(3), *delayed, i.at));
         let operand = case(i.source, [(0, x.of(lanes)), (1, *sum), (2, neighbour)], numbers);
@@ -60,7 +60,8 @@ impl Processors {
     }
 }
 
-/// Runs processors by instructions of which few come often, on generated code beside the reference; gives how many versions were made.
+/// Runs processors with instructions of which a few are frequent, on generated code beside the reference; returns the
+/// number of versions made.
 fn run(seed: u64) -> u64 {
     let design = elaborate(&Processors { seed }).unwrap();
     let mut random = Random::new(seed ^ 0x5eed);
@@ -99,7 +100,8 @@ fn what_comes_often_gets_a_version() {
 }
 
 block! {
-    /// A row of numbers that are mixed by an instruction in registers, of whose fields the loop takes a bit each: what they choose is little.
+    /// A row of numbers that are mixed by an instruction in registers. The loop uses one bit of each field: the
+    /// choices are small.
     struct Mixer;
     in MixerIn { first: bits(2), second: bits(2), x: bits(8) }
     out MixerOut { last: bits(8) }

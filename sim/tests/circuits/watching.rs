@@ -1,4 +1,4 @@
-//! Waves and recordings of a part of a run, and how mistakes of a testbench read.
+//! Waves and recordings of a part of a run, and the messages for mistakes in a testbench.
 
 use tilewright_hdl::recording::Initial;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, cat, codes, goto, stack};
@@ -124,7 +124,7 @@ bundle! {
     pub struct StepOut<T> { pub phase: T, pub pixel: Pixel<T>, pub depth: T, pub lanes: T }
 }
 
-/// Goes through three phases with a pixel, and with a depth that falls below 0.
+/// Goes through three phases with a pixel, and with a depth that becomes negative.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Step;
 
@@ -217,7 +217,7 @@ fn a_recording_starts_from_what_was_poked() {
     let initial = |address, words: &[Bits]| Initial { path: "store".to_owned(), address, words: words.to_vec() };
     assert_eq!(recording.initial, [initial(1, &[word(1)]), initial(5, &[word(0x55), word(0x66)])]);
     assert_eq!(recording.steps.len(), 2);
-    // What a new start forgets is not told.
+    // A new start does not report what it forgets.
     let mut again = sum();
     again.poke_memory("store", 5, 0x55).unwrap();
     let mut again = again.seeded(0);

@@ -1,4 +1,4 @@
-//! Values of thousands of bits, on threads whose stack is small: no code may need more of it than there is.
+//! Values of thousands of bits, on threads with a small stack: no code may need more than there is.
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, concat, elaborate, mux};
 use tilewright_sim::{Batch, EngineKind, Simulation};
@@ -8,7 +8,7 @@ bundle! {
     pub struct CellOut<T> { pub value: T, pub sum: T }
 }
 
-/// A register, a memory, and each kind of work on wide values, with many of them under way at once.
+/// A register, a memory, and each kind of operation on wide values, with many of them live at once.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     width: u32,
@@ -76,7 +76,7 @@ impl Block for Row {
     }
 }
 
-/// Runs an array on both engines, on a thread with a stack of so many bytes, and a batch of arrays.
+/// Runs an array on both engines, on a thread with a stack of this many bytes, and a batch of arrays.
 fn runs_on(stack: usize, row: &Row) {
     let design = elaborate(row).unwrap();
     let width = row.width;

@@ -1,4 +1,4 @@
-//! Some words of many that stand at an address: only those that are taken are read, and they are the right ones.
+//! Some of many adjacent words at an address: only the selected ones are read, and they are correct.
 
 use tilewright_hdl::{Block, Clock, Module, Period, ReadUnderWrite, bit, bits, block, constants, elaborate, grid, row};
 use tilewright_sim::{EngineKind, Pass, Passes, Simulation, explain};
@@ -9,7 +9,7 @@ const FAST: Clock = Clock::new("fast", Period::ps(2_000));
 const SLOW: Clock = Clock::new("slow", Period::ps(3_000));
 
 block! {
-    /// A memory in each place of a grid, and of each row the word in one column.
+    /// A memory at each place of a grid, and from each row the word in one column.
     struct Picker { rows: u32, columns: u32, width: u32, depth: u32 }
     in(self) PickerIn { at: bits(3).on(FAST), column: bits(8).on(FAST), to: bits(3).on(SLOW), go: bit().on(SLOW) }
     out(self) PickerOut { seen: bits(self.width).of(row(self.rows)), kept: bits(self.width).of(row(self.rows)) }

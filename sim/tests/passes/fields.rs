@@ -10,7 +10,7 @@ bundle! {
     pub struct WordsOut<T> { pub row: T, pub low: T }
 }
 
-/// Keeps a row and a number in a word.
+/// Stores a row and a number in a word.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Words;
 
@@ -61,7 +61,7 @@ fn fields() {
         output low = low
     ",
     );
-    // Without the pass it is as the one before has left it.
+    // Without the pass, the result is that of the previous pass.
     let whole = after_with(&Words, Pass::Fields, &Passes { fields: false, ..Passes::default() });
     assert_eq!(whole, after(&Words, Pass::Lift));
 }

@@ -153,7 +153,7 @@ bundle! {
     pub struct PairOut<T> { pub y: T, pub z: T }
 }
 
-/// What is written twice, and what does nothing.
+/// Duplicate expressions, and expressions without effect.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Twice;
 

@@ -1,4 +1,4 @@
-//! From a program to the functions that code is made of.
+//! From a program to the functions of generated code.
 
 use tilewright_hdl::{Bits, Block, Module, Width, bit, bits, bundle, case, cat, row};
 use tilewright_sim::{Pass, Passes};
@@ -129,7 +129,7 @@ bundle! {
     pub struct CellOut<T> { pub q: T }
 }
 
-/// Does what an opcode says with its neighbour's value.
+/// Applies an opcode to its neighbour's value.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell;
 
@@ -236,7 +236,7 @@ bundle! {
     pub struct HeatOut<T> { pub all: T }
 }
 
-/// A rod of cells, each of which becomes what its neighbours were.
+/// A rod of cells; each takes the sum of its neighbours' old values.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Heat;
 
@@ -257,8 +257,8 @@ impl Block for Heat {
     }
 }
 
-/// Once a loop that goes upwards is at a lane, the one below is not as it was any more: `heat` has to wait for the end,
-/// `flow` does not.
+/// When an ascending loop is at a lane, the lane below has already changed: `heat` has to wait for the end, `flow`
+/// does not.
 #[test]
 fn plan_of_a_register_with_neighbours_on_both_sides() {
     is(

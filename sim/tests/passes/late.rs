@@ -1,4 +1,4 @@
-//! What is put off, and what is left out at the start.
+//! Work that is postponed, and work that is left out at the start.
 
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bits, block, bundle, row};
 use tilewright_sim::{Pass, Passes};
@@ -10,7 +10,7 @@ bundle! {
     pub struct MixOut<T> { pub q: T }
 }
 
-/// Takes what all cells have together.
+/// Uses the common value of all cells.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Mix;
 
@@ -123,7 +123,7 @@ fn lower_memories_that_are_full_of_a_word() {
         r"
         an edge of clk:
         address : 4 = input
-        %0      : 8 = words[address] as it stands
+        %0      : 8 = words[address] as stored
         %1      : 8 = %0 ^ 8'hff
         word    : 8 = input
         %2      : 8 = word ^ 8'hff
@@ -134,7 +134,7 @@ fn lower_memories_that_are_full_of_a_word() {
 }
 
 block! {
-    /// Rows that each take the one before, which is half or twice as long.
+    /// Rows that each take the previous one, which is half or twice as long.
     struct Levels { widen: bool }
     in LevelsIn { x: bits(8) }
     out LevelsOut { last: bits(8) }

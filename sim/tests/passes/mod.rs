@@ -1,4 +1,4 @@
-//! What each pass makes of a small circuit, in lines to read: a pass that does nothing any more fails here.
+//! The effect of each pass on a small circuit, as text: a pass that loses its effect fails here.
 
 mod fields;
 mod front;
@@ -12,12 +12,12 @@ mod versions;
 use tilewright_hdl::{Block, elaborate};
 use tilewright_sim::{Pass, Passes, explain};
 
-/// What a pass leaves of a block, without the places in the source.
+/// The result of a pass for a block, without the source places.
 fn after<B: Block>(block: &B, pass: Pass) -> String {
     after_with(block, pass, &Passes::default())
 }
 
-/// As [`after`], with other passes than the usual.
+/// Like [`after`], with other than the default passes.
 fn after_with<B: Block>(block: &B, pass: Pass, passes: &Passes) -> String {
     let design = elaborate(block).unwrap();
     let explained = explain(&design, passes).into_iter().find(|it| it.pass == pass).expect("every pass is explained");
@@ -25,7 +25,7 @@ fn after_with<B: Block>(block: &B, pass: Pass, passes: &Passes) -> String {
     lines.map(|line| format!("{line}\n")).collect()
 }
 
-/// Compares text line by line; `expected` is indented as the test is.
+/// Compares text line by line; `expected` is indented like the test.
 #[track_caller]
 fn is(got: &str, expected: &str) {
     let lines: Vec<&str> = expected.trim_end().lines().skip(1).collect();

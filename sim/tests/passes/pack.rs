@@ -6,7 +6,7 @@ use tilewright_sim::{Pass, Passes};
 use crate::passes::{after, after_with, is};
 
 block! {
-    /// A square of bits that are moved down, and summed up in a plane of memory.
+    /// A square of bits that are shifted down, and summed up in a plane of memory.
     struct Square;
     in SquareIn { above: bit().of(128), enable: bit(), address: bits(3) }
     out SquareOut { any: bit() }
@@ -53,13 +53,13 @@ fn pack() {
         output any = any
     ",
     );
-    // Without the pass it is as the one before has left it.
+    // Without the pass, the result is that of the previous pass.
     let apart = after_with(&Square, Pass::Pack, &Passes { pack_from: u32::MAX, ..Passes::default() });
     assert_eq!(apart, after(&Square, Pass::Fields));
 }
 
 block! {
-    /// A row whose bits are spread, moved and looked at.
+    /// A row whose bits are spread, shifted and read.
     struct Row;
     in RowIn { x: bits(4), a: bit() }
     out RowOut { all: bits(8), one: bit(), numbers: bits(8).of(8) }

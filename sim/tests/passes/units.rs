@@ -34,7 +34,7 @@ bundle! {
     pub struct NodesOut<T> { pub all: T }
 }
 
-/// Each adds what the one before has.
+/// Each adds the previous one's value.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Nodes;
 
@@ -59,7 +59,7 @@ fn units() {
     let edge = after_with(&Nodes, Pass::Edge, &passes);
     for unit in ["unit 0", "unit 1"] {
         assert!(
-            edge.contains(&format!("  {unit}, left out where nothing else crosses: 1 changes, crossing: ")),
+            edge.contains(&format!("  {unit}, skipped unless something else crosses: 1 changes, crossing: ")),
             "{edge}"
         );
     }

@@ -1,4 +1,4 @@
-//! Loops that get versions for what comes often.
+//! Loops that get versions for frequent cases.
 
 use tilewright_hdl::{Module, bit, bits, block, mux, row};
 use tilewright_sim::{Pass, Passes};
@@ -6,7 +6,7 @@ use tilewright_sim::{Pass, Passes};
 use crate::passes::{after_with, is};
 
 block! {
-    /// A row of numbers that are mixed; what little two fields of an instruction choose is not worth loops of their own.
+    /// A row of numbers that are mixed; two fields of an instruction select too little to justify loops of their own.
     struct Mixer;
     in MixerIn { adds: bit(), inverts: bit(), x: bits(8) }
     out MixerOut { all: bits(8) }

@@ -5,19 +5,19 @@ use tilewright_hdl::{Module, bits, block};
 block! {
     /// Multiplies pairs of bytes.
     pub struct Dots {
-        /// How many pairs, at least 1.
+        /// The number of pairs, at least 1.
         pub pairs: u32,
     }
     in(self) DotsIn {
-        /// One of each pair.
+        /// The first factor of each pair.
         left: [bits(8); self.pairs],
-        /// The other.
+        /// The second factor of each pair.
         right: [bits(8); self.pairs],
     }
     out(self) DotsOut {
-        /// Of the clock before.
+        /// The products, one clock later.
         products: [bits(16); self.pairs],
-        /// Of the products.
+        /// The sum of the products.
         sum: bits(32),
     }
 }

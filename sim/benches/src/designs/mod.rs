@@ -1,4 +1,4 @@
-//! The designs. Each has an output `csum`, a checksum of all that it does.
+//! The designs. Each has an output `csum`, a checksum of everything that it does.
 
 mod cores;
 mod dots;
@@ -27,8 +27,8 @@ use tilewright_hdl::bundle;
 bundle! {
     /// The inputs of the designs of one clock.
     pub struct BenchIn<T> {
-        /// Held high for [`RESET_CYCLES`](crate::RESET_CYCLES) at the start. It is no reset of the language's kind, as what it puts
-        /// into a register may differ from lane to lane.
+        /// High for [`RESET_CYCLES`](crate::RESET_CYCLES) at the start. It is not a reset of the language, because
+        /// the values that it puts into a register may differ from lane to lane.
         pub rst: T,
     }
 

@@ -1,4 +1,4 @@
-//! Renderers of which one is busy: of the nodes of a machine, most wait most of the time.
+//! Renderers, one of which is busy at a time: most nodes of a machine wait most of the time.
 //!
 //! ```text
 //!   turn ----> [ node 0 ]    [ node 1 ]    [ node 2 ]  ..  each a renderer of 32 x 32 pixels
@@ -6,9 +6,9 @@
 //!                  '-------------+-------------'----> checksum
 //! ```
 //!
-//! A node that has its turn sends its renderer instructions; the others end what they have, and wait until their turn comes.
+//! The active node sends its renderer instructions; the others finish theirs, and wait for their turn.
 //!
-//! What it asks of a simulator: not to compute what stays as it is.
+//! It tests whether unchanged values are not recomputed.
 
 use tilewright_hdl::{Module, below, bit, bits, block, constants, def, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
@@ -30,11 +30,11 @@ block! {
 }
 
 impl Nodes {
-    /// So many.
+    /// The given number of renderers.
     ///
     /// # Errors
     ///
-    /// There is no renderer of that side.
+    /// There is no renderer with that side.
     pub fn new(count: u32) -> Result<Nodes, ParameterError> {
         Ok(Nodes { count, node: Node { regions: Regions::new(SIDE)? } })
     }

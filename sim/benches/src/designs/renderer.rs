@@ -1,13 +1,15 @@
-//! A renderer of Pixel-planes 5 at work: region after region, from a program that it has beside it.
+//! A renderer of Pixel-planes 5 at work: region after region, from a program stored beside it.
 //!
 //! ```text
 //!  [ program ]==> instructions [ renderer ] planes ==> checksum
 //! ```
 //!
-//! First comes a region of one triangle, so that pixels are sent soon; what follows goes on over and over. Each region is cleared, drawn by triangles with planes of colour, of which the least words stay, and saved; it is sent while the
-//! next one is drawn. The checksum has all planes that are sent, and all instructions that are taken.
+//! First comes a region of one triangle, so that pixels are sent soon; the following regions repeat. Each region is
+//! cleared, drawn by triangles with planes of colour, of which the smallest words stay, and saved. It is sent while
+//! the next one is drawn. The checksum covers all planes sent and all instructions taken.
 //!
-//! What it asks of a simulator: thousands of processors of one bit under one instruction, a tree that feeds them, and what decodes instructions.
+//! It tests thousands of one-bit processors under one instruction, the tree that feeds them, and an instruction
+//! decoder.
 
 use tilewright_hdl::{Fields, Module, ReadUnderWrite, Signal, below, bits, block, bundle, cat, def, lit, mux};
 use tilewright_rtl::parameter::ParameterError;
@@ -20,11 +22,11 @@ use crate::word::seed;
 
 /// Triangles of a region.
 const TRIANGLES: u32 = 40;
-/// Instructions that wait.
+/// The length of the instruction queue.
 const QUEUE: u32 = 16;
 
 block! {
-    /// Regions, one after another, on a renderer of Pixel-planes 5.
+    /// Regions in sequence, on a renderer of Pixel-planes 5.
     pub struct Regions {
         renderer: Renderer,
     }
@@ -37,7 +39,7 @@ impl Regions {
     ///
     /// # Errors
     ///
-    /// There is none of that side.
+    /// There is no renderer with that side.
     pub fn new(side: u32) -> Result<Regions, ParameterError> {
         Ok(Regions { renderer: Renderer::new(side, QUEUE)? })
     }
@@ -117,13 +119,13 @@ fn triangle(side: u32, number: u32) -> Vec<Instruction<u64>> {
     smooth_least(side, &edges, &surface)
 }
 
-/// What is 0 or more at the right of the way from one corner to another, y being downward.
+/// The line that is 0 or more to the right of the way from one corner to another, y pointing down.
 fn line(from: &Corner<i64>, to: &Corner<i64>) -> Expression {
     let (a, b) = (from.y - to.y, to.x - from.x);
     Expression { a, b, c: -(a * from.x + b * from.y) }
 }
 
-/// Of the way from one corner to another, the line's value at a third.
+/// The value, at a third corner, of the line from one corner to another.
 fn edge(from: &Corner<i64>, to: &Corner<i64>, at: &Corner<i64>) -> i64 {
     let Expression { a, b, c } = line(from, to);
     a * at.x + b * at.y + c

@@ -1,6 +1,6 @@
 //! A systolic array that multiplies matrices, as a grid of lanes.
 //!
-//! What it asks of a simulator: as many multipliers as the grid has cells, all alike, each fed by its neighbours on two sides.
+//! It tests as many multipliers as the grid has cells, all alike, each fed by its neighbours on two sides.
 
 use tilewright_hdl::{Module, Signal, bit, bits, block, constants, def, grid, mux, row};
 
@@ -19,7 +19,7 @@ block! {
 impl Systolic {
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
         let cells = grid(self.size, self.size);
-        // What enters a side: a row of generators that start at numbers of their own.
+        // The inputs of a side: a row of generators with different starts.
         let side = |name, seed: u64| -> Signal {
             let state = m.reg(name, bits(16).of(row(self.size)));
             let start = constants(bits(16).of(row(self.size)), |lane| (seed + 40_503 * u64::from(lane)) % 65_536);

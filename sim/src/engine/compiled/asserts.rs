@@ -1,8 +1,9 @@
-//! What must hold at an edge.
+//! The assertions of an edge.
 //!
-//! An edge looks whether assertions hold before it changes anything. They often look at all lanes: at inputs that stand side by side, at
-//! whether all queues are empty, at who comes first. Some of that takes a loop of its own, or a load and a store for each lane. It is left
-//! in memory for the edge, which needs it again. The rest the edge computes anew, lane by lane.
+//! An edge checks assertions before it changes anything. Assertions often look at all lanes: at adjacent inputs, at
+//! whether all queues are empty, at which lane is first. Some of this takes a loop of its own, or a load and a store
+//! for each lane. Such results stay in memory for the edge, which needs them again. The edge computes the rest anew,
+//! lane by lane.
 
 use rustc_hash::FxHashSet;
 
@@ -11,11 +12,11 @@ use super::function::{Held, Maker};
 use super::prepare::Prepared;
 use crate::engine::program::{Circuit, Kind, ValueId};
 
-/// From how many lanes on values that stand side by side are left.
+/// From this number of lanes on, values that are placed side by side are kept.
 const SIDE_BY_SIDE: u32 = 4;
 
 impl Compiled {
-    /// Whether all assertions hold at an edge of these clocks.
+    /// Whether all assertions pass at an edge of these clocks.
     pub(super) fn holds(&mut self, rising: &[usize]) -> bool {
         let made = self.checks.iter().find(|(clocks, resets, _)| clocks == rising && *resets == self.resets);
         let code = match made {
@@ -33,7 +34,8 @@ impl Compiled {
         self.call(code, 1) == 0
     }
 
-    /// Prepares the functions for an edge of these clocks: what must hold, for clocks that are not in reset, and what changes.
+    /// Prepares the functions for an edge of these clocks: the assertions, for clocks that are not in reset, and the
+    /// changes.
     pub(super) fn prepare_edges(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Vec<Prepared> {
         let program = self.program.clone();
         let shared = if self.apart.is_none() { self.left_by_check(rising, resets, held) } else { Vec::new() };
@@ -46,7 +48,7 @@ impl Compiled {
         check.into_iter().chain([edge]).collect()
     }
 
-    /// What must be computed for assertions, and an edge needs first of it, as far as it takes a loop or many parts.
+    /// The values that assertions compute and an edge needs too, if they take a loop or many parts.
     fn left_by_check(&self, rising: &[usize], resets: &[bool], held: &Held) -> Vec<ValueId> {
         let program = &self.program;
         let asserts = rising.iter().filter(|&&clock| !resets[clock]).flat_map(|&clock| &program.clocks[clock].asserts);
@@ -62,7 +64,8 @@ impl Compiled {
     }
 }
 
-/// Of what is computed for some values, what others need first that is made of many lanes, or is many that are put side by side.
+/// Among the values computed for `of`, those that `others` need and that are reduced from many lanes or assembled
+/// from many values.
 fn borders(circuit: &Circuit, of: impl Iterator<Item = ValueId>, others: Vec<ValueId>) -> Vec<ValueId> {
     let computed: FxHashSet<ValueId> = circuit.needed(of).into_iter().collect();
     let (mut seen, mut borders, mut open) = (FxHashSet::default(), Vec::new(), others);
@@ -80,7 +83,7 @@ fn borders(circuit: &Circuit, of: impl Iterator<Item = ValueId>, others: Vec<Val
     borders
 }
 
-/// Whether a value of one lane is made of many, or a value of many lanes of those of one.
+/// Whether a value of one lane is made from many lanes, or a value of many lanes from single ones.
 fn is_border(circuit: &Circuit, id: ValueId) -> bool {
     let cell = &circuit[id];
     match &cell.kind {
@@ -107,7 +110,7 @@ mod tests {
         struct RowOut<T> { count: T }
     }
 
-    /// Adds what it is given, with two assertions about it.
+    /// Adds up its input, with two assertions about it.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Worker;
 
@@ -128,7 +131,7 @@ mod tests {
         }
     }
 
-    /// Some of them, and how often they all are even.
+    /// Several workers, and the number of times at which all are even.
     #[derive(Debug, Clone, PartialEq, Eq, Hash)]
     struct Row;
 

@@ -1,5 +1,5 @@
-//! Where the words of memories stand: those of memories with the same ports side by side, so that an access to all of
-//! them is one to a single line of the cache.
+//! The layout of memories: those with the same ports stand side by side, so that an access to all of them is to a
+//! single cache line.
 
 use std::collections::BTreeMap;
 
@@ -15,20 +15,20 @@ use crate::engine::program::{Cell, Kind, Memory, Program, ValueId};
 /// Memories that stand side by side.
 pub(super) type Bank = Store;
 
-/// What memories that stand side by side have in common.
+/// The common properties of memories that stand side by side.
 #[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Ports {
     lanes: u32,
     depth: u32,
     /// Clock, enable and address.
     writes: Vec<(u32, ValueId, ValueId)>,
-    /// Addresses, in order.
+    /// Addresses, in sequence.
     reads: Vec<ValueId>,
-    /// Which memory, if it stands alone.
+    /// The memory, if it stands alone.
     alone: Option<usize>,
 }
 
-/// Where the memories of a program stand, and their banks, full of zeros.
+/// The places of a program's memories, and their banks, full of zeros.
 pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<Bank>) {
     let mut groups: BTreeMap<Ports, Vec<usize>> = BTreeMap::new();
     for (index, (memory, reads)) in program.memories.iter().zip(reads(program)).enumerate() {
@@ -47,7 +47,7 @@ pub(super) fn banks(program: &Program, strips: &Strips) -> (Vec<MemoryAt>, Vec<B
         let together =
             ports.lanes > 1 && widths.iter().all(|&width| width <= 64) && addresses().all(|id| common.contains(&id));
         // Every address that its width can express has a word, so that reads need no check: those beyond the depth
-        // stay zero. The width is that of the depth, as `demands` has seen.
+        // stay zero. The width is that of the depth, as `demands` has checked.
         let depth = (ports.depth as usize).max(1 << bits);
         let places = Words::side_by_side(&widths, ports.lanes, depth, together, strips);
         let bank = Bank::new(places[0].1.size, program.passes.guarded);
@@ -83,7 +83,7 @@ fn reads(program: &Program) -> Vec<Vec<ValueId>> {
     all
 }
 
-/// The values that are the same in all lanes, and can be taken from one.
+/// The values that are the same in all lanes, so that one lane represents them.
 fn common(program: &Program) -> FxHashSet<ValueId> {
     let is_broadcast = |cell: &Cell| matches!(cell.kind, Kind::Broadcast { of, .. } if program.circuit[of].lanes == 1);
     program.circuit.cells().filter(|(_, cell)| is_broadcast(cell)).map(|(id, _)| id).collect()

@@ -1,5 +1,5 @@
-//! Branches around whole arrays: where all lanes choose by one value, a kernel is made for each number that it may
-//! be, with only what is computed then.
+//! Branches around whole arrays: if one value selects for all lanes, each of its numbers gets a kernel with only the
+//! operations computed then.
 
 use std::collections::BTreeMap;
 
@@ -15,17 +15,17 @@ use crate::engine::program::{Cell, Circuit, Kind, ValueId};
 
 /// The widest value that is branched on.
 const WIDEST: u32 = 6;
-/// The part of a kernel's work that its variants may leave on average; if they leave more, it is not split.
+/// The average share of a kernel's work that may remain in its variants; if more remains, the kernel is not split.
 const REMAINING: f64 = 0.93;
 /// Operations on strips that a branch must save to be worth its own cost.
 const WORTH: usize = 24;
-/// Cells that the variants of a kernel may have together.
+/// The cells that the variants of a kernel may have together.
 const MOST: usize = 8000;
 
-/// The same for kernels that may get versions: the frequent cases are theirs.
+/// The same for kernels that may get versions, which cover the frequent cases.
 const MOST_BESIDE_VERSIONS: usize = 3000;
 
-/// Gives kernels branches where it pays.
+/// Gives kernels branches if that pays.
 pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips, passes: &Passes) {
     let order = function.needed();
     let mut stages = std::mem::take(&mut plan.stages);
@@ -45,7 +45,8 @@ pub(super) fn branch(function: &mut Function, plan: &mut Plan, strips: &Strips, 
     plan.stages = stages;
 }
 
-/// Splits a kernel by the value that most of its choices depend on, and the parts again; gives the cells in the end.
+/// Splits a kernel by the value that most of its choices depend on, and then the parts; returns the number of cells
+/// at the end.
 fn split(
     function: &mut Function,
     plan: &mut Plan,
@@ -97,7 +98,7 @@ fn split(
     most - left
 }
 
-/// Whether single values still choose in what runs instead of a kernel.
+/// Whether scalars still select in the kernels that replace this one.
 fn has_choices(function: &Function, kernel: &mut Kernel) -> bool {
     let mut has = false;
     kernel.for_each_leaf(&mut |kernel| has |= !choosing(function, kernel).is_empty());
@@ -111,13 +112,13 @@ fn same(function: &Function, a: &Kernel, b: &Kernel) -> bool {
     a.cells == b.cells && sinks(a) == sinks(b)
 }
 
-/// The single value that most choices of a kernel depend on.
+/// The scalar that most choices of a kernel depend on.
 fn dominant(function: &Function, kernel: &Kernel) -> Option<ValueId> {
     let scores = choosing(function, kernel).into_iter();
     scores.max_by_key(|&(id, score)| (score, std::cmp::Reverse(id))).map(|(id, _)| id)
 }
 
-/// The single values that choices of a kernel depend on, each with the number of its choices.
+/// The scalars that choices of a kernel depend on, each with the number of its choices.
 pub(super) fn choosing(function: &Function, kernel: &Kernel) -> BTreeMap<ValueId, usize> {
     let mut scores: BTreeMap<ValueId, usize> = BTreeMap::new();
     let mut score = |id: ValueId, weight: usize| {
@@ -145,7 +146,7 @@ pub(super) fn choosing(function: &Function, kernel: &Kernel) -> BTreeMap<ValueId
     scores
 }
 
-/// The one value that a single value is computed from, if it is small enough; else the value itself, if that is.
+/// The one small value that a scalar is computed from, or else the scalar itself, if it is small.
 fn root(function: &Function, id: ValueId) -> Option<ValueId> {
     if function.cell(id).lanes > 1 {
         return None;
@@ -168,7 +169,7 @@ fn root(function: &Function, id: ValueId) -> Option<ValueId> {
     }
 }
 
-/// The single values that depend on others, each after its operands.
+/// The scalars that depend on others, each after its operands.
 pub(super) fn cone(circuit: &Circuit, order: &[ValueId], subjects: &[ValueId]) -> Vec<ValueId> {
     let mut inside: FxHashSet<ValueId> = subjects.iter().copied().collect();
     let depends = |id: &ValueId| {
@@ -181,17 +182,17 @@ pub(super) fn cone(circuit: &Circuit, order: &[ValueId], subjects: &[ValueId]) -
     order.iter().copied().filter(depends).collect()
 }
 
-/// What is known when subjects are certain numbers.
+/// The known values if the subjects have certain numbers.
 pub(super) struct Known<'a> {
     function: &'a mut Function,
-    /// Single values that are known then, as constants.
+    /// Scalars that are known then, as constants.
     singles: FxHashMap<ValueId, ValueId>,
-    /// What cells of the kernel have become.
+    /// The replacements of cells of the kernel.
     became: FxHashMap<ValueId, ValueId>,
 }
 
 impl<'a> Known<'a> {
-    /// `cone` has the single values that depend on the subjects, each after its operands.
+    /// `cone` contains the scalars that depend on the subjects, each after its operands.
     pub fn new(function: &'a mut Function, cone: &[ValueId], subjects: &[(ValueId, u64)]) -> Known<'a> {
         let constant = |&(subject, number): &(ValueId, u64)| {
             let bits = Bits::from_limbs(function.cell(subject).width, &[number]);
@@ -208,7 +209,7 @@ impl<'a> Known<'a> {
         Known { function, singles, became: FxHashMap::default() }
     }
 
-    /// What an operand of the kernel has become.
+    /// The replacement of an operand of the kernel.
     fn operand(&mut self, id: ValueId) -> ValueId {
         if let Some(&became) = self.became.get(&id) {
             return became;
@@ -224,7 +225,8 @@ impl<'a> Known<'a> {
         became
     }
 
-    /// The kernel as it is then. Cells that others read from memory get new ids, to be stored at the place of the old.
+    /// The kernel in this case. Cells that others read from memory get new ids, and are stored at the places of the
+    /// old ones.
     pub fn kernel(&mut self, plan: &Plan, kernel: &Kernel, moved: &mut Vec<(ValueId, ValueId)>) -> Kernel {
         let mut cells = Vec::new();
         let (mut wanted, mut seen) = (FxHashSet::default(), FxHashSet::default());
@@ -244,7 +246,7 @@ impl<'a> Known<'a> {
                 cells.push(became);
             }
             if is_sum || plan.live_out.contains(&id) {
-                // Others read it from memory, where it has to be brought whatever has become of it.
+                // Others read it from memory, so it must be stored there in any case.
                 let stored = if became == id || is_sum { became } else { self.function.rewriter.copy(became) };
                 if stored != id {
                     moved.push((stored, plan.home(id)));
@@ -273,12 +275,12 @@ impl<'a> Known<'a> {
         Kernel { cells, sinks, descends: kernel.descends, ..Kernel::default() }
     }
 
-    /// A sink as it is then; none if nothing happens.
+    /// A sink in this case; `None` if nothing happens.
     fn sink(&mut self, plan: &Plan, index: usize) -> Option<usize> {
         let mut sink = self.function.sinks[index].clone();
         sink.rewrite(|operand| *operand = self.operand(*operand));
         let is_late = matches!(sink, Sink::Register { state, .. } if plan.hazards.contains(&state));
-        // What is late waits elsewhere: it has to be brought there.
+        // A late change waits elsewhere and must be copied.
         if !is_late {
             sink = happening(self.function.circuit(), sink)?;
         }

@@ -13,7 +13,7 @@ use super::scalar::Call;
 /// The type of addresses.
 pub(super) const POINTER: Type = types::I64;
 
-/// A function that takes so many numbers or addresses, and gives a number if `returns`.
+/// A function with this number of parameters, which are numbers or addresses; it returns a number if `returns`.
 pub(super) fn signature(convention: CallConv, parameters: usize, returns: bool) -> Signature {
     let mut signature = Signature::new(convention);
     signature.params.extend(vec![AbiParam::new(types::I64); parameters]);
@@ -21,24 +21,24 @@ pub(super) fn signature(convention: CallConv, parameters: usize, returns: bool) 
     signature
 }
 
-/// A function while its code is written. Instructions go to the end of the block that was last switched to.
+/// A function whose code is being written. Instructions go to the end of the current block.
 pub(super) struct FunctionBuilder<'f> {
     pub func: &'f mut Function,
     block: Block,
     /// The address of the scratch memory.
     scratch: Value,
-    /// How many limbs of it are taken, now and at most.
+    /// The limbs of it in use, now and at most.
     taken: usize,
     pub most_scratch: usize,
-    /// What the code refers to by address.
+    /// The objects that the code refers to by address.
     pub calls: Vec<Arc<Call>>,
-    /// Bytes of stack that the functions that it calls take at most.
+    /// The largest stack of the functions that it calls, in bytes.
     pub stack_of_called: usize,
 }
 
 impl<'f> FunctionBuilder<'f> {
-    /// In the entry block of a function with three parameters, the last of which is the address of scratch memory;
-    /// gives the others.
+    /// Starts in the entry block of a function with three parameters, the last of which is the address of scratch
+    /// memory; returns the others.
     pub fn new(func: &'f mut Function) -> (Self, Value, Value) {
         let block = func.dfg.make_block();
         func.layout.append_block(block);
@@ -53,7 +53,7 @@ impl<'f> FunctionBuilder<'f> {
         InsertBuilder::new(End { func: self.func, block: self.block })
     }
 
-    /// A block, which is empty and nowhere yet.
+    /// A block, which is empty and not yet placed.
     pub fn create_block(&mut self) -> Block {
         self.func.dfg.make_block()
     }
@@ -68,7 +68,7 @@ impl<'f> FunctionBuilder<'f> {
         self.func.dfg.block_params(block)
     }
 
-    /// Goes on in this block, which comes behind those before.
+    /// Continues in this block, and places it after the previous ones.
     pub fn switch_to_block(&mut self, block: Block) {
         self.func.layout.append_block(block);
         self.block = block;
@@ -79,7 +79,7 @@ impl<'f> FunctionBuilder<'f> {
         self.func.create_jump_table(table)
     }
 
-    /// Calls what is at an address, in the convention that `extern "C"` is on this machine.
+    /// Calls the function at an address, in the convention of `extern "C"` on this machine.
     pub fn call(&mut self, address: usize, arguments: &[Value], returns: bool) -> Option<Value> {
         let signature = signature(self.func.signature.call_conv, arguments.len(), returns);
         let signature = self.func.import_signature(signature);
@@ -88,7 +88,7 @@ impl<'f> FunctionBuilder<'f> {
         self.func.dfg.inst_results(call).first().copied()
     }
 
-    /// Calls a function of generated code, which takes this from the stack at the most.
+    /// Calls generated code that takes at most this much stack.
     pub fn call_code(&mut self, address: Value, arguments: &[Value], stack: usize) {
         let signature = signature(self.func.signature.call_conv, arguments.len(), true);
         let signature = self.func.import_signature(signature);
@@ -101,7 +101,7 @@ impl<'f> FunctionBuilder<'f> {
         self.scratch
     }
 
-    /// Takes so many limbs of the scratch memory; gives the first.
+    /// Allocates limbs of the scratch memory; returns the first.
     pub fn take(&mut self, limbs: usize) -> usize {
         let first = self.taken;
         self.taken += limbs;
@@ -109,12 +109,12 @@ impl<'f> FunctionBuilder<'f> {
         first
     }
 
-    /// How much of the scratch memory is taken.
+    /// The limbs of scratch memory in use.
     pub fn taken(&self) -> usize {
         self.taken
     }
 
-    /// Gives back what was taken since so much was.
+    /// Frees everything allocated since `taken` limbs were in use.
     pub fn give_back(&mut self, taken: usize) {
         self.taken = taken;
     }

@@ -1,4 +1,4 @@
-//! The functions for edges: which there are, and when one is made.
+//! The functions for edges, and when each is made.
 
 use tilewright_hdl::Bits;
 
@@ -13,12 +13,12 @@ use crate::engine::{Done, start};
 pub(super) struct Edge {
     /// The clocks that rise.
     rising: Vec<usize>,
-    /// The resets that are high where that decides which assertions it checks.
+    /// The active resets, if they decide which assertions it checks.
     resets: Vec<bool>,
     code: Code,
     /// What changes at it.
     pub changes: Triggers,
-    /// Since when inputs are as they are, and for how many edges.
+    /// The version of the inputs, and the number of edges since.
     inputs_version: u64,
     quiet: u64,
     /// A function for these inputs.
@@ -26,43 +26,43 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The clocks that rise, and the resets that are high.
+    /// The clocks that rise, and the active resets.
     pub fn clocks(&self) -> (Vec<usize>, Vec<bool>) {
         (self.rising.clone(), self.resets.clone())
     }
 
-    /// So many of those that were to be done have not been.
+    /// This number of the requested edges has not been executed.
     fn give_back(&mut self, edges: u64) {
         self.quiet = self.quiet.saturating_sub(edges);
     }
 
-    /// So many were done with inputs as they are.
+    /// This number of edges was executed with the present inputs.
     pub fn pass(&mut self, edges: u64) {
         self.quiet = self.quiet.saturating_add(edges);
     }
 }
 
-/// What is to be called for edges of one clock as long as nothing changes but state.
+/// The function to call for edges of one clock as long as only state changes.
 pub(super) struct Ready {
     clock: usize,
-    /// There is no other.
+    /// There is no other clock.
     pub is_only: bool,
     /// By index.
     pub edge: usize,
     code: Code,
     pub changes: Triggers,
-    /// What is to be called for an edge after a look.
+    /// The function to call for an edge after a look.
     pub after_look: Option<Rest>,
 }
 
 impl Ready {
-    /// What to call.
+    /// The function to call.
     pub fn code(&self) -> Code {
         self.code
     }
 }
 
-/// What is ready for an edge of the only clock, which may be called at once.
+/// The function for an edge of the only clock, which may be called immediately.
 #[derive(Clone, Copy)]
 pub(super) struct Quick {
     code: Code,
@@ -70,7 +70,7 @@ pub(super) struct Quick {
 }
 
 impl Compiled {
-    /// So many edges of these clocks.
+    /// Executes `count` edges of these clocks.
     #[inline]
     pub(super) fn usual_edges(&mut self, rising: &[usize], count: u64) -> Done {
         match self.ready_edges(rising, count) {
@@ -79,7 +79,7 @@ impl Compiled {
         }
     }
 
-    /// So many edges of these clocks, if it is known what to call for them.
+    /// Executes `count` edges of these clocks, if the function to call is known.
     #[inline]
     pub(super) fn ready_edges(&mut self, rising: &[usize], count: u64) -> Option<Done> {
         let &[clock] = rising else { return None };
@@ -95,7 +95,8 @@ impl Compiled {
         Some(Done { edges, changed })
     }
 
-    /// Whether it is known what to call for edges of a clock; of several, each may rise while another one is ready.
+    /// Whether the function for edges of a clock is known; with several clocks, each may rise while another one is
+    /// ready.
     #[inline]
     fn is_ready(&mut self, clock: usize) -> bool {
         if self.ready.as_ref().is_some_and(|ready| ready.clock == clock) {
@@ -107,7 +108,7 @@ impl Compiled {
         true
     }
 
-    /// Keeps what is ready for when its clock rises again.
+    /// Stores the ready function until its clock rises again.
     fn park(&mut self) {
         if let Some(ready) = self.ready.take() {
             let clock = ready.clock;
@@ -115,8 +116,8 @@ impl Compiled {
         }
     }
 
-    /// An edge of the only clock, if it is known what to call for it; whether it was done. A testbench does this and little
-    /// else in every cycle, so it is short, and part of its code.
+    /// Executes an edge of the only clock, if the function is known; returns whether it did. A testbench does little
+    /// else in every cycle, so it is short, and inlined.
     #[inline]
     pub(in crate::engine) fn quick_edge(&mut self) -> bool {
         let code = match (std::mem::take(&mut self.looked), self.again) {
@@ -130,7 +131,7 @@ impl Compiled {
         self.call(code, 1) == 0
     }
 
-    /// What to call for an edge of the only clock, which is to be done then, if that is known.
+    /// The function to call for an edge of the only clock, which the caller must then execute, if it is known.
     #[inline]
     pub(super) fn begin_edge(&mut self) -> Option<Code> {
         let Quick { code, changes } = self.quick?;
@@ -139,7 +140,7 @@ impl Compiled {
         Some(code)
     }
 
-    /// So many edges are done of those that it is known for what to call.
+    /// Subtracts executed edges from those for which the function is known.
     #[inline]
     fn spend(&mut self, edges: u64) {
         self.ready_for -= edges;
@@ -148,7 +149,7 @@ impl Compiled {
         }
     }
 
-    /// So many edges of these clocks, after a look at what to call for them.
+    /// Executes `count` edges of these clocks, after looking up their function.
     pub(super) fn other_edges(&mut self, rising: &[usize], count: u64) -> Done {
         if count == 0 {
             return Done { edges: 0, changed: Triggers::NONE };
@@ -187,9 +188,9 @@ impl Compiled {
         self.quick = (is_only && count > 0).then_some(Quick { code, changes });
     }
 
-    /// It has to be found out what to call for edges of these clocks.
+    /// Forgets the ready function: that for edges of these clocks must be looked up.
     fn put_away(&mut self, rising: &[usize]) {
-        // Where versions are made, what is ready is asked for anew every few edges.
+        // If there are versions, the ready function is looked up again every few edges.
         if self.parked.is_empty() || self.held_changed || !self.versions.is_empty() {
             return self.unready();
         }
@@ -201,7 +202,8 @@ impl Compiled {
         }
     }
 
-    /// Of several clocks, has what is ready stand where each one's does, but for what was made for inputs that are others now.
+    /// With several clocks, moves the ready functions to those of their clocks, except for those made for other
+    /// inputs.
     pub(super) fn renew_ready(&mut self) {
         self.park();
         if !std::mem::take(&mut self.held_changed) {
@@ -221,7 +223,7 @@ impl Compiled {
         }
     }
 
-    /// It has to be found out again what to call.
+    /// The function to call must be looked up again.
     #[cold]
     pub(super) fn unready(&mut self) {
         self.again = None;
@@ -232,10 +234,10 @@ impl Compiled {
         }
     }
 
-    /// An edge of these clocks, by index.
+    /// The edge of these clocks, by index.
     ///
-    /// Registers are reset after its function has run, so one serves whether resets are high or not, except for the
-    /// assertions that it checks: a circuit that begins with a reset has one function made, not two.
+    /// Registers are reset after its function has run. So one function serves with and without resets, except for the
+    /// assertions that it checks: a circuit that begins with a reset needs one function, not two.
     pub(super) fn edge(&mut self, rising: &[usize]) -> usize {
         if let Some((latest, checked)) = self.latest
             && self.edges[latest].rising.iter().eq(rising)
@@ -263,7 +265,7 @@ impl Compiled {
         index
     }
 
-    /// The function for so many of an edge; with inputs folded in if they have long been as they are.
+    /// The function for `count` runs of an edge; inputs that have not changed for long are folded in.
     pub(super) fn edge_code(&mut self, index: usize, count: u64) -> Code {
         self.inputs_version += u64::from(std::mem::take(&mut self.held_changed));
         let edge = &mut self.edges[index];
@@ -283,7 +285,7 @@ impl Compiled {
         self.make_special(index)
     }
 
-    /// The function for an edge with inputs as they are now.
+    /// The function for an edge with the present inputs.
     #[cold]
     fn make_special(&mut self, index: usize) -> Code {
         self.special -= 1;
@@ -294,18 +296,18 @@ impl Compiled {
         code
     }
 
-    /// The inputs that functions are made for, if they have long been as they are at this edge: by their version.
+    /// The version of the inputs that functions are made for, if they have not changed for long at this edge.
     pub(super) fn held_version(&self, index: usize) -> Option<u64> {
         self.is_special(index).then_some(self.inputs_version)
     }
 
-    /// Whether an edge has a function for the inputs as they are.
+    /// Whether an edge has a function for the present inputs.
     pub(super) fn is_special(&self, index: usize) -> bool {
         let edge = &self.edges[index];
         edge.special.is_some() && edge.inputs_version == self.inputs_version && !self.held_changed
     }
 
-    /// The inputs that functions may be made for, as they are.
+    /// The present values of the inputs that functions may be made for.
     pub(super) fn held_inputs(&self) -> Held {
         let held = self.inputs.iter().map(|&id| {
             let place = self.places[id.index()].expect("an input is state");
@@ -314,7 +316,7 @@ impl Compiled {
         held.collect()
     }
 
-    /// Whether functions are to check assertions.
+    /// Sets whether functions check assertions.
     pub(super) fn check_asserts(&mut self, checked: bool) {
         if self.checked != checked {
             self.checked = checked;
@@ -323,13 +325,13 @@ impl Compiled {
         }
     }
 
-    /// Makes the function for an edge, which checks the assertions of clocks not in reset, with inputs that are known.
+    /// Makes the function for an edge with known inputs; it checks the assertions of clocks not in reset.
     fn make_edge(&mut self, rising: &[usize], resets: &[bool], held: &Held) -> Code {
         let parts = self.prepare_edges(rising, resets, held);
         self.compile(&parts)
     }
 
-    /// What a function for an edge does, one after the other; the values in `given` are computed before.
+    /// The parts of a function for an edge, in sequence; the values in `given` are computed before.
     pub(super) fn edge_functions(
         &self,
         rising: &[usize],
@@ -341,7 +343,7 @@ impl Compiled {
         maker().check(rising, resets).into_iter().chain([maker().edge(rising).0]).collect()
     }
 
-    /// The registers of those clocks whose resets are high take their reset values.
+    /// Resets the registers of those clocks whose resets are high.
     pub(super) fn reset(&mut self, rising: &[usize]) {
         let program = self.program.clone();
         for &clock in rising {

@@ -1,4 +1,4 @@
-//! From a planned function to a function of machine code.
+//! From a planned function to machine code.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::{BlockArg, InstBuilder, MemFlagsData, Value, types};
@@ -20,26 +20,26 @@ pub(super) struct MemoryAt {
     pub bank: usize,
     pub first: usize,
     pub address: usize,
-    /// Code runs for several units: where in what moves with them the address stands.
+    /// If code runs for several units, the offset of the address in the data that moves with them.
     pub table: Option<usize>,
     pub words: Words,
     pub lanes: u32,
     pub depth: u32,
     pub width: u32,
-    /// What zeros stand for, up to 64 bits: words are stored as their exclusive or with it, so that a memory that is full
-    /// of one word at the start need not be written.
+    /// The word that zeros represent, up to 64 bits. Words are stored as their exclusive or with it, so that a memory
+    /// that is full of one word at the start need not be written.
     pub blank: u64,
     /// Every address that can be expressed is within the depth.
     pub is_full: bool,
 }
 
 impl MemoryAt {
-    /// Where a word is in the bank.
+    /// The offset of a word in the bank.
     pub fn at(&self, lane: u32, address: u32) -> usize {
         self.first + self.words.at(lane, address)
     }
 
-    /// How a word stands in the memory, or the word that stands so.
+    /// The stored form of a word, or the word of a stored form.
     pub fn standing(&self, limbs: &[u64]) -> Vec<u64> {
         let mut limbs = limbs.to_vec();
         limbs[0] ^= self.blank;
@@ -52,19 +52,19 @@ impl MemoryAt {
     }
 }
 
-/// Where everything is.
+/// The addresses of everything.
 #[derive(Clone)]
 pub(super) struct Addresses {
-    /// Per cell: where it is stored, if it is.
+    /// For each cell its place, if it is stored.
     pub places: Vec<Option<Place>>,
-    /// Per register that changes late: where it waits.
+    /// For each register that changes late, the place where the new value waits.
     pub waiting: Vec<(ValueId, Place)>,
-    /// Arrays of constant lanes: what has to be there before the function runs.
+    /// Arrays of constant lanes, which must be in memory before the function runs.
     pub tables: Vec<ValueId>,
 }
 
 impl Addresses {
-    /// Gives places to what a function stores; `state` has those of its state.
+    /// Gives places to the stored values of a function; `state` has those of its state.
     pub fn new(function: &Function, plan: &Plan, state: impl Iterator<Item = Place>, layout: &mut Layout) -> Addresses {
         let mut places: Vec<Option<Place>> = state.map(Some).collect();
         places.resize(function.circuit().len(), None);
@@ -104,17 +104,17 @@ pub(super) struct Emitter<'a, 'b, 'c> {
     pub(super) strips: &'a Strips,
     pub(super) builder: &'c mut FunctionBuilder<'b>,
     pub(super) state: Value,
-    /// As far from the state as the unit that code runs for is from the first one.
+    /// The distance of the present unit's state from that of the first one.
     unit: Value,
-    /// Where code notes that it has written to a memory, if it does.
+    /// The place where code notes a write to a memory, if it does.
     wrote: Option<usize>,
-    /// Per loop that may get versions: where they are, if they are looked up.
+    /// For each loop that may get versions, the table in which to look them up, if any.
     pub(super) versions: &'a [TableAt],
     /// Values of one lane.
     pub(super) scalars: Scalars,
     /// The next id that no cell has.
     fresh: u32,
-    /// The registers of one lane that have changed, each with what it took.
+    /// The scalar registers that have changed, each with its new value.
     changed: Vec<(ValueId, ValueId)>,
 }
 
@@ -148,19 +148,19 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// Versions of loops are looked up there.
+    /// Looks versions of loops up there.
     pub fn with_versions(mut self, versions: &'a [TableAt]) -> Self {
         self.versions = versions;
         self
     }
 
-    /// The code is a unit's, whose address this is, and notes at `wrote` that it has written to a memory.
+    /// Sets the address of the unit to which the code belongs, and `wrote`, where it notes a write to a memory.
     pub fn of_unit(mut self, unit: Value, wrote: usize) -> Self {
         (self.unit, self.wrote) = (unit, Some(wrote));
         self
     }
 
-    /// What the offset of a place is added to.
+    /// The base address for the offset of a place.
     pub(super) fn base(&self, place: Place) -> Value {
         if place.moves { self.unit } else { self.state }
     }
@@ -173,7 +173,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// Notes that a memory is written to.
+    /// Notes a write to a memory.
     pub(super) fn note_write(&mut self) {
         if let Some(at) = self.wrote {
             let one = self.builder.ins().iconst(types::I64, 1);
@@ -181,8 +181,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// The registers of up to 64 bits that have changed, as they are now in registers of the machine: what follows need not wait
-    /// until they come back from memory.
+    /// The registers of up to 64 bits that have changed, in machine registers: later code need not wait for their
+    /// memory.
     pub fn changed(&self) -> Vec<(ValueId, Scalar)> {
         let scalar = |&(state, value): &(ValueId, ValueId)| Some((state, self.scalars.get(value)?.clone()));
         self.changed.iter().filter_map(scalar).filter(|(_, scalar)| scalar.width <= 64).collect()
@@ -207,7 +207,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// Ends a function: late arrays change. Gives what must hold, if something must.
+    /// Ends a function: late arrays change. Returns the condition of the assertions, if there are any.
     pub fn end(&mut self) -> Option<Value> {
         for (state, waiting) in &self.addresses.waiting {
             let place = self.addresses.of(*state);
@@ -223,13 +223,13 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         })
     }
 
-    /// An id for a value that is no cell.
+    /// An id for a value that is not a cell.
     pub(super) fn id(&mut self) -> ValueId {
         self.fresh += 1;
         ValueId(self.fresh - 1)
     }
 
-    /// Makes a value of one lane available to what follows.
+    /// Makes a value of one lane available to later code.
     pub(super) fn want(&mut self, id: ValueId) {
         if self.scalars.get(id).is_some() {
             return;
@@ -281,7 +281,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// What a sink of single values says.
+    /// Executes a sink of scalars.
     fn sink(&mut self, index: usize) {
         let function = self.function;
         let sink = &function.sinks[index];
@@ -312,7 +312,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         }
     }
 
-    /// Loads a lane, by its number, of an array in memory.
+    /// Loads the lane with this number of an array in memory.
     pub(super) fn load_lane(&mut self, id: ValueId, of: ValueId, lane: Value) {
         if let Kind::Const(bits) = &self.function.cell(of).kind {
             return self.scalars.constant(self.builder, id, bits);
@@ -322,7 +322,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         self.scalars.load(self.builder, id, place.width, place.integer(), at, offset(place.offset));
     }
 
-    /// Stores a single value.
+    /// Stores a scalar.
     pub(super) fn store_single(&mut self, id: ValueId, place: Place, at: Value, bytes: usize) {
         self.scalars.store(self.builder, id, place.integer(), at, offset(bytes));
     }
@@ -343,8 +343,8 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
         });
     }
 
-    /// A loop: `body` gets each number of the count, and what it gave for the one before, `start` at first. Gives what it gave
-    /// for the last.
+    /// A loop: `body` gets each number of the count and its own result for the previous one, at first `start`.
+    /// Returns the last result.
     pub(super) fn count(
         &mut self,
         count: Count,
@@ -373,7 +373,7 @@ impl<'a, 'b, 'c> Emitter<'a, 'b, 'c> {
     }
 }
 
-/// The numbers 0, `step`, `2 * step` and so on below `limit`; or from the last of them to 0.
+/// The numbers 0, `step`, `2 * step` and so on below `limit`, or the same in reverse.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Count {
     pub limit: i64,
@@ -399,7 +399,7 @@ impl Count {
     }
 }
 
-/// An offset as instructions take it.
+/// An offset in the form that instructions take.
 pub(super) fn offset(bytes: usize) -> i32 {
     i32::try_from(bytes).expect("the state of a circuit is smaller than 2 GB; memories are apart from it")
 }

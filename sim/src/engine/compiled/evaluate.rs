@@ -1,8 +1,8 @@
-//! Evaluates lowered functions, by what operations mean, where code would run: on the same memory, at the same places. So
-//! it is found out whether lowering or emission has made a mistake.
+//! Evaluates lowered functions by the meaning of their operations, in place of code: on the same memory, at the same
+//! places. It tells whether lowering or code generation has made a mistake.
 //!
-//! Lanes that pad the last strip are evaluated as well. What code leaves there may be anything, so here it is what no one would
-//! expect; nothing but tables, which are followed by zeros, and what is the same in all lanes is known there.
+//! The padding lanes of the last strip are evaluated too. Code may leave anything there, so here they get improbable
+//! values. Only tables, which zeros follow, and values that are the same in all lanes are known there.
 
 use std::cell::Cell as Number64;
 
@@ -19,18 +19,18 @@ use super::strips::Strips;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 use crate::engine::semantics::{self, Number};
 
-/// A lowered function, with all that it takes and changes.
+/// A lowered function, with everything that it reads and changes.
 pub(super) struct Evaluated {
     function: Function,
-    /// Per cell: where it is stored, if it is.
+    /// For each cell its place, if it is stored.
     places: Vec<Option<Place>>,
     memories: Vec<MemoryAt>,
     strips: Strips,
-    /// Where a number stands that is 1 while what must hold is not asked for, if it ever is not.
+    /// The place of a number that is 1 while assertions are not checked, if that ever happens.
     unchecked: Option<Place>,
 }
 
-/// What code in place of which functions are evaluated calls.
+/// The functions that are evaluated in place of code; the generated code calls them.
 pub(super) struct Functions {
     parts: Vec<Evaluated>,
     times: Times,
@@ -40,8 +40,8 @@ pub(super) struct Functions {
 
 #[allow(unsafe_code, reason = "called by generated code")]
 unsafe extern "C" fn run(functions: *const Functions, state: *const Number64<u64>, count: u64) -> u64 {
-    // SAFETY: the engine that owns the code that calls this owns the functions, too, and the state, which has not become
-    // smaller since they were made.
+    // SAFETY: the engine that owns the calling code also owns the functions and the state, which has not shrunk since
+    // they were made.
     let (functions, state) = unsafe {
         let functions = &*functions;
         (functions, Cells(std::slice::from_raw_parts(state, functions.size)))
@@ -57,7 +57,7 @@ unsafe extern "C" fn run(functions: *const Functions, state: *const Number64<u64
 }
 
 impl Compiled {
-    /// Makes code that has these functions evaluated, one after the other, so many times.
+    /// Makes code that evaluates these functions, one after another, the given number of times.
     pub(super) fn evaluate(&mut self, parts: &[Prepared], times: Times) -> Code {
         let parts = parts.iter().map(|part| {
             let unchecked = (!part.is_always_asked).then_some(self.unchecked);
@@ -82,11 +82,11 @@ impl Evaluated {
         Evaluated { function, places, memories: memories.to_vec(), strips: strips.clone(), unchecked }
     }
 
-    /// Evaluates the function, and does what its sinks say; whether all holds that must.
+    /// Evaluates the function and executes its sinks; returns whether all assertions pass.
     ///
     /// # Panics
     ///
-    /// It takes a lane that there is not, or a lane that there is not writes.
+    /// The function reads a lane that does not exist, or a lane that does not exist writes.
     pub fn run(&self, state: Cells) -> bool {
         let mut values = Values { of: self, state, lanes: vec![Vec::new(); self.function.circuit().len()] };
         for sink in &self.function.sinks {
@@ -112,7 +112,7 @@ impl Evaluated {
         self.places[id.index()].expect("what is in memory has a place")
     }
 
-    /// The lanes of a value with those that pad its last strip.
+    /// The number of lanes of a value including the padding of its last strip.
     fn padded(&self, lanes: u32) -> u32 {
         if lanes == 1 { 1 } else { lanes.next_multiple_of(self.strips.strip(lanes)) }
     }
@@ -122,7 +122,7 @@ impl Evaluated {
 struct Values<'a> {
     of: &'a Evaluated,
     state: Cells<'a>,
-    /// Per cell: the limbs of its lanes, with those that pad the last strip.
+    /// For each cell, the limbs of its lanes, including the padding of the last strip.
     lanes: Vec<Vec<u64>>,
 }
 
@@ -148,7 +148,7 @@ impl Values<'_> {
         self.lanes[id.index()] = lanes;
     }
 
-    /// Whether lanes that pad the last strip hold what the operation says.
+    /// Whether the padding lanes of the last strip have the operation's result.
     fn is_known_beyond(&self, cell: &Cell) -> bool {
         match cell.kind {
             Kind::Const(_) | Kind::Alias(_) => true,
@@ -168,9 +168,9 @@ impl Values<'_> {
                 Some(from) if from < self.of.padded(cell.lanes) => out.copy_from_slice(self.number(of, from).limbs),
                 _ => anything(id, lane, cell.width, out),
             },
-            // Also in lanes that pad the last strip.
+            // Also in the padding lanes of the last strip.
             Kind::Broadcast { of, .. } if lanes_of(of) == 1 => out.copy_from_slice(self.number(of, 0).limbs),
-            // Those that pad the last strip come into it.
+            // The padding lanes of the last strip take part in it.
             Kind::Reduce { by, of, axis } if axis.count == lanes_of(of) => {
                 let kind = Kind::Reduce { by, of, axis: Axis::last(self.of.padded(axis.count)) };
                 self.operation(&Cell::new(kind, 1, cell.width), lane, out);
@@ -235,15 +235,16 @@ impl Values<'_> {
     }
 }
 
-/// The bank that a memory is in.
+/// The bank of a memory.
 fn bank(at: &MemoryAt) -> Cells<'static> {
     let first = (at.address - at.first) as *const Number64<u64>;
-    // SAFETY: the bank stands there, and is so large, as long as the engine lives; code and this look at it as cells.
+    // SAFETY: the bank has this address and size as long as the engine lives; code and this function access it as
+    // cells.
     #[allow(unsafe_code, reason = "code is told where memories are")]
     Cells(unsafe { std::slice::from_raw_parts(first, at.words.size.div_ceil(8)) })
 }
 
-/// What stands where nobody has put anything: some number, another one for each value and lane.
+/// An arbitrary value for an undefined lane, different for each value and lane.
 fn anything(id: ValueId, lane: u32, width: u32, out: &mut [u64]) {
     let mut number = (u64::from(id.0) << 32 | u64::from(lane)).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
     for limb in out.iter_mut() {

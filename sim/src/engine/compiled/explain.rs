@@ -1,4 +1,4 @@
-//! What the passes make of the functions for edges, in words.
+//! The effect of the passes on the functions for edges, in words.
 
 use std::fmt::Write;
 
@@ -14,7 +14,7 @@ use super::{bank, held_inputs};
 use crate::engine::explain::{Names, Pass, Text};
 use crate::engine::program::{Program, UnitId, ValueId};
 
-/// What each pass leaves of an edge of each clock.
+/// The result of each pass for an edge of each clock.
 pub(in crate::engine) fn explain(program: &Program) -> Vec<(Pass, String)> {
     let passes = [Pass::Edge, Pass::Hold, Pass::Lower, Pass::Plan, Pass::Branch, Pass::Sequence];
     let mut all: Vec<(Pass, String)> = passes.map(|pass| (pass, String::new())).to_vec();
@@ -67,14 +67,14 @@ fn units(program: &Program, function: &Function, names: &Names) -> String {
         let crossing: Vec<String> = part.states.iter().filter_map(crosses).collect();
         let (UnitId(number), changes) = (part.unit, part.function.sinks.len());
         format!(
-            "  unit {number}, left out where nothing else crosses: {changes} changes, crossing: {}\n",
+            "  unit {number}, skipped unless something else crosses: {changes} changes, crossing: {}\n",
             crossing.join(" ")
         )
     };
     units.iter().map(line).collect()
 }
 
-/// A function: its values, and what it does with them.
+/// A function: its values and sinks.
 fn text(program: &Program, function: &Function, names: &Names) -> String {
     let mut text = Text::with(program, function.circuit(), names.clone());
     let mut out = text.values(function.needed().into_iter());
@@ -82,7 +82,7 @@ fn text(program: &Program, function: &Function, names: &Names) -> String {
     out
 }
 
-/// What a sink does.
+/// A sink in words.
 fn line(text: &Text, function: &Function, sink: usize) -> String {
     match function.sinks[sink] {
         Sink::Register { state, next, enable } => text.change(&text.name(state), &text.name(next), enable),
@@ -90,7 +90,7 @@ fn line(text: &Text, function: &Function, sink: usize) -> String {
             text.change(&format!("{}[{}]", text.memory(memory), text.name(address)), &text.name(data), Some(enable))
         }
         Sink::Show(value) => format!("  show {}\n", text.name(value)),
-        Sink::Hold(value) => format!("  go on if {}\n", text.name(value)),
+        Sink::Hold(value) => format!("  continue if {}\n", text.name(value)),
         Sink::Row { at, value, .. } => format!("  row[{at}] {}\n", text.name(value)),
     }
 }
@@ -126,7 +126,7 @@ fn list<'a>(text: &Text, ids: impl IntoIterator<Item = &'a ValueId>) -> String {
     ids.into_iter().map(|id| text.name(*id)).collect::<Vec<_>>().join(" ")
 }
 
-/// What a loop computes and changes; its variants, if it has some.
+/// The values and sinks of a loop; its variants, if it has any.
 fn kernel_text(out: &mut String, text: &mut Text, of: (&Function, &Plan), kernel: &Kernel, depth: usize) {
     let (function, plan) = of;
     let indent = "  ".repeat(depth);

@@ -1,4 +1,4 @@
-//! What one function of generated code computes: the values of a program that its sinks need.
+//! The computation of one function of generated code: the values of a program that its sinks need.
 
 use std::collections::BTreeMap;
 
@@ -10,38 +10,38 @@ use crate::engine::LINE;
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Program, Register, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
 
-/// What a function does with what it computes.
+/// An effect of a function.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Sink {
     /// A register, or the data of a synchronous read, takes a value.
     Register {
-        /// What holds it.
+        /// The state.
         state: ValueId,
-        /// What it takes.
+        /// The new value.
         next: ValueId,
-        /// 1 bit: whether it does.
+        /// 1 bit: the enable.
         enable: Option<ValueId>,
     },
-    /// A word goes into a memory.
+    /// A word is written to a memory.
     Write {
         /// The memory, by index.
         memory: u32,
-        /// 1 bit: whether it does.
+        /// 1 bit: the enable.
         enable: ValueId,
         /// The address.
         address: ValueId,
         /// The word.
         data: ValueId,
     },
-    /// A value is left where a testbench finds it.
+    /// A value is stored for a testbench.
     Show(ValueId),
-    /// The function goes on only if this is 1.
+    /// The function continues only if this is 1.
     Hold(ValueId),
-    /// A value of one lane goes into a row, as its limbs.
+    /// A value of one lane is stored in a row, as its limbs.
     Row {
         /// The address of the row.
         row: ValueId,
-        /// The limb of the row at which it begins.
+        /// Its first limb in the row.
         at: usize,
         /// The value.
         value: ValueId,
@@ -49,7 +49,7 @@ pub(super) enum Sink {
 }
 
 impl Sink {
-    /// How many lanes what it takes has.
+    /// The number of lanes of its operands.
     pub fn lanes(&self, circuit: &Circuit) -> u32 {
         let (Sink::Register { state: id, .. }
         | Sink::Write { enable: id, .. }
@@ -59,7 +59,7 @@ impl Sink {
         circuit[id].lanes
     }
 
-    /// Calls `visit` with every value that the sink takes.
+    /// Calls `visit` with every operand of the sink.
     pub fn for_each_operand(&self, mut visit: impl FnMut(ValueId)) {
         match *self {
             Sink::Register { next, enable, .. } => {
@@ -72,7 +72,7 @@ impl Sink {
         }
     }
 
-    /// Calls `visit` with every value that the sink takes, which it may replace.
+    /// Calls `visit` with every operand of the sink, which it may replace.
     pub fn rewrite(&mut self, mut visit: impl FnMut(&mut ValueId)) {
         match self {
             Sink::Register { next, enable, .. } => {
@@ -86,13 +86,13 @@ impl Sink {
     }
 }
 
-/// What the values of a circuit are in another one that is made of it.
+/// The values of a circuit in another one that is made from it.
 pub(super) type Became = FxHashMap<ValueId, ValueId>;
 
-/// What is known of a program's state while a function runs.
+/// Known state of a program while a function runs.
 pub(super) type Held = Vec<(ValueId, Bits)>;
 
-/// A circuit and its sinks. State comes first, in the order that it has in the program.
+/// A circuit and its sinks. State comes first, in the sequence of the program.
 #[derive(Debug, Clone)]
 pub(super) struct Function {
     pub rewriter: Rewriter,
@@ -105,7 +105,7 @@ impl Function {
         self.rewriter.circuit()
     }
 
-    /// The cell of that id.
+    /// The cell with this id.
     pub fn cell(&self, id: ValueId) -> &Cell {
         &self.rewriter.circuit()[id]
     }
@@ -118,7 +118,7 @@ impl Function {
         }
     }
 
-    /// Whether another does the same in the same way.
+    /// Whether another function does the same in the same way.
     pub fn is_same(&self, other: &Function) -> bool {
         let (cells, others) = (self.circuit().cells(), other.circuit().cells());
         self.circuit().len() == other.circuit().len() && self.sinks == other.sinks && cells.eq(others)
@@ -131,7 +131,7 @@ impl Function {
         self.circuit().needed(roots)
     }
 
-    /// The function with every operation made anew by `make`, but for those that nothing needs.
+    /// The function with every needed operation made anew by `make`.
     pub fn rebuild(&self, rewriter: Rewriter, make: impl FnMut(&mut Rewriter, Cell) -> ValueId) -> (Function, Became) {
         let mut rewriter = rewriter;
         let mut became = state(self.circuit(), &mut rewriter);
@@ -142,7 +142,7 @@ impl Function {
     }
 }
 
-/// Gives a new circuit the state of another one, which comes first there.
+/// Adds the state of another circuit to a new one, in which it comes first.
 pub(super) fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
     let state = circuit.cells().filter(|(_, cell)| cell.kind == Kind::State);
     state.map(|(id, cell)| (id, rewriter.state(cell.lanes, cell.width))).collect()
@@ -151,20 +151,20 @@ pub(super) fn state(circuit: &Circuit, rewriter: &mut Rewriter) -> Became {
 /// Makes functions of a program.
 pub(super) struct Maker<'a> {
     program: &'a Program,
-    /// What values of the program are in the function.
+    /// The values of the program in the function.
     became: Became,
     function: Function,
 }
 
 impl<'a> Maker<'a> {
-    /// A function that does nothing yet. State that it has besides the program's comes first, before anything is taken.
+    /// An empty function. Its own state comes first, before any value is taken.
     pub fn new(program: &'a Program) -> Maker<'a> {
         let mut rewriter = Rewriter::new(&program.passes);
         let became = state(&program.circuit, &mut rewriter);
         Maker { program, became, function: Function { rewriter, sinks: Vec::new() } }
     }
 
-    /// These values have been computed before, and are state.
+    /// Declares that these values have been computed before, and are state.
     pub fn give(mut self, values: &[ValueId]) -> Self {
         for &id in values {
             let Cell { lanes, width, .. } = self.program.circuit[id];
@@ -178,13 +178,13 @@ impl<'a> Maker<'a> {
         self.function.rewriter.state(1, width)
     }
 
-    /// State of the function's own, for each of these values one that is like it.
+    /// State of the function's own, one for each of these values, with the same shape.
     pub fn own(&mut self, values: &[ValueId]) -> Vec<ValueId> {
         let circuit = &self.program.circuit;
         values.iter().map(|&id| self.function.rewriter.state(circuit[id].lanes, circuit[id].width)).collect()
     }
 
-    /// Leaves values in state of its own.
+    /// Stores values in state of its own.
     pub fn leave(&mut self, values: &[ValueId], own: &[ValueId]) {
         for (&id, &state) in values.iter().zip(own) {
             let next = self.take(id);
@@ -192,17 +192,17 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// What a value of the function is.
+    /// The kind of a value of the function.
     pub fn kind(&self, id: ValueId) -> &Kind {
         &self.function.cell(id).kind
     }
 
-    /// How many lanes a value of the function has.
+    /// The number of lanes of a value of the function.
     pub fn lanes(&self, id: ValueId) -> u32 {
         self.function.cell(id).lanes
     }
 
-    /// These values are known.
+    /// Declares that these values are known.
     pub fn hold(mut self, held: &Held) -> Self {
         for &(id, ref bits) in held {
             let constant = self.function.rewriter.constant(bits.clone(), self.program.circuit[id].lanes);
@@ -211,7 +211,7 @@ impl<'a> Maker<'a> {
         self
     }
 
-    /// The function goes on only if this is 1.
+    /// The function continues only if this is 1.
     pub fn go_on_if(&mut self, flag: ValueId) {
         self.function.sinks.push(Sink::Hold(flag));
     }
@@ -228,14 +228,14 @@ impl<'a> Maker<'a> {
         self.function.rewriter.add(kind, lanes, width)
     }
 
-    /// The function, without what never happens in it; and what values of the program are in it.
+    /// The function, without sinks that never happen, and the values of the program in it.
     pub fn finish(self) -> (Function, Became) {
         let Function { rewriter, sinks } = self.function;
         let sinks = sinks.into_iter().filter_map(|sink| happening(rewriter.circuit(), sink)).collect();
         (Function { rewriter, sinks }, self.became)
     }
 
-    /// Leaves values where a testbench finds them.
+    /// Stores values for a testbench.
     pub fn show(&mut self, values: &[ValueId]) {
         for &id in values {
             let shown = self.take(id);
@@ -243,8 +243,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Puts values of one lane into a row before anything changes, and goes to the next row.
-    /// `row` has its address.
+    /// Stores values of one lane in a row before anything changes, and advances to the next row. `row` has its
+    /// address.
     pub fn rows(&mut self, row: ValueId, values: &[ValueId]) {
         let mut limbs = 0;
         for &id in values {
@@ -258,7 +258,7 @@ impl<'a> Maker<'a> {
         self.function.sinks.push(Sink::Register { state: row, next, enable: None });
     }
 
-    /// An edge of these clocks, but for resets.
+    /// An edge of these clocks, without resets.
     pub fn edge(mut self, rising: &[usize]) -> (Function, Became) {
         let program = self.program;
         for &clock in rising {
@@ -278,7 +278,7 @@ impl<'a> Maker<'a> {
         self.finish()
     }
 
-    /// An edge for these registers alone.
+    /// An edge for these registers only.
     pub fn registers<'r>(&mut self, registers: impl IntoIterator<Item = &'r Register>) {
         for register in registers {
             let (next, enable) = (self.take(register.next), register.enable.map(|enable| self.take(enable)));
@@ -287,7 +287,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// What must hold at an edge of these clocks, but for those in reset; `None` if there is nothing.
+    /// The assertions at an edge of these clocks, except for those in reset; `None` if there are none.
     pub fn check(mut self, rising: &[usize], resets: &[bool]) -> Option<Function> {
         let clocks = rising.iter().filter(|&&clock| !resets[clock]);
         let asserts = clocks.flat_map(|&clock| &self.program.clocks[clock].asserts);
@@ -299,7 +299,8 @@ impl<'a> Maker<'a> {
         Some(self.finish().0)
     }
 
-    /// The function goes on only if these values of its own, of 1 bit, are 1 in all lanes; whether there are any.
+    /// The function continues only if these 1-bit values of its own are 1 in all lanes; returns whether there are
+    /// any.
     pub fn go_on_if_all(&mut self, conditions: &[ValueId]) -> bool {
         let mut all = None;
         for of in self.by_lanes(conditions) {
@@ -310,8 +311,8 @@ impl<'a> Maker<'a> {
         all.map(|all| self.go_on_if(all)).is_some()
     }
 
-    /// Values that are all 1 where these are. Those of as many lanes are one, but for what is a word or a single value already; and but for
-    /// those of units, each of which looks at its own.
+    /// Values that are all 1 where these are. Those with equal numbers of lanes are combined, except for words and
+    /// scalars, and except for those of units, each of which checks its own.
     fn by_lanes(&mut self, conditions: &[ValueId]) -> Vec<ValueId> {
         if self.program.registers.iter().any(|register| register.unit.is_some()) {
             return conditions.to_vec();
@@ -329,15 +330,15 @@ impl<'a> Maker<'a> {
         all.into_values().chain(others).collect()
     }
 
-    /// Whether both hold, lane by lane, if there is something before.
+    /// Both conditions, lane by lane; `before` may be absent.
     fn and(&mut self, before: Option<ValueId>, id: ValueId) -> ValueId {
         let Some(before) = before else { return id };
         let lanes = self.lanes(id);
         self.add(Kind::Binary(Binary::And, before, id), lanes, 1)
     }
 
-    /// A synchronous read is a register that takes the word; where its word is written at the same edge and the
-    /// policy is `Any`, the word inverted.
+    /// A synchronous read is a register that takes the word; if its word is written at the same edge and the policy
+    /// is `Any`, it takes the word inverted.
     fn synchronous_read(&mut self, memory: u32, port: u32, rising: &[usize]) -> Sink {
         let declared = &self.program.memories[memory as usize];
         let read = &declared.reads[port as usize];
@@ -366,7 +367,7 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// A sink, unless nothing ever happens there.
+/// A sink, unless it never has an effect.
 pub(super) fn happening(circuit: &Circuit, sink: Sink) -> Option<Sink> {
     match sink {
         Sink::Write { enable, .. } if circuit.known(enable) == Some(false) => None,

@@ -1,4 +1,4 @@
-//! Machine code in memory, through Cranelift: the one place that makes it and the one that calls it.
+//! Machine code in memory, made by Cranelift: the one place that makes it and the one that calls it.
 
 use std::mem::transmute;
 use std::sync::atomic::AtomicPtr;
@@ -14,29 +14,29 @@ use super::pages::CodePages;
 use super::scalar::Call;
 use super::target::{Unsupported, host};
 
-/// A function of generated code: takes the addresses of the state and of scratch memory and a number, gives a number.
+/// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
 type Entry = unsafe extern "C" fn(*mut u8, u64, *mut u64) -> u64;
 
-/// Bytes of stack that whoever runs code is taken to have left.
+/// Bytes of stack that every caller of code is assumed to have left.
 const STACK: usize = 64 << 10;
-/// Bytes of stack for what code calls.
+/// Bytes of stack for functions that code calls.
 const CALLED: usize = 64 << 10;
 
 /// A function of generated code.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Code {
     entry: Entry,
-    /// Bytes of stack that it takes, with the functions that it calls.
+    /// Bytes of stack that it takes, including the functions that it calls.
     stack: usize,
 }
 
 impl Code {
-    /// Runs it; on a stack of its own if it takes much of it, so that no design overflows that of a thread.
+    /// Runs it, on a stack of its own if it takes much, so that no design overflows a thread's stack.
     ///
     /// # Safety
     ///
-    /// The [`Jit`] that made it lives, `state` is laid out as the code was told, and `scratch` has as many limbs as the
-    /// [`Jit`] says; nobody else uses them.
+    /// The [`Jit`] that made it is alive. `state` has the layout that the code was made for, and `scratch` has as
+    /// many limbs as the [`Jit`] says. Nobody else uses them.
     #[allow(unsafe_code, reason = "generated code is a foreign function")]
     #[inline]
     pub unsafe fn call(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
@@ -47,7 +47,7 @@ impl Code {
         }
     }
 
-    /// Runs it where there is stack enough: see [`Code::is_called`].
+    /// Runs it if there is stack enough: see [`Code::is_called`].
     ///
     /// # Safety
     ///
@@ -58,12 +58,12 @@ impl Code {
         unsafe { (self.entry)(state, argument, scratch) }
     }
 
-    /// Where it is, if it takes no more than so much of the stack.
+    /// Its address, if it takes no more than this much stack.
     pub fn address_within(self, stack: usize) -> Option<usize> {
         (self.stack <= stack).then_some(self.entry as usize)
     }
 
-    /// What a function calls calls it.
+    /// Tells a function that it calls this code.
     pub fn is_called(self, b: &mut FunctionBuilder) {
         b.stack_of_called = b.stack_of_called.max(self.stack);
     }
@@ -78,7 +78,7 @@ impl Code {
     unsafe fn call_apart(self, state: *mut u8, argument: u64, scratch: *mut u64) -> u64 {
         let (state, scratch) = (AtomicPtr::new(state), AtomicPtr::new(scratch));
         let run = || {
-            // SAFETY: the caller's promise; it waits until this is done.
+            // SAFETY: the caller's promise; the caller waits until this is done.
             unsafe { (self.entry)(state.into_inner(), argument, scratch.into_inner()) }
         };
         std::thread::scope(|scope| {
@@ -103,14 +103,14 @@ pub(super) struct Jit {
     target: OwnedTargetIsa,
     context: Context,
     pages: Vec<CodePages>,
-    /// What functions refer to by address.
+    /// The objects that functions refer to by address.
     calls: Vec<Arc<Call>>,
-    /// Limbs of scratch memory that functions take at most.
+    /// The most limbs of scratch memory that a function takes.
     pub scratch: usize,
 }
 
 impl Jit {
-    /// Prepares for the machine that this runs on.
+    /// Prepares for the machine that it runs on.
     pub fn new() -> Result<Jit, Unsupported> {
         host().map(Jit::on)
     }
@@ -120,7 +120,7 @@ impl Jit {
         Jit { target, context: Context::new(), pages: Vec::new(), calls: Vec::new(), scratch: 0 }
     }
 
-    /// Makes a function; `body` gets the builder in the entry block, the address of the state and the argument, and
+    /// Makes a function. `body` gets the builder in the entry block, the address of the state and the argument, and
     /// must end with a return of one number.
     ///
     /// # Panics
@@ -130,7 +130,8 @@ impl Jit {
         self.try_function(body).unwrap_or_else(|refused| panic!("{refused}"))
     }
 
-    /// Makes a function that calls what is at an address, with a number, the address of the state and the argument.
+    /// Makes a function that calls the function at an address, with a number, the address of the state and the
+    /// argument.
     pub fn calling(&mut self, address: usize, number: i64) -> Code {
         self.function(|builder, state, argument| {
             let number = builder.ins().iconst(POINTER, number);
@@ -152,7 +153,7 @@ impl Jit {
             Ok(code) => &code.buffer,
             Err(error) => panic!("generated code is not accepted: {:?}\n{}", error.inner, error.func.display()),
         };
-        // All that code refers to is within it, or stands in it as an address.
+        // Everything that code refers to is within it, or is in it as an address.
         assert!(code.relocs().is_empty(), "generated code refers to what nobody fills in: {:?}", code.relocs());
         let frame = code.frame_layout().map_or(0, |frame| frame.frame_to_fp_offset as usize);
         let pages = CodePages::new(code.data(), code.alignment as usize)?;
@@ -171,8 +172,8 @@ impl std::fmt::Debug for Jit {
     }
 }
 
-/// Why no code can be generated for this machine, if none can: a small function is made to find out, as a system may
-/// forbid it.
+/// Why no code can be generated for this machine, if none can. A small function is made to find out, because a system
+/// may forbid it.
 pub(crate) fn unsupported() -> Option<Unsupported> {
     static REFUSED: OnceLock<Option<Unsupported>> = OnceLock::new();
     let try_one = || {
@@ -201,7 +202,7 @@ mod tests {
             b.ins().return_(&[old]);
         });
         let mut state = [1u64, 40];
-        // SAFETY: the code touches the second number of the state alone.
+        // SAFETY: the code accesses only the second number of the state.
         let old = unsafe { code.call(state.as_mut_ptr().cast(), 2, std::ptr::null_mut()) };
         assert_eq!((old, state), (40, [1, 42]));
     }
@@ -228,7 +229,7 @@ mod tests {
         });
         assert!(inner.stack >= FRAME as usize && outer.stack >= inner.stack);
         for code in [inner, outer] {
-            // SAFETY: the code touches its stack alone.
+            // SAFETY: the code accesses only its stack.
             assert_eq!(unsafe { code.call(std::ptr::null_mut(), 21, std::ptr::null_mut()) }, 42);
         }
     }

@@ -1,7 +1,7 @@
-//! Loops over lanes, a strip of them at a time.
+//! Loops over lanes, one strip at a time.
 //!
-//! The lanes of a kernel may stand in *rows*, the groups of an array of arrays: then one loop goes over the rows and
-//! one within it over the strips of a row, so that what is the same in a row is loaded once.
+//! The lanes of a kernel may form *rows*, the groups of an array of arrays. Then one loop goes over the rows, and one
+//! within it over the strips of a row, so that values common to a row are loaded once.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,14 +16,14 @@ use super::scalar::Scalar;
 use super::strip::Strip;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 
-/// The order within a strip: cells, and after each the sinks that may run then.
+/// The sequence within a strip: cells, and after each the sinks that may run then.
 struct Order {
     /// Before any cell.
     first: Vec<usize>,
     after: BTreeMap<usize, Vec<usize>>,
 }
 
-/// A reduction, and its result so far, as [`Lanes::carried`](super::lanes::Lanes::carried) gives it.
+/// A reduction and its result so far, in the form of [`Lanes::carried`](super::lanes::Lanes::carried).
 struct Sum {
     id: ValueId,
     by: Reduction,
@@ -40,7 +40,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Runs a kernel, or the one of a branch.
+    /// Runs a kernel, or that of a branch.
     fn branched(&mut self, lanes: u32, kernel: &Kernel) {
         if !kernel.parts.is_empty() {
             return kernel.parts.iter().for_each(|part| self.kernel(lanes, part));
@@ -111,20 +111,21 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Stores what has been reduced.
+    /// Stores the result of a reduction.
     fn sum(&mut self, id: ValueId, sum: Value, at: Value) {
         self.scalars.define(id, Scalar::clean(self.function.cell(id).width, sum));
         let place = self.addresses.of(id);
         self.store_single(id, place, at, place.offset);
     }
 
-    /// The group size that most of a kernel works with, if it is made of whole strips; all lanes otherwise.
+    /// The group size that most of a kernel works with, if it consists of whole strips; all lanes otherwise.
     fn row_length(&self, lanes: u32, kernel: &Kernel) -> u32 {
         let strip = self.strips.strip(lanes);
         let mut uses: BTreeMap<u32, usize> = BTreeMap::new();
         let mut count = |id: ValueId| {
             let cell = self.function.cell(id);
-            // Operands may have other lanes than the kernel: what it collects from, and the reductions of others.
+            // Operands may have other lanes than the kernel: those of lane selections, and of other kernels'
+            // reductions.
             let (of_lanes, group) = match cell.kind {
                 Kind::Broadcast { axis, .. } if axis.inner > 1 => (cell.lanes, axis.inner),
                 Kind::Broadcast { of, axis } if self.function.cell(of).lanes > 1 => (cell.lanes, axis.count),
@@ -142,7 +143,7 @@ impl Emitter<'_, '_, '_> {
         uses.into_iter().max_by_key(|&(group, count)| (count, group)).map_or(lanes, |(group, _)| group)
     }
 
-    /// What a kernel takes that it does not compute.
+    /// The inputs of a kernel.
     fn taken(&self, kernel: &Kernel) -> BTreeSet<ValueId> {
         let mut taken = BTreeSet::new();
         let mut visit = |id: ValueId| {
@@ -156,7 +157,7 @@ impl Emitter<'_, '_, '_> {
         taken
     }
 
-    /// Makes the single values that a kernel takes in all lanes available.
+    /// Makes available the scalars that a kernel uses in all lanes.
     fn splat_uniforms(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for id in self.taken(kernel) {
             let cell = self.function.cell(id);
@@ -172,7 +173,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Makes rows available of which a strip has several.
+    /// Makes rows available that are shorter than a strip.
     fn tile_short_rows(&mut self, strip: &mut Strip, kernel: &Kernel) {
         for id in self.taken(kernel) {
             let cell = self.function.cell(id);
@@ -189,8 +190,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Whether a value that is made from others is as they are now: what another loop has stored may be made from what has
-    /// changed since.
+    /// Whether a stored derived value is up to date: another loop may have stored it before its source changed.
     fn is_current(&self, kernel: &Kernel, id: ValueId) -> bool {
         kernel.cells.contains(&id) || !self.addresses.has(id)
     }
@@ -210,7 +210,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Makes what is the same in a row available.
+    /// Makes available what is the same in a row.
     fn splat_row(&mut self, strip: &mut Strip, kernel: &Kernel, row: Value) {
         for id in self.taken(kernel) {
             let cell = self.function.cell(id);
@@ -229,7 +229,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Reductions of so many lanes each, of which nothing has been combined.
+    /// Reductions of this number of lanes each, with nothing combined yet.
     fn sums(&self, kernel: &Kernel, lanes: u32) -> Vec<Sum> {
         let sum = |&id: &ValueId| match self.function.cell(id) {
             &Cell { kind: Kind::Reduce { by, of, axis }, width: ..=64, .. } if axis.count == lanes => {
@@ -240,7 +240,7 @@ impl Emitter<'_, '_, '_> {
         kernel.cells.iter().filter_map(sum).collect()
     }
 
-    /// A loop around which results so far are carried.
+    /// A loop that carries the results so far.
     fn carry(
         &mut self,
         count: Count,
@@ -282,7 +282,7 @@ impl Emitter<'_, '_, '_> {
         matches!(cell.kind, Kind::Reduce { axis, .. } if is_whole(axis.count) && cell.width <= 64)
     }
 
-    /// Runs the strips of a row, which combines into `totals` too; gives what is reduced over the row, clean.
+    /// Runs the strips of a row, which also combines into `totals`; returns the reductions over the row, clean.
     fn row(
         &mut self,
         strip: &mut Strip,
@@ -341,8 +341,8 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Registers change as early as they may, so that few values are held at a time: when what they take is computed
-    /// and no cell looks at what they were. Memories are written at the end.
+    /// Registers change as early as possible, so that few values are live at a time: after their inputs are computed,
+    /// when no cell reads their old values. Memories are written at the end.
     fn order(&self, kernel: &Kernel) -> Order {
         let mut last = BTreeMap::new();
         for (index, &id) in kernel.cells.iter().enumerate() {
@@ -365,7 +365,7 @@ impl Emitter<'_, '_, '_> {
         order
     }
 
-    /// A register takes its next value; what other sinks have yet to see of it is loaded before.
+    /// A register takes its next value; old values that other sinks need later are loaded before.
     fn register(&mut self, strip: &mut Strip, index: usize, open: &mut BTreeSet<usize>) {
         open.remove(&index);
         let &Sink::Register { state, next, enable } = &self.function.sinks[index] else { unreachable!("a register") };

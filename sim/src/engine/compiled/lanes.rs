@@ -1,8 +1,8 @@
 //! Elementwise operations on a strip of lanes, in vector registers of 128 bits.
 //!
-//! A value may stand in several forms at once: in elements of different sizes, with or without dirt above its width,
-//! 1-bit values as masks. Conversions are made where an operation needs them, and remembered. What goes unused costs
-//! nothing, as Cranelift emits no instruction whose result nobody takes.
+//! A value may exist in several forms at once: in elements of different sizes, with or without undefined bits above
+//! its width, 1-bit values as masks. Conversions are made where an operation needs them, and remembered. Unused forms
+//! cost nothing, because Cranelift emits no instruction whose result is unused.
 
 mod arithmetic;
 mod compare;
@@ -30,11 +30,11 @@ use form::{Form, Need, Step, next};
 pub(super) use memory::Span;
 pub(super) use reduce::operator;
 
-/// All that is known of a value.
+/// Everything known of a value.
 #[derive(Debug, Clone, Default)]
 struct Entry {
     width: u32,
-    /// The same in every lane, and known now.
+    /// The same in every lane, and known at compile time.
     constant: Option<u64>,
     /// The same in every lane: a clean number.
     scalar: Option<Value>,
@@ -43,7 +43,7 @@ struct Entry {
     tops: Vec<Vector>,
 }
 
-/// What is taken back by [`Lanes::forget`], newest last.
+/// A change that [`Lanes::forget`] undoes, newest last.
 #[derive(Debug)]
 enum Done {
     Value(ValueId, Option<Box<Entry>>),
@@ -54,7 +54,7 @@ enum Done {
     Half(Value, u8),
 }
 
-/// A moment that [`Lanes::forget`] goes back to.
+/// A moment to which [`Lanes::forget`] returns.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Mark(usize);
 
@@ -64,7 +64,7 @@ pub(super) struct Lanes {
     strip: u32,
     values: FxHashMap<ValueId, Entry>,
     constants: FxHashMap<(u32, u64), Value>,
-    /// Powers of two by amount, element, and whether they fall with the amount.
+    /// Powers of two by amount, element, and whether they decrease with the amount.
     powers: FxHashMap<(ValueId, u32, bool), Vec<Value>>,
     /// Halves of vectors in general registers.
     halves: FxHashMap<(Value, u8), Value>,
@@ -93,25 +93,25 @@ impl Lanes {
         width.next_power_of_two().max(8).max(128 / self.strip)
     }
 
-    /// How many vectors a value with this element takes.
+    /// The number of vectors of a value with this element.
     pub fn parts(&self, element: u32) -> usize {
         (self.strip * element / 128) as usize
     }
 
-    /// Gives a value.
+    /// Defines a value.
     pub fn define(&mut self, id: ValueId, vector: Vector) {
         debug_assert!(vector.element >= vector.width && vector.parts.len() == self.parts(vector.element));
         self.insert(id, Entry { width: vector.width, forms: vec![vector], ..Entry::default() });
     }
 
-    /// The same, known now, in every lane.
+    /// The same known number in every lane.
     pub fn constant(&mut self, id: ValueId, bits: &Bits) {
         let constant = Some(bits.limbs()[0]);
         self.insert(id, Entry { width: bits.width(), constant, ..Entry::default() });
     }
 
-    /// The same in every lane: `scalar` is a clean I64. Emits a vector for each size of element; those that nobody
-    /// takes become no code. It is best called before the loop.
+    /// The same in every lane: `scalar` is a clean I64. Emits a vector for each element size; unused ones become no
+    /// code. It is best called before the loop.
     pub fn splat(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, scalar: Value) {
         let mut forms = Vec::new();
         let smallest = self.element(width);
@@ -172,28 +172,28 @@ impl Lanes {
         self.define(result, vector);
     }
 
-    /// A value in the shape that every value of its width can be brought to: a mask for 1 bit, else numbers in the
-    /// smallest element, with anything above the width. For parameters of blocks, as around a loop.
+    /// A value in the canonical form of its width: a mask for 1 bit, otherwise numbers in the smallest element, with
+    /// undefined bits above the width. For parameters of blocks, as around a loop.
     pub fn carried(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Vector {
         let width = self.width(id);
         let vector = self.number(b, id, self.element(width), Need::of(width));
         self.shape(width, vector.parts)
     }
 
-    /// The shape of [`Lanes::carried`] around its vectors.
+    /// The form of [`Lanes::carried`] for these vectors.
     pub fn shape(&self, width: u32, parts: Vec<Value>) -> Vector {
         let element = self.element(width);
         let form = if width == 1 { Form::Mask } else { Form::Bits(element) };
         Vector { width, element, form, parts, inverse: None }
     }
 
-    /// Now.
+    /// The present moment.
     pub fn mark(&self) -> Mark {
         Mark(self.done.len())
     }
 
-    /// Drops all values and conversions that were made since, which do not hold in blocks behind the branch that they
-    /// were made in.
+    /// Drops all values and conversions made since. They are not valid in blocks after the branch in which they were
+    /// made.
     pub fn forget(&mut self, mark: Mark) {
         while self.done.len() > mark.0 {
             match self.done.pop().expect("there are more") {

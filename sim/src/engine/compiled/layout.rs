@@ -1,28 +1,30 @@
-//! Where values and memories stand in the memory that generated code works on.
+//! The layout of values and memories in the memory of generated code.
 //!
 //! A value of one lane takes its 64-bit limbs, so that a testbench reads and writes it in place. A value of several
-//! lanes takes an array, each lane one element, padded at both ends so that a strip may begin or end outside; 1-bit
-//! values are masks there. Wider values take limbs.
+//! lanes takes an array with one element for each lane, padded at both ends so that a strip may extend beyond it;
+//! 1-bit values are masks there. Wider values take limbs.
 
 use tilewright_hdl::limbs_for;
 
 use super::strips::Strips;
 
-/// Bytes in front of and behind an array of lanes that code may touch, at least: the largest strip of the widest element.
+/// The least number of bytes before and after an array of lanes that code may access: the largest strip of the widest
+/// element.
 const GUARD: usize = 128;
 
-/// Where a value is.
+/// The place of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
     /// The byte of the first lane.
     pub offset: usize,
-    /// Bits of an element: 8, 16, 32 or 64; above 64 the limbs of a lane together.
+    /// Bits of an element: 8, 16, 32 or 64; above 64, all limbs of a lane.
     pub element: u32,
     /// How many lanes there are.
     pub lanes: u32,
     /// The width of a lane in bits.
     pub width: u32,
-    /// Code runs for several units, and it is the first one's: that of the others is as far from it as they are.
+    /// The code runs for several units, and this is the first one's place; that of another unit is at the unit's
+    /// distance.
     pub moves: bool,
 }
 
@@ -43,7 +45,7 @@ impl Place {
     }
 }
 
-/// The smallest element that holds `width` bits; whole limbs above 64.
+/// The smallest element for `width` bits; whole limbs above 64.
 pub(super) fn element(width: u32) -> u32 {
     match width {
         0..=8 => 8,
@@ -53,7 +55,7 @@ pub(super) fn element(width: u32) -> u32 {
     }
 }
 
-/// Bits of an element that a lane of an array of so many is stored in.
+/// Bits of the element in which a lane of such an array is stored.
 pub(super) fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
     match lanes {
         1 => limbs_for(width) as u32 * 64,
@@ -61,7 +63,7 @@ pub(super) fn storage(strips: &Strips, lanes: u32, width: u32) -> u32 {
     }
 }
 
-/// Gives out places.
+/// Allocates places.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Layout {
     /// How many bytes are taken.
@@ -75,7 +77,7 @@ impl Layout {
         Layout { size: 0, strips }
     }
 
-    /// What is placed from here on stands at such an offset as all that is placed after such a call.
+    /// Aligns the next place, so that the same places after two such calls have the same relative offsets.
     pub fn align(&mut self) {
         self.size = self.size.next_multiple_of(GUARD);
     }
@@ -97,7 +99,7 @@ impl Layout {
     }
 }
 
-/// How the words of a memory stand.
+/// The layout of a memory's words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Words {
     /// Bytes of a word.
@@ -108,16 +110,16 @@ pub(super) struct Words {
     pub address: usize,
     /// Bytes of the whole bank.
     pub size: usize,
-    /// Where lanes stand apart: the place, from a lane's first byte, that a write port that is not enabled writes to.
+    /// If lanes are stored separately: the offset, from a lane's first byte, to which a disabled write port writes.
     pub nowhere: usize,
 }
 
 impl Words {
-    /// How the words of memories stand side by side: for each the first byte, and the others from there. They have as
-    /// many lanes, and `depth` words in each.
+    /// The layout of memories side by side, with the first byte of each. They have the same number of lanes, and
+    /// `depth` words in each.
     ///
-    /// Where all lanes have the same address, their words are side by side. Otherwise each lane's are together, and
-    /// lanes are skewed by a cache line, as a power of two between them would put all into one cache set.
+    /// If all lanes have the same address, their words are adjacent. Otherwise each lane's words are together, and
+    /// lanes are skewed by a cache line, because a power of two between them would map all to one cache set.
     pub fn side_by_side(
         widths: &[u32],
         lanes: u32,
@@ -153,13 +155,13 @@ impl Words {
         lane as usize * self.lane + address as usize * self.address
     }
 
-    /// Whether the words of all lanes at an address are side by side.
+    /// Whether the words of all lanes at an address are adjacent.
     pub fn together(&self) -> bool {
         self.nowhere == 0
     }
 }
 
-/// Bytes of a line of the cache.
+/// Bytes of a cache line.
 const LINE: usize = 64;
 
 #[cfg(test)]
@@ -185,7 +187,7 @@ mod tests {
                 }
             }
         }
-        // Two of 24 bits in the 8 bytes of one address.
+        // Two words of 24 bits in the 8 bytes of one address.
         let [colour, depth] = Words::side_by_side(&[24, 24], 1, 16, false, &strips)[..] else { panic!("two memories") };
         assert_eq!((colour.0, colour.1.address, depth.0, depth.1.address), (0, 8, 4, 8));
     }

@@ -1,6 +1,6 @@
-//! A testbench that looks every clock: what it looked at has been computed from the same state that the edge after it
-//! starts from. So a *look* computes what is looked at and what that edge changes, side by side; the edge itself has only to
-//! put that in its place; and as the testbench is likely to look again, the next look follows in the same function.
+//! A testbench that looks at every clock: its values are computed from the same state from which the next edge
+//! starts. So a *look* computes these values together with the changes of that edge. The edge itself only stores the
+//! changes. The testbench will probably look again, so the next look follows in the same function.
 
 use std::collections::BTreeSet;
 
@@ -12,42 +12,42 @@ use super::prepare::Prepared;
 use super::view::View;
 use crate::engine::program::{Circuit, Kind, Triggers, ValueId};
 
-/// Up to how many values that an edge needs are left by a look, whatever it looks at. Where there are more, only those are that it
+/// The most values that a look computes for an edge, whatever it shows. Beyond that, it keeps only those that it
 /// computes anyway.
 const FEW: usize = 64;
 
-/// What is known of looks between edges.
+/// Data about looks between edges.
 #[derive(Default)]
 pub(super) struct Looks {
-    /// How many edges had one before them while there was no function for such edges.
+    /// The number of edges after a look while there was no function for such edges.
     count: u64,
-    /// How many had one at what that function does not show.
+    /// The number of edges after a look at other values than that function shows.
     others: u64,
     rest: Option<Rest>,
 }
 
-/// Functions for edges between looks at the same.
+/// Functions for edges between looks at the same values.
 #[derive(Clone, Copy)]
 pub(super) struct Rest {
-    /// The view that shows what is looked at, by index.
+    /// The view of these values, by index.
     view: u32,
-    /// The edge, by index, and the inputs that they were made for, if they were made for some.
+    /// The edge, by index, and the inputs that they were made for, if any.
     edge: usize,
     held: Option<u64>,
-    /// The look: leaves all that the view shows, and what the edge needs.
+    /// The look: stores all values of the view, and what the edge needs.
     look: Code,
-    /// What is left to do at an edge after a look, and another look.
+    /// The rest of an edge after a look, and another look.
     code: Code,
 }
 
 impl Compiled {
-    /// The functions for an edge between looks, if there are some.
+    /// The functions for an edge between looks, if there are any.
     pub(super) fn rest_of(&self, edge: usize) -> Option<Rest> {
         let is_valid = |rest: &Rest| rest.edge == edge && (rest.held.is_none() || rest.held == self.held_version(edge));
         self.looks.rest.filter(is_valid)
     }
 
-    /// An edge of the only clock after somebody looked at something that is computed; whether it was done.
+    /// An edge of the only clock after somebody looked at a computed value; returns whether it was done.
     #[inline(never)]
     pub(super) fn edge_after_look(&mut self) -> bool {
         let rest = self.rest_after_look();
@@ -62,13 +62,13 @@ impl Compiled {
         is_done
     }
 
-    /// The functions for the coming edge, which is one after a look, if somebody is likely to look again at what they show.
-    /// Otherwise, counts the edge, and makes functions when there have been some.
+    /// The functions for the coming edge after a look, if another look at the same values is likely. Otherwise counts
+    /// the edge, and makes functions after some of them.
     fn rest_after_look(&mut self) -> Option<Rest> {
         let ready = self.ready.as_ref().filter(|ready| ready.is_only && self.pending == Triggers::NONE)?;
         let (edge, changes) = (ready.edge, ready.changes);
         let Some(rest) = ready.after_look else {
-            // For another edge there are none: it is one of a reset.
+            // Another edge, such as one of a reset, has none.
             if self.looks.rest.is_none_or(|rest| rest.edge == edge) {
                 self.looks.count += 1;
                 self.remake_rest_after(self.looks.count, edge);
@@ -92,7 +92,7 @@ impl Compiled {
         }
     }
 
-    /// Makes functions for looks at all that is up to date.
+    /// Makes functions for looks at everything that is up to date.
     fn make_rest(&mut self, edge: usize) -> Rest {
         let view = self.view_of_fresh();
         let held = self.held_version(edge);
@@ -111,7 +111,7 @@ impl Compiled {
         Rest { view, edge, held, look: look_code, code: self.compile_once(&parts) }
     }
 
-    /// A view of all that is shown by views which are up to date.
+    /// A view of everything shown by up-to-date views.
     fn view_of_fresh(&mut self) -> u32 {
         let is_fresh = |(_, view): &(u32, &View)| !view.stale && !view.shown.is_empty();
         let fresh: Vec<(u32, &View)> = (0..).zip(&self.views).filter(is_fresh).collect();
@@ -125,7 +125,8 @@ impl Compiled {
         self.add_view(code, triggers, &shown, &prepared) as u32
     }
 
-    /// What a look leaves besides what is `shown`: what an edge needs first of what is computed before it.
+    /// The values that a look keeps besides `shown`: values that are computed before the edge and that the edge
+    /// needs.
     fn left_by_look(&self, shown: &[ValueId], held: &Held, rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
         let mut maker = Maker::new(&self.program).hold(held);
         let mut is_computed = |id: ValueId| {
@@ -138,7 +139,7 @@ impl Compiled {
         left.into_iter().filter(|id| is_computed(*id)).collect()
     }
 
-    /// Where a look leaves a value: where the view does, if it shows it.
+    /// The place where a look stores a value: that of the view, if the view shows it.
     fn place_for_look(&mut self, view: u32, id: ValueId) -> Place {
         match self.shown[id.index()] {
             Some((of, place)) if of == view as usize => place,
@@ -146,7 +147,7 @@ impl Compiled {
         }
     }
 
-    /// A function that leaves values at these places.
+    /// A function that stores values at these places.
     fn prepare_look(&mut self, held: &Held, values: &[ValueId], places: &[Place]) -> Prepared {
         let mut maker = Maker::new(&self.program);
         let own = maker.own(values);
@@ -160,12 +161,12 @@ impl Compiled {
         rising.iter().flat_map(|&clock| self.program.sampled(clock, !resets[clock])).collect()
     }
 
-    /// What an edge needs first of what is computed for `shown` before it.
+    /// The values computed for `shown` that an edge needs.
     pub(super) fn left_to(&self, shown: &[ValueId], rising: &[usize], resets: &[bool]) -> Vec<ValueId> {
         border(&self.program.circuit, shown, &self.sampled(rising, resets))
     }
 
-    /// Prepares the functions for an edge to which values that were computed before it are state, at these places.
+    /// Prepares the functions for an edge for which values computed before it are state, at these places.
     pub(super) fn prepare_rest(
         &mut self,
         (rising, resets): (&[usize], &[bool]),
@@ -173,7 +174,7 @@ impl Compiled {
         given: &[ValueId],
         places: &[Place],
     ) -> Vec<Prepared> {
-        // What has turned out to be state itself stands where the edge changes it: to the edge, it is no other value.
+        // A value that is state itself stays where the edge changes it: for the edge, it is not a separate value.
         let is_apart = |(_, place): &(&ValueId, &Place)| !self.places.contains(&Some(**place));
         let (given, places): (Vec<ValueId>, Vec<Place>) = given.iter().zip(places).filter(is_apart).unzip();
         let functions = self.edge_functions(rising, resets, held, &given);
@@ -181,8 +182,8 @@ impl Compiled {
     }
 }
 
-/// What these values need first of what a view of `shown` computes, as far as it is a value of one lane and more than a
-/// part of another.
+/// The values of a view of `shown` that these values need first, if they have one lane and are more than a slice of
+/// another.
 fn border(circuit: &Circuit, shown: &[ValueId], values: &[ValueId]) -> Vec<ValueId> {
     let computed: BTreeSet<ValueId> = circuit.needed(shown.iter().copied()).into_iter().collect();
     let (mut seen, mut left) = (BTreeSet::new(), BTreeSet::new());

@@ -1,7 +1,7 @@
-//! Makes of operations across lanes what a loop over strips can do, and of operations what the machine has.
+//! Replaces operations across lanes by those that a loop over strips can do, and others by machine operations.
 //!
-//! What remains across lanes is: [`Kind::Broadcast`] of each lane or of a whole row, [`Kind::Stack`] and [`Kind::Lane`] of a
-//! last axis, [`Kind::Reduce`] likewise, and what [`Lowered`] has.
+//! The remaining operations across lanes are [`Kind::Broadcast`] of each lane or of a whole row, [`Kind::Stack`],
+//! [`Kind::Lane`] and [`Kind::Reduce`] along the last axis, and those of [`Lowered`].
 
 mod choices;
 mod lanes;
@@ -23,7 +23,7 @@ use crate::engine::Passes;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
-/// What lowering depends on.
+/// The parameters of lowering.
 struct Target<'a> {
     strips: &'a Strips,
     memories: &'a [MemoryAt],
@@ -32,10 +32,10 @@ struct Target<'a> {
     written: BTreeSet<u32>,
 }
 
-/// Lowers a function. Besides:
+/// Lowers a function. In addition:
 ///
-/// - words of memories are converted from and to how they stand there;
-/// - lanes that pad the last strip take no part in reductions and write nothing.
+/// - words of memories are converted from and to their stored form;
+/// - the padding lanes of the last strip take no part in reductions and write nothing.
 pub(super) fn lower(
     function: &Function,
     strips: &Strips,
@@ -95,7 +95,8 @@ impl Target<'_> {
         })
     }
 
-    /// The lane of a value whose number each lane has in `at`. Of words at one address only those that are taken are read.
+    /// Selects the lane of a value by the number in each lane of `at`. Of adjacent words at one address, only the
+    /// selected ones are read.
     fn gather(&self, rewriter: &mut Rewriter, of: ValueId, at: ValueId, lanes: u32, width: u32) -> ValueId {
         let gather = match rewriter.circuit()[of].kind {
             Kind::Lowered(Lowered::Word { memory, address }) if lanes > 1 && self.is_still(memory) => {
@@ -111,13 +112,13 @@ impl Target<'_> {
         rewriter.add(Kind::Lowered(gather), lanes, width)
     }
 
-    /// Whether the words of a memory at an address stand side by side, and stay as long as the function runs.
+    /// Whether the words of a memory at an address are adjacent, and do not change while the function runs.
     fn is_still(&self, memory: u32) -> bool {
         let at = &self.memories[memory as usize];
         at.words.together() && at.width <= 64 && !self.written.contains(&memory)
     }
 
-    /// What a memory is written, and where lanes exist.
+    /// The stored form of the written word, and the enable in existing lanes only.
     fn write(&self, rewriter: &mut Rewriter, sink: &mut Sink) {
         let Sink::Write { memory, enable, data, .. } = sink else { return };
         let lanes = rewriter.circuit()[*enable].lanes;
@@ -129,7 +130,7 @@ impl Target<'_> {
     }
 }
 
-/// How a word stands in a memory, or the word that stands so: see [`MemoryAt::standing`].
+/// The stored form of a word, or the word of a stored form: see [`MemoryAt::standing`].
 fn standing(rewriter: &mut Rewriter, at: &MemoryAt, word: ValueId) -> ValueId {
     if at.blank == 0 {
         return word;
@@ -139,7 +140,7 @@ fn standing(rewriter: &mut Rewriter, at: &MemoryAt, word: ValueId) -> ValueId {
     rewriter.add(Kind::Binary(Binary::Xor, word, blank), lanes, at.width)
 }
 
-/// An array of constants: `row` of them over and over.
+/// An array of constants: `row` of them, repeated.
 fn table(rewriter: &mut Rewriter, lanes: u32, row: u32, width: u32, of: impl Fn(u32) -> u64) -> ValueId {
     let parts = (0..row).map(|lane| rewriter.constant(Bits::new(width, of(lane)), lanes / row)).collect();
     rewriter.add(Kind::Stack { parts, inner: 1 }, lanes, width)

@@ -26,7 +26,7 @@ impl Emitter<'_, '_, '_> {
         self.builder.ins().iadd(base, within)
     }
 
-    /// Writes a word of a memory of one lane, where the port is enabled and the address within the depth.
+    /// Writes a word of a memory of one lane, if the port is enabled and the address is within the depth.
     pub(super) fn write(&mut self, memory: u32, enable: ValueId, address: ValueId, data: ValueId) {
         let memory = self.memories[memory as usize];
         let address = self.scalars.clean(self.builder, address)[0];
@@ -39,11 +39,11 @@ impl Emitter<'_, '_, '_> {
             emitter.note_write();
             emitter.scalars.store(emitter.builder, data, memory.element(), at, 0);
         });
-        // A conversion that was made in the branch does not hold behind it.
+        // A conversion made in the branch is not valid after it.
         self.scalars.define(data, before);
     }
 
-    /// A flag, and the address below the depth.
+    /// A flag, and the address is below the depth.
     fn inside(&mut self, memory: MemoryAt, address: Value, enabled: Value) -> Value {
         if memory.is_full {
             return enabled;
@@ -63,7 +63,7 @@ impl Emitter<'_, '_, '_> {
         self.builder.switch_to_block(done);
     }
 
-    /// Where the words at the address that all lanes have begin, and that address; to be called before the loop.
+    /// The address of the words at the address common to all lanes, and that address; to be called before the loop.
     pub(super) fn begin_words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) {
         let at = self.memories[memory as usize];
         if !at.words.together() || strip.words.contains_key(&(memory, address)) {
@@ -80,7 +80,7 @@ impl Emitter<'_, '_, '_> {
         strip.words.insert((memory, address), (start, number));
     }
 
-    /// Where the words of a strip are, at the address that all lanes have.
+    /// The words of a strip, at the address common to all lanes.
     fn words(&mut self, strip: &mut Strip, memory: u32, address: ValueId) -> (Span, Value) {
         let (start, number) = strip.words[&(memory, address)];
         let word = self.memories[memory as usize].words.word;
@@ -89,7 +89,7 @@ impl Emitter<'_, '_, '_> {
         (Span { storage: word as u32 * 8, address, offset: 0, aligned: true }, number)
     }
 
-    /// Reads, for each lane, the word of the lane whose number it has in `from`, at the address that all have.
+    /// Reads, for each lane, the word of the lane with the number in `from`, at the address common to all.
     pub(super) fn read_lanes_at(&mut self, strip: &mut Strip, id: ValueId, word: (u32, ValueId), from: ValueId) {
         let at = self.memories[word.0 as usize];
         let (start, _) = strip.words[&word];
@@ -135,7 +135,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Where a lane's words begin, and an offset to add.
+    /// The first byte of a lane's words, and an offset.
     fn lane_base(&mut self, strip: &mut Strip, memory: MemoryAt, lane: u32) -> (Value, i32) {
         let apart = lane as usize * memory.words.lane;
         if strip.is_padded() || i32::try_from(apart + memory.words.word).is_err() {
@@ -157,7 +157,7 @@ impl Emitter<'_, '_, '_> {
         (base, offset(apart))
     }
 
-    /// Writes a word for each lane that is enabled.
+    /// Writes a word for each enabled lane.
     pub(super) fn write_lanes(&mut self, strip: &mut Strip, sink: usize) {
         let &Sink::Write { memory, enable, address, data } = &self.function.sinks[sink] else {
             unreachable!("a write")
@@ -173,7 +173,7 @@ impl Emitter<'_, '_, '_> {
             let mark = strip.lanes.mark();
             self.branch(go, |emitter| {
                 emitter.note_write();
-                // What is the same in all lanes is 1 in all of them here.
+                // A value that is the same in all lanes is 1 in all of them here.
                 if strip.lanes.is_uniform(enable) {
                     strip.lanes.store(emitter.builder, data, side);
                 } else {
@@ -185,7 +185,7 @@ impl Emitter<'_, '_, '_> {
             });
             return;
         }
-        // Conversions that are made in the branch are forgotten behind it. The base is not, so it is computed here.
+        // Conversions made in the branch are forgotten after it. The base is not, so it is computed here.
         self.lane_base(strip, at, 0);
         let mark = strip.lanes.mark();
         let singles = strip.save();
@@ -196,8 +196,8 @@ impl Emitter<'_, '_, '_> {
                 let enabled = strip.lanes.extract(emitter.builder, enable, lane);
                 let enabled = emitter.builder.ins().ireduce(types::I8, enabled);
                 let go = emitter.inside(at, number, enabled);
-                // Without a branch, which would be hard to predict: a lane that is not enabled writes to a place that
-                // nobody reads.
+                // Without a branch, which would be hard to predict: a disabled lane writes to a place that nobody
+                // reads.
                 let (base, offset) = emitter.lane_base(strip, at, lane);
                 let within = emitter.scaled(number, at.words.address);
                 let nowhere = emitter.builder.ins().iconst(types::I64, at.words.nowhere as i64);

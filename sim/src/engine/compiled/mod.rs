@@ -1,8 +1,8 @@
 //! The compiled engine: machine code made for one program.
 //!
-//! State stands in one block of memory, memories in blocks of their own. For each set of clocks that rises together
-//! there is a function that goes through such an edge any number of times; for what a testbench looks at there are
-//! functions that compute it. All are made when they are first needed.
+//! The state is one block of memory; memories are separate blocks. For each set of clocks that rise together, one
+//! function executes such an edge any number of times. Other functions compute the values that a testbench reads. All
+//! functions are made when they are first needed.
 
 mod asserts;
 mod bank;
@@ -75,82 +75,82 @@ use view::{NO_VIEW, View};
 pub(crate) struct Compiled {
     /// The circuit, with wide words split and single bits packed.
     program: Arc<Program>,
-    /// Where their parts are.
+    /// The places of the parts.
     parts: Parts,
-    /// Where the bits are.
+    /// The places of the bits.
     bits: Places,
     jit: Jit,
-    /// State and what functions store.
+    /// State and the stored values of functions.
     state: Store,
-    /// What functions need for a moment.
+    /// Temporary memory of functions.
     scratch: Store,
     layout: Layout,
-    /// Per value of the program: where it is, if it is state.
+    /// For each value of the program its place, if it is state.
     places: Vec<Option<Place>>,
     /// The same for a testbench that sets and reads single numbers.
     slots: Vec<Slot>,
     memories: Vec<MemoryAt>,
     banks: Vec<Bank>,
-    /// Instances that run one by one, if there are some.
+    /// Instances that run one by one, if there are any.
     apart: Option<Apart>,
-    /// Per clock: its reset is high.
+    /// For each clock, whether its reset is high.
     resets: Vec<bool>,
-    /// Whether any is.
+    /// Whether any reset is high.
     any_reset: bool,
     edges: Vec<Edge>,
-    /// The one that was last asked for, and whether it checks assertions, while resets are as they were then.
+    /// The edge that was last looked up, and whether it checks assertions, while the resets are the same.
     latest: Option<(usize, bool)>,
-    /// The next edges, if they are of one clock; and for how many of them.
+    /// The function for the next edges, if they are of one clock, and the number of them.
     ready: Option<Ready>,
     ready_for: u64,
-    /// Per clock, if there are several: what was ready when another one rose, and for how many edges.
+    /// For each of several clocks: the function that was ready when another clock rose, and its number of edges.
     parked: Vec<Option<(Ready, u64)>>,
-    /// What is ready, if it is for the only clock and nothing has to be looked at before.
+    /// The ready function, if it is for the only clock and nothing must be checked before.
     quick: Option<Quick>,
-    /// The inputs that a function may be made for, and how many functions still may.
+    /// The inputs that a function may be made for, and how many more functions may be made.
     inputs: Vec<ValueId>,
     special: u32,
-    /// Counts changes of these inputs, as far as edges have been done since.
+    /// The version of these inputs; it counts changes followed by an edge.
     inputs_version: u64,
-    /// One was changed since the last edge.
+    /// One of them was changed since the last edge.
     held_changed: bool,
-    /// Per clock, if there are several: what is known of edges at which nothing happens.
+    /// For each of several clocks: data about edges at which nothing happens.
     idle: Vec<Option<Idle>>,
-    /// Which of these look at what a clock changes.
+    /// The clocks among these that read a clock's state.
     seen_by: Vec<idle::Clocks>,
     /// An input was changed since the last edge.
     stirred: bool,
-    /// Counts edges of clocks that rest.
+    /// The number of edges of resting clocks.
     idle_edges: u64,
-    /// The clocks that rise with one that rests; kept to save an allocation.
+    /// The clocks that rise with a resting one; kept to avoid an allocation.
     rising: Vec<usize>,
-    /// 1 while edges are not to check assertions.
+    /// 1 while edges do not check assertions.
     unchecked: Place,
     checked: bool,
-    /// What looks whether assertions hold, if there are any.
+    /// The functions that check assertions, if there are any.
     checks: Vec<(Vec<usize>, Vec<bool>, Option<Code>)>,
     views: Vec<View>,
     looks: Looks,
-    /// Somebody has looked at something that is computed since the last edge.
+    /// Somebody has looked at a computed value since the last edge.
     looked: bool,
-    /// A view that is certainly up to date, or none: what is looked at most is asked for by this alone.
+    /// A view that is certainly up to date, or none: the usual look needs only this check.
     fresh: u32,
-    /// What is to be called for the next edge, if nothing happens until then but that somebody looks.
+    /// The function to call for the next edge, if only looks happen before it.
     again: Option<Code>,
     stopping: Vec<Stopping>,
     rows: Vec<Rows>,
-    /// Per function with loops that may get versions.
+    /// For each function with loops that may get versions.
     versions: Vec<Versions>,
-    /// How many versions there are.
+    /// The number of versions.
     versions_made: u64,
-    /// What code has evaluated, where it is not made code of.
+    /// The functions that are evaluated instead of compiled.
     #[expect(clippy::vec_box, reason = "code has the address of each")]
     evaluated: Vec<Box<Functions>>,
-    /// What has changed since views were last marked stale.
+    /// The changes since views were last flagged as stale.
     pending: Triggers,
-    /// Counts how often what they show, or where they leave it, was another.
+    /// Counts the changes of what views show, or of where they store it.
     version: u32,
-    /// Per value of the program: what computes it, by index in `views`, and where it leaves it.
+    /// For each value of the program: the view that computes it, by index in `views`, and its place.
     shown: Vec<Option<(usize, Place)>>,
     /// Every value as limbs, brought up to date when it is read.
     mirror: Vec<u64>,
@@ -159,7 +159,7 @@ pub(crate) struct Compiled {
 /// The widest input that a function is made for.
 const HELD: u32 = 8;
 
-/// How often at most.
+/// The most such functions.
 const SPECIAL: u32 = 16;
 
 /// The inputs that functions may be made for.
@@ -173,7 +173,7 @@ impl Compiled {
     ///
     /// # Errors
     ///
-    /// The machine is not one that code can be generated for.
+    /// Code cannot be generated for this machine.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
         let jit = Jit::new()?;
         let (declared, Fields { program, parts }) = (&program, fields::split(&program));
@@ -182,7 +182,7 @@ impl Compiled {
         let program = Arc::new(program);
         let mut layout = Layout::new(Strips::of(&program));
         let (places, apart) = units::places(&program, &mut layout);
-        // A unit is left out by code.
+        // Generated code skips units.
         let apart = apart.filter(|_| !program.passes.evaluated);
         let unchecked = layout.place(1, 1);
         let (memories, banks) = bank::banks(&program, &layout.strips);
@@ -242,14 +242,14 @@ impl Compiled {
         Ok(engine)
     }
 
-    /// Enters a constant in what is read; most never are.
+    /// Enters a constant in `mirror`; most are never read.
     fn mirror_constant(&mut self, id: ValueId) {
         let bits = self.program.circuit.constant(id).expect("what is neither state nor computed is constant").limbs();
         let lanes = self.mirror[self.program.value(id).range()].chunks_exact_mut(bits.len());
         lanes.for_each(|lane| lane.copy_from_slice(bits));
     }
 
-    /// Runs a function so many times; gives how many are left because something did not hold.
+    /// Runs a function `count` times; returns how many are left because an assertion failed.
     #[inline]
     fn call(&mut self, code: Code, count: u64) -> u64 {
         let (state, scratch) = (self.state.address(), self.scratch.address().cast());
@@ -365,11 +365,11 @@ impl Engine for Compiled {
     }
 
     fn edges_until(&mut self, rising: &[usize], count: u64, until: &Until) -> Result<(Done, bool), Box<Difference>> {
-        // Registers are reset after a function has run, so it cannot know what follows from that.
+        // Registers are reset after a function has run, so the function cannot know the consequences.
         if self.any_reset || count < 2 {
             return one_by_one(self, rising, count, until);
         }
-        // The condition is looked at after an edge, so before each other one.
+        // The function checks the condition before an edge, so the first edge is done separately.
         let (first, holds) = one_by_one(self, rising, 1, until)?;
         if holds || first.edges == 0 {
             return Ok((first, holds));

@@ -1,4 +1,4 @@
-//! Pages of memory from the system: code that can be run, and blocks with pages around them that nobody may touch.
+//! Pages of memory from the system: executable code, and blocks between protected pages.
 
 use std::alloc::{Layout, handle_alloc_error};
 
@@ -6,15 +6,14 @@ use region::{Allocation, Protection};
 
 use super::target::Unsupported;
 
-/// Pages of one's own.
+/// Owned pages.
 struct Pages(Allocation);
 
-// SAFETY: it is the only one that knows its pages, and gives them back to the system, which does not ask which thread
-// does so.
+// SAFETY: it is the only owner of its pages, and the system lets any thread free them.
 #[allow(unsafe_code, reason = "an address is not sent to other threads by itself")]
 unsafe impl Send for Pages {}
 
-/// Machine code, which can be run and not written.
+/// Machine code, which is executable and not writable.
 pub(super) struct CodePages(Pages);
 
 impl CodePages {
@@ -27,26 +26,26 @@ impl CodePages {
         let mut pages = region::alloc(code.len(), Protection::READ_WRITE).map_err(refused)?;
         // SAFETY: the pages are at least as long, and nobody else knows them yet.
         unsafe { std::ptr::copy_nonoverlapping(code.as_ptr(), pages.as_mut_ptr(), code.len()) };
-        // SAFETY: nothing but the code is in these pages.
+        // SAFETY: only the code is in these pages.
         unsafe { region::protect(pages.as_ptr::<u8>(), pages.len(), Protection::READ_EXECUTE) }.map_err(refused)?;
         #[cfg(target_arch = "aarch64")]
         {
             use wasmtime_internal_jit_icache_coherence::{clear_cache, pipeline_flush_mt};
-            let refused = |error: std::io::Error| Unsupported(format!("its caches keep what was there: {error}"));
-            // SAFETY: the pages are there.
+            let refused = |error: std::io::Error| Unsupported(format!("its caches cannot be cleared: {error}"));
+            // SAFETY: the pages exist.
             unsafe { clear_cache(pages.as_ptr(), pages.len()) }.map_err(refused)?;
             pipeline_flush_mt().map_err(refused)?;
         }
         Ok(CodePages(Pages(pages)))
     }
 
-    /// Where the code begins.
+    /// The first instruction.
     pub fn entry(&self) -> *const u8 {
         self.0.0.as_ptr()
     }
 }
 
-/// Numbers, zeros at first, that end where a page begins that nobody may touch; another such page is before them.
+/// Numbers, zeros at first, that end at a protected page; another protected page is before them.
 pub(super) struct Guarded {
     pages: Pages,
     /// Bytes before the first.
@@ -54,17 +53,17 @@ pub(super) struct Guarded {
 }
 
 impl Guarded {
-    /// So many numbers.
+    /// Allocates `count` numbers.
     pub fn new(count: usize) -> Guarded {
         let page = region::page::size();
         let inner = (count * 8).next_multiple_of(page);
         let pages = region::alloc(inner + 2 * page, Protection::READ_WRITE);
-        // As where there are no guards: a vector that cannot be made ends the process in this way.
+        // As without guards: a vector that cannot be allocated ends the process in this way.
         let layout = || Layout::array::<u64>(count).expect("so many numbers are less than the address space");
         let pages = pages.unwrap_or_else(|_| handle_alloc_error(layout()));
         for guard in [0, page + inner] {
             let guard = pages.as_ptr::<u8>().wrapping_add(guard);
-            // SAFETY: these pages were just made, and nobody looks at them.
+            // SAFETY: these pages were just made, and nobody uses them.
             #[allow(unsafe_code, reason = "takes away the right to touch pages")]
             unsafe { region::protect(guard, page, Protection::NONE) }.expect("pages of one's own can be protected");
         }

@@ -1,4 +1,4 @@
-//! Words that are split, as others know them: whole.
+//! Split words, seen as whole words.
 
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ impl Compiled {
         }
     }
 
-    /// A lane's word of a memory that code has.
+    /// A lane's word of a memory that code uses.
     fn stored(&self, memory: u32, lane: u32, address: u32) -> Vec<u64> {
         match self.bits.memories.get(&memory) {
             Some(&lanes) => vec![self.whole(memory, lane / lanes, address)[0] >> (lane % lanes) & 1],
@@ -40,7 +40,7 @@ impl Compiled {
         }
     }
 
-    /// Replaces a lane's word of a memory that code has.
+    /// Replaces a lane's word of a memory that code uses.
     fn store(&mut self, memory: u32, lane: u32, address: u32, limbs: &[u64]) {
         match self.bits.memories.get(&memory) {
             Some(&lanes) => self.set_bits(memory, lane..lane + 1, lanes, address, limbs[0]),
@@ -48,7 +48,7 @@ impl Compiled {
         }
     }
 
-    /// Gives the lanes of a memory, some of which are packed in each word, that bit.
+    /// Sets this bit of these lanes of a memory whose words have several lanes.
     fn set_bits(&mut self, memory: u32, range: Range<u32>, lanes: u32, address: u32, bit: u64) {
         for (word, mask) in words(range, lanes) {
             let old = self.whole(memory, word, address)[0];
@@ -68,7 +68,7 @@ impl Compiled {
         self.banks[at.bank].put_word(at.at(lane, address), at.words.word, at.width, &at.standing(limbs));
     }
 
-    /// The value that these lanes of a register have that code has, or that reads have.
+    /// Sets these lanes of a register, or read data, that code uses.
     fn set_lanes(&mut self, id: ValueId, range: Range<u32>, limbs: &[u64]) {
         let Some(&(packed, lanes)) = self.bits.states.get(&id) else { return self.set_whole(id, range, limbs) };
         let place = self.places[packed.index()].expect("what has a start is state");
@@ -103,7 +103,7 @@ impl State for Compiled {
     }
 }
 
-/// The words in which these lanes are packed, so many in each, with the bits that are theirs.
+/// The words in which these lanes are packed, `lanes` in each, with the lanes' bits.
 fn words(range: Range<u32>, lanes: u32) -> impl Iterator<Item = (u32, u64)> {
     (range.start / lanes..range.end.div_ceil(lanes)).map(move |word| {
         let first = range.start.saturating_sub(word * lanes);
@@ -112,7 +112,7 @@ fn words(range: Range<u32>, lanes: u32) -> impl Iterator<Item = (u32, u64)> {
     })
 }
 
-/// The lanes of a part for these lanes of words that are all the same, with what they hold.
+/// The lanes of a part for these identical words, with their values.
 fn lanes<T>(part: Part<T>, words: Range<u32>, limbs: &[u64]) -> Vec<(Range<u32>, Vec<u64>)> {
     let piece = part.piece;
     let word = Bits::from_limbs(limbs.len() as u32 * 64, limbs);

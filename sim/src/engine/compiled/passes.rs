@@ -1,4 +1,4 @@
-//! What is done with a function before code is made of it.
+//! The passes on a function before code is made of it.
 
 use super::emitter::MemoryAt;
 use super::function::{Became, Function};
@@ -8,7 +8,7 @@ use super::strips::Strips;
 use super::{branch, demands, lower, quiet};
 use crate::engine::Passes;
 
-/// A function, in order.
+/// A function in sequence.
 pub(super) struct Planned {
     pub function: Function,
     pub plan: Plan,
@@ -16,9 +16,9 @@ pub(super) struct Planned {
     pub pieces: Vec<Vec<Step>>,
 }
 
-/// What a pass has left, for who wants to see it.
+/// The result of a pass, for observers.
 pub(super) enum Seen<'a> {
-    /// The operations of the machine, and what the values of the function before are there.
+    /// The machine operations, and the values in them of the function before.
     Lowered(&'a Function, &'a Became),
     Planned(&'a Function, &'a Plan),
     Branched(&'a Function, &'a Plan),

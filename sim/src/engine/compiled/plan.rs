@@ -1,9 +1,9 @@
-//! In which order a function computes its cells, and what of them it has to leave in memory.
+//! The sequence in which a function computes its cells, and the cells that it stores in memory.
 //!
-//! A function goes through *stages*. In each it first computes values of one lane, which stay in registers of the
-//! machine; then it packs single values into arrays of lanes; then it runs *kernels*, loops over the lanes of all
-//! values of one lane count. What leads from lanes to single values or to other lanes (a reduction, a neighbour, one
-//! lane) begins a new stage, unless it looks at state, which is in memory anyway.
+//! A function goes through *stages*. In each stage it first computes scalars, which stay in machine registers. Then
+//! it packs scalars into arrays of lanes. Then it runs *kernels*, loops over the lanes of all values with one lane
+//! count. An operation from lanes to scalars or to other lanes (a reduction, a neighbour, one lane) begins a new
+//! stage, unless it reads state, which is in memory anyway.
 
 mod hazards;
 
@@ -13,14 +13,14 @@ use super::function::{Function, Sink};
 use super::versions::Versioned;
 use crate::engine::program::{Kind, Lowered, ValueId};
 
-/// The order of a function.
+/// The sequence of a function.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Plan {
     pub stages: Vec<Stage>,
-    /// What is live out of where it is computed, and so stored: for other kernels, neighbours and testbenches. State is not
-    /// among it.
+    /// Values used outside of the kernel that computes them, which are stored: for other kernels, neighbours and
+    /// testbenches. State is not included.
     pub live_out: BTreeSet<ValueId>,
-    /// Registers with lanes that somebody reads after their kernel has run: they change at the end.
+    /// Registers with lanes that are read after their kernel has run: they change at the end.
     pub hazards: BTreeSet<ValueId>,
     /// Cells of a branch, and those at whose place they are stored.
     pub homes: BTreeMap<ValueId, ValueId>,
@@ -33,16 +33,16 @@ pub(super) struct Plan {
 pub(super) struct Stage {
     /// Values of one lane.
     pub single: Vec<ValueId>,
-    /// Arrays of lanes made of single values or of other arrays.
+    /// Arrays of lanes made from scalars or from other arrays.
     pub packed: Vec<ValueId>,
     /// Loops by lane count.
     pub kernels: BTreeMap<u32, Kernel>,
-    /// The loops over most lanes come first.
+    /// The loops over the most lanes come first.
     pub widest_first: bool,
 }
 
 impl Stage {
-    /// The loops in the order in which they run, each with its lanes.
+    /// The loops in sequence, each with its number of lanes.
     pub fn loops(&self) -> Vec<(u32, &Kernel)> {
         let mut loops: Vec<(u32, &Kernel)> = self.kernels.iter().map(|(lanes, kernel)| (*lanes, kernel)).collect();
         if self.widest_first {
@@ -55,22 +55,22 @@ impl Stage {
 /// A loop over lanes.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Kernel {
-    /// What it computes, each after its operands.
+    /// The cells that it computes, each after its operands.
     pub cells: Vec<ValueId>,
-    /// What it does at the end of a strip, by index in [`Function::sinks`].
+    /// The sinks that it executes at the end of a strip, by index in [`Function::sinks`].
     pub sinks: Vec<usize>,
     /// From the last lanes to the first.
     pub descends: bool,
-    /// What runs instead.
+    /// The kernels to run instead.
     pub switch: Option<Box<Switch>>,
-    /// Loops that run instead, one after the other.
+    /// Loops that run instead, one after another.
     pub parts: Vec<Kernel>,
-    /// What it is among the loops that may get versions, by index in [`Plan::versioned`].
+    /// Its index in [`Plan::versioned`], if it may get versions.
     pub versioned: Option<usize>,
 }
 
 impl Kernel {
-    /// Calls `visit` with each loop that runs instead of it, or itself.
+    /// Calls `visit` with each loop that runs instead of it, or with itself.
     pub fn for_each_leaf(&mut self, visit: &mut dyn FnMut(&mut Kernel)) {
         let Kernel { parts, switch, .. } = self;
         if parts.is_empty() && switch.is_none() {
@@ -84,22 +84,22 @@ impl Kernel {
 /// Kernels to choose from.
 #[derive(Debug, Clone)]
 pub(super) struct Switch {
-    /// The single value that decides.
+    /// The scalar that decides.
     pub subject: ValueId,
     pub kernels: Vec<Kernel>,
-    /// The kernel for each number that the subject may be.
+    /// The kernel for each number of the subject.
     pub table: Vec<usize>,
 }
 
-/// Where in a stage something runs.
+/// A position within a stage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct Position {
     stage: usize,
-    /// 0 for single values, 1 for packing, then kernels by their lanes.
+    /// 0 for scalars, 1 for packing, then kernels by their lanes.
     place: u32,
 }
 
-/// What a cell is to the plan.
+/// The role of a cell in the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Role {
     /// A constant, the same in all lanes.
@@ -108,9 +108,9 @@ enum Role {
     Resident,
     Single,
     Packed,
-    /// The same single value, or row, in all lanes: no work of its own.
+    /// The same scalar, or row, in all lanes: no work of its own.
     Rematerialised,
-    /// In the kernel of so many lanes.
+    /// In the kernel with this number of lanes.
     Kernel(u32),
 }
 
@@ -125,8 +125,8 @@ impl Role {
 }
 
 impl Plan {
-    /// Plans a function; `postpone` brings the work on an array together in one loop. Memories that are `far` are read
-    /// in loops that do little else, so that many words are under way at a time.
+    /// Plans a function; `postpone` collects the work on an array in one loop. Memories that are `far` are read in
+    /// loops that do little else, so that many reads are in flight at a time.
     pub fn new(function: &Function, far: &[bool], postpone: bool) -> Plan {
         let needed = function.needed();
         let positions = vec![Position { stage: 0, place: 0 }; function.circuit().len()];
@@ -149,7 +149,7 @@ impl Plan {
         plan
     }
 
-    /// Adds single values that need nothing computed.
+    /// Adds scalars that depend on no computed value.
     pub fn singles_first(&mut self, ids: Vec<ValueId>) {
         self.at(0).single.splice(0..0, ids);
     }
@@ -167,7 +167,7 @@ impl Plan {
     }
 }
 
-/// Arrays that somebody looks at otherwise than lane by lane.
+/// Arrays that are read otherwise than lane by lane.
 fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     let of = needed.iter().filter_map(|&id| match function.cell(id).kind {
         Kind::Lowered(Lowered::Slide { of, .. } | Lowered::Gather { of, .. })
@@ -183,7 +183,7 @@ fn looked_at(function: &Function, needed: &[ValueId]) -> BTreeSet<ValueId> {
     of.chain(shown).collect()
 }
 
-/// What looks at a memory and changes it.
+/// The readers and writers of a memory.
 #[derive(Debug, Clone, Default)]
 struct Ports {
     reads: Vec<ValueId>,
@@ -191,7 +191,7 @@ struct Ports {
     writes: Vec<usize>,
 }
 
-/// The ports of so many memories.
+/// The ports of this number of memories.
 fn ports(function: &Function, memories: usize) -> Vec<Ports> {
     let mut ports = vec![Ports::default(); memories];
     for (id, cell) in function.circuit().cells() {
@@ -209,12 +209,12 @@ fn ports(function: &Function, memories: usize) -> Vec<Ports> {
 
 struct Planner<'a> {
     function: &'a Function,
-    /// Per memory.
+    /// For each memory.
     far: &'a [bool],
     ports: Vec<Ports>,
     positions: Vec<Position>,
     looked_at: BTreeSet<ValueId>,
-    /// Per lane count: the stage of the kernel that does most of the work, if it can be said to be one.
+    /// For each lane count: the stage of the kernel that does most of the work, if there is one.
     kernels: BTreeMap<u32, usize>,
 }
 
@@ -248,7 +248,7 @@ impl Planner<'_> {
         takes_lane && matches!(self.role(operand), Role::Kernel(_) | Role::Packed) && !self.is_apart(operand)
     }
 
-    /// Whether nobody takes a value of lanes in the loop that computes it.
+    /// Whether no cell uses a value with lanes in the loop that computes it.
     fn is_apart(&self, id: ValueId) -> bool {
         match self.function.cell(id).kind {
             Kind::Reduce { .. } => true,
@@ -259,7 +259,7 @@ impl Planner<'_> {
         }
     }
 
-    /// The first stage in which all operands are there.
+    /// The first stage in which all operands are available.
     fn stage(&self, id: ValueId) -> usize {
         let mut stage = 0;
         self.function.cell(id).kind.for_each_operand(|operand| {
@@ -268,7 +268,7 @@ impl Planner<'_> {
         stage
     }
 
-    /// From which stage on a value is there, for one who takes it lane by lane in its own kernel or not.
+    /// The stage from which a value is available, for a use lane by lane in its own kernel or for any other.
     fn available(&self, id: ValueId, by_lane: bool) -> usize {
         let at = self.positions[id.index()].stage;
         match self.role(id) {
@@ -280,8 +280,8 @@ impl Planner<'_> {
         }
     }
 
-    /// Moves cells to the last kernel of their lane count where nobody needs them before, so that one loop does what
-    /// several would do with the values between them in memory.
+    /// Moves cells to the last kernel of their lane count unless they are needed earlier. So one loop does the work
+    /// of several, without storing the values between them.
     fn postpone(&mut self, needed: &[ValueId]) {
         let sinks: Vec<(Position, &Sink)> =
             self.function.sinks.iter().map(|sink| (self.sink_position(sink), sink)).collect();
@@ -323,7 +323,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Enters a cell where its position says.
+    /// Enters a cell at its position.
     fn place(&self, plan: &mut Plan, id: ValueId) {
         let stage = self.positions[id.index()].stage;
         match self.role(id) {
@@ -334,7 +334,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Where a sink takes its operands: the end for single values.
+    /// The position at which a sink reads its operands: the end for scalars.
     fn sink_position(&self, sink: &Sink) -> Position {
         let lanes = sink.lanes(self.function.circuit());
         if lanes == 1 {
@@ -348,14 +348,14 @@ impl Planner<'_> {
         Position { stage: stage.max(last), place: lanes }
     }
 
-    /// The first stage in which all that a sink takes is there.
+    /// The first stage in which all operands of a sink are available.
     fn taken(&self, sink: &Sink) -> usize {
         let mut stage = 0;
         sink.for_each_operand(|operand| stage = stage.max(self.available(operand, !self.is_apart(operand))));
         stage
     }
 
-    /// The first stage in which a memory has been read, and all its ports can write, one after the other.
+    /// The first stage in which a memory has been read, and all its ports can write, one after another.
     fn written(&self, memory: u32) -> usize {
         let Ports { reads, writes } = &self.ports[memory as usize];
         let reads = reads.iter().map(|id| self.positions[id.index()].stage);
@@ -371,7 +371,7 @@ impl Planner<'_> {
         }
     }
 
-    /// Finds what has to be in memory for somebody who runs elsewhere.
+    /// Finds the values that must be in memory for uses elsewhere.
     fn stores(&self, plan: &mut Plan, needed: &[ValueId]) {
         let mut need = |operand: ValueId, reader: Position, by_lane: bool| {
             let stored = match self.role(operand) {

@@ -1,4 +1,4 @@
-//! From functions to code that can be called.
+//! From functions to callable code.
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 
@@ -17,22 +17,22 @@ use super::versions::{TableAt, Versions};
 use crate::engine::Passes;
 use crate::engine::program::{Kind, ValueId};
 
-/// A function in order, and where its values are.
+/// A function in sequence, and the places of its values.
 pub(super) struct Prepared {
     function: Function,
     plan: Plan,
-    /// The steps of each function that it takes.
+    /// The steps of each generated function.
     pieces: Vec<Vec<Step>>,
     pub addresses: Addresses,
-    /// Per loop that may get versions: where they are looked up.
+    /// For each loop that may get versions: the table in which to look them up.
     versions: Vec<TableAt>,
-    /// The units whose part is done after it.
+    /// The units that run after it.
     pub guards: Vec<Guard>,
-    /// What must hold is asked for also while edges are not to check assertions.
+    /// Its assertions are checked even while edges do not check them.
     pub is_always_asked: bool,
 }
 
-/// Has all units run where another function did the last edge, as only that knows what it has seen.
+/// Makes all units run if another function executed the last edge, because only that one knows what it has seen.
 fn begin(b: &mut FunctionBuilder, state: Value, (latest, number): (usize, u64), parts: &[Prepared]) {
     let (flags, latest) = (MemFlagsData::trusted(), emitter::offset(latest));
     let number = b.ins().iconst(types::I64, number as i64);
@@ -47,7 +47,7 @@ fn begin(b: &mut FunctionBuilder, state: Value, (latest, number): (usize, u64), 
     b.switch_to_block(done);
 }
 
-/// How often a function does what it does.
+/// The number of times that a function repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Times {
     Argument,
@@ -55,7 +55,7 @@ pub(super) enum Times {
 }
 
 impl Prepared {
-    /// Where it leaves what it shows, in order.
+    /// The places of the values that it shows, in sequence.
     pub fn shown(&self) -> impl Iterator<Item = Place> {
         self.function.sinks.iter().filter_map(|sink| match sink {
             Sink::Show(value) => Some(self.addresses.of(*value)),
@@ -63,12 +63,12 @@ impl Prepared {
         })
     }
 
-    /// What it does.
+    /// The function.
     pub fn function(&self) -> &Function {
         &self.function
     }
 
-    /// Whether it changes a memory, or state of the program, which has so many.
+    /// Whether it changes a memory, or one of the program's states, of which there are `states`.
     fn changes_state(&self, states: usize) -> bool {
         !self.guards.is_empty()
             || self.function.sinks.iter().any(|sink| match sink {
@@ -78,7 +78,7 @@ impl Prepared {
             })
     }
 
-    /// What versions of its loops are made of.
+    /// The data from which versions of its loops are made.
     fn to_versions(&self) -> Versions {
         Versions::new(&self.function, &self.plan, &self.addresses, &self.versions)
     }
@@ -96,7 +96,7 @@ impl Prepared {
 }
 
 impl Compiled {
-    /// Gives places to what a function computes; `given` has those of the state that it has besides the program's.
+    /// Gives places to the values of a function; `given` has the places of its state besides the program's.
     pub(super) fn prepare(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let state: Vec<Place> = self.places.iter().filter_map(|place| *place).chain(given.iter().copied()).collect();
         let memories = std::mem::take(&mut self.memories);
@@ -106,7 +106,7 @@ impl Compiled {
         prepared
     }
 
-    /// The same for a function that has this state and these memories.
+    /// The same for a function with this state and these memories.
     pub(super) fn prepare_of(
         &mut self,
         function: &Function,
@@ -125,19 +125,19 @@ impl Compiled {
         Prepared { function, plan, pieces, addresses, versions, guards: Vec::new(), is_always_asked: false }
     }
 
-    /// Makes a function that does what these functions say, one after the other, so many times; it ends where something
-    /// does not hold, and says how many times are left.
+    /// Makes a function that executes these functions, one after another, the given number of times. It ends when an
+    /// assertion fails, and returns the number of times left.
     pub(super) fn compile(&mut self, parts: &[Prepared]) -> Code {
         self.compile_times(parts, Times::Argument)
     }
 
-    /// As [`Compiled::compile`], once: it must be called for one time.
+    /// Like [`Compiled::compile`], for one time: it must be called with a count of one.
     pub(super) fn compile_once(&mut self, parts: &[Prepared]) -> Code {
         self.compile_times(parts, Times::Once)
     }
 
-    /// Makes a function of each piece; it gives what must hold. If they are a unit's, they note at `wrote` when they write to a memory, and
-    /// are told how far the unit is from the first.
+    /// Makes a function of each piece; it returns the condition of the assertions. The pieces of a unit note writes
+    /// to memories at `wrote`, and get the unit's distance from the first.
     pub(super) fn compile_pieces(&mut self, part: &Prepared, memories: &[MemoryAt], wrote: Option<usize>) -> Vec<Code> {
         let (strips, jit) = (&self.layout.strips, &mut self.jit);
         let last = part.pieces.len() - 1;
@@ -186,7 +186,7 @@ impl Compiled {
             builder.ins().jump(body, &[count.into()]);
             builder.switch_to_block(body);
             let left = builder.block_params(body)[0];
-            // The registers of the circuit that the part before has changed.
+            // The registers that the previous part has changed.
             let mut changed = Vec::new();
             for (part, pieces) in parts.iter().zip(&pieces) {
                 let before = std::mem::take(&mut changed);

@@ -1,9 +1,9 @@
 //! Loops in which nothing would change.
 //!
-//! What an array does in a clock often hangs on a few values that all lanes share: an opcode that changes no flag, a port that is not
-//! written. From the choices that lead to each register and memory follows when it *stays*, by single values alone; where a
-//! loop's all stay, one branch leads past it. So that this is often so, a loop is first parted into loops that have nothing to do with
-//! each other:
+//! The work of an array in a clock often depends on a few values that all lanes share: an opcode that changes no
+//! flag, a port that is not written. From the choices for each register and memory follows a condition on scalars
+//! under which it *stays* the same. If all of a loop's stay, one branch skips it. To make this frequent, a loop is
+//! first split into independent loops:
 //!
 //! ```text
 //! flag  <- case op { 0: flag, 1: .. }      stays where op == 0    } a loop, left out where op == 0 and not write
@@ -22,12 +22,12 @@ use super::plan::{Kernel, Plan, Switch};
 use super::strips::Strips;
 use crate::engine::program::{Cell, Kind, Lowered, ValueId};
 
-/// Operations on strips that a loop must have to be looked at: for fewer a branch saves little.
+/// The least number of strip operations of a loop that is examined: for fewer, a branch saves little.
 const LEAST: usize = 256;
-/// The least operations on strips for each operation on single values that tells whether the loop may be left out.
+/// The least number of strip operations for each scalar operation that decides whether the loop is skipped.
 const WORTH: usize = 16;
 
-/// Parts loops, and puts branches around the parts that may have nothing to do.
+/// Splits loops, and puts branches around parts that may have nothing to do.
 pub(super) fn quiet(function: &mut Function, plan: &mut Plan, strips: &Strips) {
     let mut stages = std::mem::take(&mut plan.stages);
     for stage in &mut stages {
@@ -41,7 +41,7 @@ pub(super) fn quiet(function: &mut Function, plan: &mut Plan, strips: &Strips) {
     plan.stages = stages;
 }
 
-/// Parts a loop, if some part of it may be left out; what tells so is computed with the single values of its stage.
+/// Splits a loop if some part of it may be skipped; the deciding condition is computed with the scalars of its stage.
 fn guard(function: &mut Function, plan: &Plan, kernel: &mut Kernel, times: usize, single: &mut Vec<ValueId>) {
     let mut parts = parts(function, plan, kernel);
     let mut is_guarded = false;
@@ -69,17 +69,17 @@ fn guard(function: &mut Function, plan: &Plan, kernel: &mut Kernel, times: usize
     }
 }
 
-/// What a part of a loop does.
+/// The contents of a part of a loop.
 #[derive(Default)]
 struct Part {
     cells: FxHashSet<ValueId>,
     sinks: BTreeSet<usize>,
-    /// Registers that it looks at, and changes.
+    /// Registers that it reads, and changes.
     reads: FxHashSet<ValueId>,
     writes: FxHashSet<ValueId>,
-    /// The same of memories.
+    /// The same for memories.
     words: FxHashSet<u32>,
-    /// By memory, the sinks that write to it.
+    /// For each memory, the sinks that write to it.
     written: BTreeMap<u32, BTreeSet<usize>>,
 }
 
@@ -93,7 +93,8 @@ impl Part {
         other.written.into_iter().for_each(|(memory, sinks)| self.written.entry(memory).or_default().extend(sinks));
     }
 
-    /// Whether it must run before another one, as that changes what it looks at, or writes later to the same memory.
+    /// Whether it must run before another part, because that one changes what it reads, or writes later to the same
+    /// memory.
     fn is_before(&self, other: &Part) -> bool {
         let is_later = |(memory, sinks): (&u32, &BTreeSet<usize>)| {
             self.words.contains(memory) || self.written.get(memory).is_some_and(|own| own.first() < sinks.last())
@@ -102,12 +103,12 @@ impl Part {
     }
 }
 
-/// The parts of a loop that compute nothing in common, in an order in which each looks at what there was before.
+/// The independent parts of a loop, in a sequence in which each reads the old state.
 fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Kernel> {
     let inside: FxHashSet<ValueId> = kernel.cells.iter().copied().collect();
     let mut open: Vec<Part> = Vec::new();
     let mut add = |mut part: Part| {
-        // What several loops compute is computed once, but for what costs nothing.
+        // A value that several loops need is computed once, unless it costs nothing.
         let (common, others) = open.drain(..).partition(|other: &Part| !other.cells.is_disjoint(&part.cells));
         open = others;
         let common: Vec<Part> = common;
@@ -133,7 +134,7 @@ fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Kernel> {
     let in_order = ordered(open);
     let kernel_of = |part: &Part| {
         let mut cells = part.cells.clone();
-        // What costs nothing is computed wherever it is taken.
+        // A value that costs nothing is computed wherever it is used.
         for &id in kernel.cells.iter().rev() {
             if cells.contains(&id) {
                 function.cell(id).kind.for_each_operand(|operand| cells.extend([operand]));
@@ -151,7 +152,7 @@ fn parts(function: &Function, plan: &Plan, kernel: &Kernel) -> Vec<Kernel> {
 }
 
 impl Part {
-    /// Takes a value, with all that the loop computes for it.
+    /// Adds a value, with everything that the loop computes for it.
     fn take(&mut self, function: &Function, plan: &Plan, inside: &FxHashSet<ValueId>, id: ValueId) {
         let mut open = vec![id];
         let mut seen = FxHashSet::default();
@@ -174,7 +175,7 @@ impl Part {
     }
 }
 
-/// Brings parts into order; those that would each have to be before the other become one.
+/// Brings parts into sequence; those that must each precede the other are merged.
 fn ordered(mut open: Vec<Part>) -> Vec<Part> {
     let mut order = Vec::new();
     while !open.is_empty() {
@@ -185,7 +186,7 @@ fn ordered(mut open: Vec<Part>) -> Vec<Part> {
         match (0..open.len()).find(is_first) {
             Some(index) => order.push(open.remove(index)),
             None => {
-                // Whoever waits waits for one in a circle: follow it from any.
+                // Every waiting part leads to a cycle: follow it from any of them.
                 let mut at = 0;
                 let mut path = Vec::new();
                 while !path.contains(&at) {
@@ -204,21 +205,21 @@ fn ordered(mut open: Vec<Part>) -> Vec<Part> {
     order
 }
 
-/// When something is so.
+/// A condition for a fact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Holds {
-    /// It cannot be said.
+    /// It is unknown.
     Never,
     Always,
-    /// Where this value, of one lane and one bit, is 1.
+    /// True where this value, of one lane and one bit, is 1.
     If(ValueId),
 }
 
-/// Finds out when registers and memories stay as they are.
+/// Finds the conditions under which registers and memories stay the same.
 struct Stays<'a> {
     function: &'a mut Function,
     plan: &'a Plan,
-    /// When a value is the same as a state in all lanes; when it is 0, without one.
+    /// The condition under which a value equals a state in all lanes or, without a state, is 0.
     known: FxHashMap<(ValueId, Option<ValueId>), Holds>,
     inverted: FxHashMap<ValueId, ValueId>,
 }
@@ -228,12 +229,12 @@ impl<'a> Stays<'a> {
         Stays { function, plan, known: FxHashMap::default(), inverted: FxHashMap::default() }
     }
 
-    /// When nothing happens at these sinks.
+    /// The condition under which these sinks have no effect.
     fn all(&mut self, sinks: &[usize]) -> Holds {
         let mut all = Holds::Always;
         for &sink in sinks {
             let stays = match self.function.sinks[sink] {
-                // What changes late waits elsewhere, where it has to be brought.
+                // A late change waits elsewhere and must be copied.
                 Sink::Register { state, .. } if self.plan.hazards.contains(&state) => Holds::Never,
                 Sink::Register { state, next, enable } => {
                     let is_off = enable.map_or(Holds::Never, |enable| self.is(enable, None));
@@ -251,7 +252,7 @@ impl<'a> Stays<'a> {
         all
     }
 
-    /// When a value is a state, or 0, in all lanes.
+    /// The condition under which a value is a state, or 0, in all lanes.
     fn is(&mut self, id: ValueId, state: Option<ValueId>) -> Holds {
         if let Some(holds) = self.known.get(&(id, state)) {
             return *holds;
@@ -288,7 +289,7 @@ impl<'a> Stays<'a> {
         }
     }
 
-    /// When the first value whose condition holds is a state, or 0.
+    /// The condition under which the first value with a true condition is a state, or 0.
     fn choice(&mut self, arms: &[(ValueId, ValueId)], default: ValueId, state: Option<ValueId>) -> Holds {
         let mut holds = self.is(default, state);
         for &(condition, value) in arms.iter().rev() {
@@ -310,7 +311,7 @@ impl<'a> Stays<'a> {
         holds
     }
 
-    /// The same where a value of all lanes chooses.
+    /// The same if a value of all lanes selects.
     fn case(&mut self, subject: ValueId, arms: &[(Bits, ValueId)], default: ValueId, state: Option<ValueId>) -> Holds {
         let mut values: Vec<Holds> = arms.iter().map(|(_, value)| self.is(*value, state)).collect();
         values.push(self.is(default, state));
@@ -326,7 +327,7 @@ impl<'a> Stays<'a> {
         Holds::If(self.push(Kind::Case { subject, arms, default }))
     }
 
-    /// The single value that a value is in all lanes.
+    /// The scalar that a value is in all lanes.
     fn shared(&self, id: ValueId) -> Option<ValueId> {
         match self.function.cell(id).kind {
             Kind::Broadcast { of, .. } if self.function.cell(of).lanes == 1 => Some(of),
@@ -371,7 +372,7 @@ impl<'a> Stays<'a> {
         }
     }
 
-    /// A value of one lane, which is computed for this alone: where others compute the same, it may be later.
+    /// A scalar computed for this purpose only: another use of the same computation may come later.
     fn push(&mut self, kind: Kind) -> ValueId {
         self.function.rewriter.push(Cell::new(kind, 1, 1))
     }

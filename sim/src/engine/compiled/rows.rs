@@ -1,5 +1,5 @@
-//! Rows for a waveform: the values that it shows before each of many edges, which one call of generated code leaves in
-//! memory. They are taken in the function of the edge, where they are in registers of the machine.
+//! Rows for a waveform: its values before each of many edges, stored in memory by one call of generated code. They
+//! are collected in the function of the edge, where they are in machine registers.
 
 use std::cell::Cell;
 
@@ -14,27 +14,27 @@ use super::store::Store;
 use crate::engine::program::{Triggers, ValueId};
 use crate::engine::{Done, LINE};
 
-/// Limbs of all rows together: they are to stay in the nearest cache until they are read. Of larger circuits, most of a
-/// waveform's time goes into the values, however they are asked for.
+/// Limbs of all rows together: they should stay in the nearest cache until they are read. For larger circuits, most
+/// of a waveform's time is spent on the values, however they are collected.
 const LIMBS: usize = 2048;
 
-/// Values that are taken in rows.
+/// Values that are collected in rows.
 pub(super) struct Rows {
     values: Vec<ValueId>,
     /// How many limbs a row has.
     limbs: usize,
     store: Store,
-    /// Where the address of the next row stands.
+    /// The place of the address of the next row.
     next: Place,
-    /// How many edges were asked for before there was a function.
+    /// The number of edges requested before there was a function.
     asked: u64,
     /// For an edge, by index.
     code: Option<(usize, Code)>,
 }
 
 impl Compiled {
-    /// Prepares for taking these values; gives their index, if all have one lane and there
-    /// are some, but not too many.
+    /// Prepares for collecting these values; returns their index, if all have one lane and there are some, but not
+    /// too many.
     pub(super) fn add_rows(&mut self, values: &[ValueId]) -> Option<usize> {
         let circuit = &self.program.circuit;
         if values.is_empty() || values.iter().any(|&id| circuit[id].lanes > 1) {
@@ -52,8 +52,9 @@ impl Compiled {
         Some(self.rows.len() - 1)
     }
 
-    /// At most so many edges of these clocks, as many as rows have room for; and the rows. Nothing while resets are high, as
-    /// registers are reset after a function has run, and before there were some edges.
+    /// Executes at most `count` edges of these clocks, as many as the rows have room for, and returns the rows.
+    /// `None` while resets are high, because registers are reset after a function has run, and before there were some
+    /// edges.
     pub(super) fn fill_rows(&mut self, index: usize, rising: &[usize], count: u64) -> Option<(Done, &[Cell<u64>])> {
         let rows = &mut self.rows[index];
         rows.asked = rows.asked.saturating_add(count);
@@ -78,7 +79,7 @@ impl Compiled {
         Some((Done { edges, changed }, &self.rows[index].store.limbs()[..edges as usize * limbs]))
     }
 
-    /// The function for an edge that leaves a row.
+    /// The function for an edge that stores a row.
     fn rows_code(&mut self, index: usize, edge: usize) -> Code {
         match self.rows[index].code {
             Some((of, code)) if of == edge => code,

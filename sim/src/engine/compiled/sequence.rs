@@ -1,7 +1,7 @@
-//! The steps of a function one after the other, and where it is cut into several.
+//! The steps of a function in sequence, and its division into several functions.
 //!
-//! Single registers and memories change as early as they may: after what they take is computed, and after all that
-//! looks at what they were. So few values are held at a time, and a cut parts little of what belongs together.
+//! Scalar registers and memories change as early as possible: after their inputs are computed and their old values
+//! have been read. So few values are live at a time, and a cut separates few related steps.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,16 +16,16 @@ use crate::engine::program::{Kind, Lowered, ValueId};
 pub(super) enum Step {
     /// Computes a single value.
     Single(ValueId),
-    /// Stores single values side by side.
+    /// Stores scalars side by side.
     Pack(ValueId),
-    /// Runs the kernel of so many lanes, of a stage.
+    /// Runs the kernel with this number of lanes of a stage.
     Kernel(usize, u32),
-    /// Does what a sink of single values says.
+    /// Executes a sink of scalars.
     Sink(usize),
 }
 
-/// The steps, by function: one, unless it would be longer than `longest` operations, above which Cranelift's time grows
-/// faster than the function. What one function leaves to another is stored.
+/// The steps of each function: a single function, unless it would be longer than `longest` operations, above which
+/// Cranelift's time grows faster than the function. Values passed between functions are stored.
 pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize) -> Vec<Vec<Step>> {
     name_states(function, plan);
     let steps = interleaved(function, plan);
@@ -52,7 +52,7 @@ pub(super) fn sequence(function: &mut Function, plan: &mut Plan, longest: usize)
     pieces
 }
 
-/// About how many operations of the machine, where few operands are as good as none.
+/// The approximate number of machine operations; a few operands count nothing.
 fn cell_weight(kind: &Kind) -> usize {
     const FEW: usize = 4;
     match kind {
@@ -71,7 +71,7 @@ fn kernel_weight(kernel: &Kernel) -> usize {
     }
 }
 
-/// Gives a sink that takes a state as it is a cell that does, so that only cells look at states.
+/// Gives a sink that reads a state directly a cell for it, so that only cells read states.
 fn name_states(function: &mut Function, plan: &mut Plan) {
     let mut names: FxHashMap<ValueId, ValueId> = FxHashMap::default();
     let mut added = Vec::new();
@@ -94,7 +94,7 @@ fn name_states(function: &mut Function, plan: &mut Plan) {
     plan.singles_first(added);
 }
 
-/// What a step looks at.
+/// The values that a step reads.
 fn for_each_read(function: &Function, plan: &Plan, step: Step, mut visit: impl FnMut(ValueId)) {
     match step {
         Step::Single(id) => function.cell(id).kind.for_each_operand(visit),
@@ -105,7 +105,7 @@ fn for_each_read(function: &Function, plan: &Plan, step: Step, mut visit: impl F
             }
         }),
         Step::Kernel(stage, lanes) => kernel_reads(function, plan, &plan.stages[stage].kernels[&lanes], &mut visit),
-        // What stays as it is where it is not enabled is its own.
+        // The old value of a disabled register is its own.
         Step::Sink(index) => function.sinks[index].for_each_operand(&mut visit),
     }
 }
@@ -132,7 +132,7 @@ fn kernel_reads(function: &Function, plan: &Plan, kernel: &Kernel, visit: &mut d
     kernel.parts.iter().for_each(|part| kernel_reads(function, plan, part, visit));
 }
 
-/// All steps, sinks as early as they may be.
+/// All steps, with sinks as early as possible.
 fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
     for (number, stage) in plan.stages.iter().enumerate() {
@@ -140,7 +140,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
         steps.extend(stage.packed.iter().map(|&id| Step::Pack(id)));
         steps.extend(stage.loops().into_iter().map(|(lanes, _)| Step::Kernel(number, lanes)));
     }
-    // Per value: after which step it is there, and nobody looks at it any more.
+    // For each value, the step after which it is available and no longer read.
     let mut last: FxHashMap<ValueId, usize> = FxHashMap::default();
     let mut words: FxHashMap<u32, usize> = FxHashMap::default();
     for (position, &step) in steps.iter().enumerate() {
@@ -167,7 +167,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
             Sink::Register { state, .. } => position = position.max(last.get(&state).copied()),
             Sink::Write { memory, .. } => {
                 position = position.max(words.get(&memory).copied());
-                // Ports write one after the other.
+                // Ports write one after another.
                 words.extend(position.map(|position| (memory, position)));
             }
             Sink::Show(_) | Sink::Row { .. } => {}
@@ -181,7 +181,7 @@ fn interleaved(function: &Function, plan: &Plan) -> Vec<Step> {
     sinks(None).chain(rest).collect()
 }
 
-/// Stores the single values that one function computes and another looks at.
+/// Stores the scalars that one function computes and another reads.
 fn store_between(function: &Function, plan: &mut Plan, pieces: &[Vec<Step>]) {
     let mut made: FxHashMap<ValueId, usize> = FxHashMap::default();
     let mut stored = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! What of an engine's memory is not zero at its start.
+//! The parts of an engine's memory that are not zero at its start.
 
 use std::ops::Range;
 
@@ -6,16 +6,16 @@ use super::Compiled;
 use crate::engine::program::ValueId;
 
 impl Compiled {
-    /// The value that each of these lanes of a register, or of read data, has in code.
+    /// Sets these lanes of a register, or of read data, in the memory of code.
     pub(super) fn set_whole(&mut self, id: ValueId, lanes: Range<u32>, limbs: &[u64]) {
         let place = self.places[id.index()].expect("what has a start is state");
         self.state.repeat_word(place.lane(lanes.start), place.bytes(), place.width, limbs, lanes.len());
     }
 
-    /// The word that each of these lanes of a memory has in code at each of these addresses.
+    /// Sets the word of these lanes of a memory at each of these addresses in the memory of code.
     pub(super) fn set_whole_words(&mut self, memory: u32, lanes: Range<u32>, addresses: Range<u32>, limbs: &[u64]) {
         let at = self.memories[memory as usize];
-        // All is zero so far.
+        // Everything is zero so far.
         let limbs = &at.standing(limbs);
         if limbs.iter().all(|&limb| limb == 0) {
             return;

@@ -14,23 +14,23 @@ pub(super) struct Store {
 }
 
 impl Store {
-    /// A block of so many bytes; if `guarded`, between pages that nobody may touch.
+    /// A block of this many bytes; if `guarded`, between protected pages.
     pub fn new(size: usize, guarded: bool) -> Store {
         let count = size.next_multiple_of(LINE) / 8;
         Store { words: if guarded { Words::guarded(count) } else { Words::plain(count) }, size, guarded }
     }
 
-    /// Makes it at least so large; it may move.
+    /// Grows it to at least this size; it may move.
     pub fn grow(&mut self, size: usize) {
         if size > self.size {
-            // With guards exactly so large, so that its end remains where they begin.
+            // With guards, exactly this size, so that its end stays at the guard.
             let larger = Store::new(if self.guarded { size } else { size.max(2 * self.size) }, self.guarded);
             larger.words.iter().zip(&*self.words).for_each(|(new, old)| new.set(old.get()));
             *self = larger;
         }
     }
 
-    /// Where it is, until it grows.
+    /// Its address, until it grows.
     #[inline]
     pub fn address(&self) -> *mut u8 {
         self.words.as_ptr().cast_mut().cast()
@@ -42,7 +42,7 @@ impl Store {
         &self.words
     }
 
-    /// Replaces a limb, if there is one; whether it was another one.
+    /// Replaces a limb, if it exists; returns whether it changed.
     #[inline]
     pub fn replace_limb(&mut self, at: usize, limb: u64) -> Option<bool> {
         Some(self.words.get(at)?.replace(limb) != limb)
@@ -55,7 +55,7 @@ impl Store {
         limb[0]
     }
 
-    /// The limbs of one lane of a value, or of a word, of so many bytes.
+    /// The limbs of one lane of a value, or of a word, of this many bytes.
     pub fn get_word(&self, at: usize, bytes: usize, width: u32, limbs: &mut [u64]) {
         Cells(&self.words).get_word(at, bytes, width, limbs);
     }
@@ -65,13 +65,13 @@ impl Store {
         Cells(&self.words).put_word(at, bytes, width, limbs);
     }
 
-    /// Replaces that many lanes, or words, one behind the other.
+    /// Replaces `count` adjacent lanes or words.
     pub fn repeat_word(&mut self, at: usize, bytes: usize, width: u32, limbs: &[u64], count: usize) {
         let is_filled = bytes <= 8 && at.is_multiple_of(8) && count * bytes >= 16;
         if !is_filled {
             return (0..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
         }
-        // A limb has whole words; as many as there are in it are written to find out how it looks.
+        // A limb consists of whole words: fill one with copies to see its pattern.
         let each = 8 / bytes;
         (0..each).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
         let (first, whole) = (at / 8, count / each);
@@ -80,7 +80,7 @@ impl Store {
         (whole * each..count).for_each(|i| self.put_word(at + i * bytes, bytes, width, limbs));
     }
 
-    /// Whether the words that a value stands in are these; they are replaced by them if not.
+    /// Whether a value's limbs equal `seen`, which is updated if not.
     pub fn is_same(&self, place: Place, seen: &mut Vec<u64>) -> bool {
         let words = (place.lanes as usize * place.bytes()).div_ceil(8);
         let now = &self.words[place.offset / 8..][..words];
@@ -92,7 +92,7 @@ impl Store {
         false
     }
 
-    /// Puts the limbs of these runs one behind the other.
+    /// Copies the limbs of these runs, one after another.
     pub fn keep(&self, spans: impl Iterator<Item = Span>, kept: &mut Vec<u64>) {
         kept.clear();
         for Span { offset, limbs, .. } in spans {
@@ -100,7 +100,7 @@ impl Store {
         }
     }
 
-    /// Whether a run of limbs differs from what was kept of it, as far as it counts.
+    /// Whether the significant bits of a run of limbs differ from their copy.
     pub fn differs(&self, span: Span, kept: &[u64]) -> bool {
         let Some((last, all)) = kept.split_last() else { return false };
         let now = &self.words[span.offset / 8..][..span.limbs];
@@ -131,7 +131,7 @@ impl Store {
 pub(super) struct Cells<'a>(pub &'a [Cell<u64>]);
 
 impl Cells<'_> {
-    /// An integer of so many bytes, up to 8.
+    /// An integer of up to 8 bytes.
     fn integer(self, at: usize, bytes: usize) -> u64 {
         let word = self.0[at / 8].get();
         let shifted = word >> (at % 8 * 8);
@@ -144,7 +144,7 @@ impl Cells<'_> {
         word.set(word.get() & !(ones << shift) | (value & ones) << shift);
     }
 
-    /// The limbs of one lane of a value, or of a word, of so many bytes.
+    /// The limbs of one lane of a value, or of a word, of this many bytes.
     pub fn get_word(self, at: usize, bytes: usize, width: u32, limbs: &mut [u64]) {
         if is_mask(bytes, width) {
             limbs[0] = self.integer(at, bytes) & 1;
@@ -166,7 +166,7 @@ impl Cells<'_> {
     }
 }
 
-/// Whether a value of 1 bit stands as all ones or all zeros: as all do that have lanes, or are words.
+/// Whether a value of 1 bit is stored as all ones or all zeros, as lanes and words are.
 pub(super) fn is_mask(bytes: usize, width: u32) -> bool {
     width == 1 && bytes < 8
 }

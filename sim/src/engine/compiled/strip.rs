@@ -1,4 +1,5 @@
-//! The values of one strip of lanes: up to 64 bits in vectors; wider ones, and what has to do with them, lane by lane.
+//! The values of one strip of lanes: up to 64 bits in vectors; wider ones, and those computed with them, lane by
+//! lane.
 
 mod gather;
 
@@ -26,13 +27,13 @@ pub(super) struct Strip {
     /// From the last lanes to the first.
     descends: bool,
     pub lanes: Lanes,
-    /// Lane by lane.
+    /// The values lane by lane.
     singles: Vec<Scalars>,
     /// The first lane, and the first lane within the row.
     pub first: Option<Value>,
     within: Option<Value>,
-    /// The state's address plus the first lane's distance, by the bytes of a lane and whether places move; a place's offset is added
-    /// to it.
+    /// The state's address plus the first lane's distance, for each lane size in bytes and whether places move; a
+    /// place's offset is added to it.
     addresses: HashMap<(usize, bool), Value>,
     /// The first lane's words, by the address of their memory.
     pub memories: HashMap<usize, Value>,
@@ -49,34 +50,34 @@ impl Strip {
         Strip { size, total, row, descends, lanes, singles, first: None, within: None, addresses, memories, words }
     }
 
-    /// How many rows there are.
+    /// The number of rows.
     pub fn rows(&self) -> u32 {
         self.total / self.row
     }
 
-    /// Gives a value in one lane.
+    /// Defines a value in one lane.
     pub fn define_single(&mut self, lane: u32, id: ValueId, scalar: Scalar) {
         self.singles[lane as usize].define(id, scalar);
     }
 
-    /// The values lane by lane, to be restored when the branch that looks at them is done.
+    /// The values lane by lane, to be restored after the branch that uses them.
     pub fn save(&self) -> Vec<Scalars> {
         self.singles.clone()
     }
 
-    /// What [`Strip::save`] gave.
+    /// Restores the result of [`Strip::save`].
     pub fn restore(&mut self, singles: Vec<Scalars>) {
         self.singles = singles;
     }
 
-    /// Whether the last strip has lanes that do not exist.
+    /// Whether the last strip has padding lanes.
     pub fn is_padded(&self) -> bool {
         !self.row.is_multiple_of(self.size)
     }
 }
 
 impl Emitter<'_, '_, '_> {
-    /// Begins the strip of a row, which starts at that lane, so many lanes behind it.
+    /// Begins the strip at offset `within` of the row that starts at `start`.
     pub(super) fn enter(&mut self, strip: &mut Strip, start: Option<Value>, within: Value) {
         strip.singles = vec![Scalars::default(); strip.size as usize];
         strip.addresses.clear();
@@ -140,7 +141,7 @@ impl Emitter<'_, '_, '_> {
         }
         match &cell.kind {
             Kind::Const(bits) => strip.lanes.constant(id, bits),
-            // What it is made from may have changed since another loop stored it.
+            // Its source may have changed since another loop stored it.
             Kind::Broadcast { .. } if !self.addresses.has(id) => self.lane_cell(strip, id),
             _ => {
                 let side = self.side(strip, self.addresses.of(id));
@@ -182,7 +183,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Makes an operand available in the form that suits its width.
+    /// Makes an operand available in the form for its width.
     pub(super) fn available(&mut self, strip: &mut Strip, id: ValueId) {
         if self.function.cell(id).width <= 64 { self.vector(strip, id) } else { self.singles(strip, id) }
     }
@@ -275,7 +276,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Loads from any lane, by its number: for each lane of the strip one of `of`.
+    /// Loads one lane of `of` by number for each lane of the strip.
     fn collect(
         &mut self,
         strip: &mut Strip,
@@ -297,7 +298,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// The number of a lane of the strip, or of the last lane that exists.
+    /// The number of a lane of the strip, or of the last existing lane.
     pub(super) fn existing(&mut self, strip: &Strip, lane: u32) -> Value {
         let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
         if !strip.is_padded() {
@@ -314,7 +315,7 @@ impl Emitter<'_, '_, '_> {
         if !is_constant && n == strip.row && self.function.cell(id).width <= 64 {
             let place = self.addresses.of(of);
             let address = self.address(place, strip.within.expect("it has begun"));
-            // Its own strips are of other sizes.
+            // Its own strips have other sizes.
             let aligned = (strip.size * place.element).is_multiple_of(128);
             let side = Span { storage: place.element, address, offset: offset(place.offset), aligned };
             strip.lanes.load(self.builder, id, self.function.cell(id).width, side);
@@ -324,7 +325,7 @@ impl Emitter<'_, '_, '_> {
         self.collect(strip, id, of, |emitter, lane| emitter.divided(lane, total, n).1);
     }
 
-    /// For each lane the one `by` lanes before it; anything, where that is beyond the edge of its group.
+    /// For each lane, the lane `by` lanes before it; undefined beyond the edge of its group.
     fn neighbour(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, by: i32) {
         let width = self.function.cell(id).width;
         if let Kind::Const(bits) = &self.function.cell(of).kind
@@ -343,7 +344,7 @@ impl Emitter<'_, '_, '_> {
         let (by, total) = (i64::from(by), i64::from(strip.total));
         self.collect(strip, id, of, |emitter, lane| {
             let from = emitter.builder.ins().iadd_imm_s(lane, -by);
-            // Before the first lane is far behind the last one.
+            // A lane before the first one becomes a number far beyond the last.
             let limit = emitter.builder.ins().iconst(types::I64, total - 1);
             emitter.builder.ins().umin(from, limit)
         });
@@ -356,12 +357,12 @@ impl Emitter<'_, '_, '_> {
         for number in 0..strip.size {
             let lane = if strip.descends { strip.size - 1 - number } else { number };
             let at = self.builder.ins().iadd_imm_s(strip.first.expect("it has begun"), i64::from(lane));
-            // With one group, lanes that do not exist add nothing to it.
+            // With one group, padding lanes add nothing to it.
             let (target, within) = match group == strip.total {
                 true => (self.builder.ins().iconst(types::I64, 0), at),
                 false => {
                     let (target, within) = self.divided(at, strip.total, group);
-                    // Groups that do not exist go behind the last one.
+                    // Groups that do not exist are placed after the last one.
                     let behind = self.builder.ins().iconst(types::I64, i64::from(place.lanes));
                     (if strip.is_padded() { self.builder.ins().umin(target, behind) } else { target }, within)
                 }
@@ -381,7 +382,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// The group, of an array of `total` lanes, that a lane is in, and its place there.
+    /// The group of a lane in an array of `total` lanes, and its index there.
     pub(super) fn divided(&mut self, lane: Value, total: u32, group: u32) -> (Value, Value) {
         // By a reciprocal, which is exact for lanes below 2 to the 20 in groups below that.
         const SHIFT: u32 = 40;

@@ -1,7 +1,7 @@
-//! How many lanes a kernel takes at a time.
+//! The number of lanes that a kernel processes at a time.
 //!
-//! A vector of 128 bits holds as many elements of one size; what is smaller is widened to fill it, what is larger
-//! takes several vectors. Strips of 4 suit values of 32 bits, strips of 16 those of 8.
+//! A vector of 128 bits contains as many elements of one size as fit; smaller values are widened to fill it, larger
+//! ones take several vectors. Strips of 4 suit 32-bit values, strips of 16 suit 8-bit values.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,8 @@ use tilewright_hdl::ir::Affine;
 use super::layout::element;
 use crate::engine::program::{Axis, Cell, Kind, Program};
 
-/// By lane count: how many lanes a kernel takes at a time, 4, 8 or 16, and how far away the neighbours are that it looks at.
+/// For each lane count: the strip of a kernel, 4, 8 or 16 lanes, and the distance of the furthest neighbour that it
+/// reads.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Strips(BTreeMap<u32, Strip>);
 
@@ -32,12 +33,12 @@ impl Strips {
         Strips(arrays.into_iter().map(strip).collect())
     }
 
-    /// The strip of arrays of so many lanes.
+    /// The strip of arrays with this number of lanes.
     pub fn strip(&self, lanes: u32) -> u32 {
         self.0.get(&lanes).map_or(4, |strip| strip.size)
     }
 
-    /// How many lanes in front of such an array, and behind it, code may look at.
+    /// The number of lanes before and after such an array that code may read.
     pub fn reach(&self, lanes: u32) -> u32 {
         self.0.get(&lanes).map_or(0, |strip| strip.reach)
     }
@@ -46,11 +47,11 @@ impl Strips {
 /// The values of one lane count.
 #[derive(Debug, Clone, Default)]
 struct Array {
-    /// How many take elements of 8, 16, 32 and 64 bits; flags, which take any, are not counted.
+    /// The number of values with elements of 8, 16, 32 and 64 bits; flags, which fit any element, are not counted.
     elements: [u32; 4],
     /// The furthest neighbour.
     reach: u32,
-    /// The lanes of groups that have something in common.
+    /// The sizes of groups of lanes that share something.
     groups: Vec<u32>,
 }
 
@@ -74,7 +75,7 @@ impl Array {
         }
     }
 
-    /// The size of a strip: what suits most values, unless it is no part of a group and a smaller one is.
+    /// The size of a strip: what suits most values, or a smaller size that divides the groups.
     fn strip(&self, lanes: u32) -> u32 {
         let [bytes, words, doubles, quads] = self.elements;
         let most = match () {
@@ -96,7 +97,7 @@ mod tests {
     use super::*;
     use crate::engine::program::ValueId;
 
-    /// The strip of `lanes` that are numbers of these widths, and repeat something along an axis.
+    /// The strip of `lanes` numbers of these widths, with a repetition along an axis.
     fn strip(lanes: u32, widths: &[u32], axis: Axis) -> u32 {
         let mut array = Array::default();
         widths.iter().for_each(|&width| array.add(&Cell { kind: Kind::Const(Bits::zero(width)), lanes, width }));

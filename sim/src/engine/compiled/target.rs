@@ -1,4 +1,4 @@
-//! The machine that code is made for: this one, if it has what the code needs.
+//! The machine that code is made for: this one, if it has the required features.
 
 use std::sync::OnceLock;
 
@@ -6,12 +6,12 @@ use cranelift_codegen::isa::{self, OwnedTargetIsa};
 use cranelift_codegen::settings::{self, Configurable};
 use target_lexicon::Triple;
 
-/// Why this machine runs no generated code.
+/// Why this machine cannot run generated code.
 ///
 /// ```
 /// use tilewright_sim::{EngineKind, Unsupported};
 ///
-/// // A simulation does not fail for it, but says it: `Simulation::fallback`.
+/// // A simulation does not fail for it, but reports it: `Simulation::fallback`.
 /// if let Some(reason) = EngineKind::Compiled.refused() {
 ///     assert!(reason.starts_with("no code can be generated for this machine ("));
 /// }
@@ -21,16 +21,17 @@ use target_lexicon::Triple;
 #[error("no code can be generated for this machine ({0})")]
 pub struct Unsupported(pub(super) String);
 
-/// The machine that this runs on, which is found out once.
+/// The machine that it runs on, which is determined once.
 pub(super) fn host() -> Result<OwnedTargetIsa, Unsupported> {
     static HOST: OnceLock<Result<OwnedTargetIsa, Unsupported>> = OnceLock::new();
     HOST.get_or_init(|| target(&features())).clone()
 }
 
-/// What instructions of vectors need on x86-64, by Cranelift's names and as people know it; all else it can do without.
+/// The features that vector instructions need on x86-64, by Cranelift's names and by their usual ones; no others are
+/// required.
 const NEEDED: [(&str, &str); 3] = [("has_sse3", "SSE3"), ("has_ssse3", "SSSE3"), ("has_sse41", "SSE4.1")];
 
-/// A machine as this one, whose processor has these features. No optimisation by Cranelift: netlists come optimised,
+/// A machine like this one, with these processor features. Cranelift's optimisation is off: netlists come optimised,
 /// and its global value numbering lengthens live ranges.
 pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
     let unsupported = |error: &dyn std::fmt::Display| Unsupported(error.to_string());
@@ -42,7 +43,7 @@ pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
             return Err(Unsupported(format!("its processor lacks {name}")));
         }
     } else if !cfg!(target_arch = "aarch64") {
-        // Others may need more than `Pages` does before they run what was written.
+        // Other processors may need more than `Pages` does before they run written code.
         return Err(Unsupported("its processor is neither x86-64 nor aarch64".to_owned()));
     }
     let mut flags = settings::builder();
@@ -50,7 +51,7 @@ pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
         ("opt_level", "none"),
         ("regalloc_algorithm", "backtracking"),
         ("unwind_info", "false"),
-        // A frame larger than the guard page of the stack touches each page, so that it cannot step over that one.
+        // A frame larger than the guard page of the stack touches each page, so that it cannot step over the guard.
         ("enable_probestack", "true"),
         ("probestack_strategy", "inline"),
         ("enable_verifier", if cfg!(debug_assertions) { "true" } else { "false" }),
@@ -65,7 +66,7 @@ pub(super) fn target(features: &[&str]) -> Result<OwnedTargetIsa, Unsupported> {
     machine.finish(settings::Flags::new(flags)).map_err(|error| unsupported(&error))
 }
 
-/// What this processor has, by Cranelift's names.
+/// The features of this processor, by Cranelift's names.
 fn features() -> Vec<&'static str> {
     #[cfg(target_arch = "x86_64")]
     macro_rules! detected {
@@ -93,8 +94,8 @@ fn features() -> Vec<&'static str> {
         "avx512bitalg" "has_avx512bitalg",
         "avx512vbmi" "has_avx512vbmi",
     };
-    // What Cranelift can use above the common ground of these processors is atomics, half floats and products of
-    // bytes, none of which the code has.
+    // Beyond the common features of these processors, Cranelift can use atomics, half floats and products of bytes,
+    // none of which the code needs.
     #[cfg(not(target_arch = "x86_64"))]
     return Vec::new();
 }
@@ -103,7 +104,7 @@ fn features() -> Vec<&'static str> {
 pub(super) mod tests {
     use super::*;
 
-    /// A machine with what is needed and no more.
+    /// A machine with the required features only.
     pub fn least() -> OwnedTargetIsa {
         target(&NEEDED.map(|(flag, _)| flag)).expect("it has all that is needed")
     }

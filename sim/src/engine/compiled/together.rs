@@ -1,4 +1,4 @@
-//! Arrays in memory that are put together: of single values, of shorter arrays, of the limbs of a value.
+//! Arrays in memory that are assembled: from scalars, from shorter arrays, or from the limbs of a value.
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, types};
 
@@ -7,7 +7,8 @@ use super::layout::Place;
 use crate::engine::program::{Kind, ValueId};
 
 impl Emitter<'_, '_, '_> {
-    /// Stores single values, or the lanes of shorter arrays, side by side; rows one behind the other; or the limbs of a value as lanes.
+    /// Stores scalars, or the lanes of shorter arrays, side by side; rows one after another; or the limbs of a value
+    /// as lanes.
     pub(super) fn pack(&mut self, id: ValueId) {
         let place = self.addresses.of(id);
         match &self.function.cell(id).kind {
@@ -33,7 +34,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Stores a single value, or each lane of an array, at the lane of a place that `at` says.
+    /// Stores a scalar, or each lane of an array, at lane `at(i)` of a place.
     fn pack_lanes(&mut self, part: ValueId, lanes: u32, place: Place, at: impl Fn(u32) -> u32) {
         for lane in 0..lanes {
             let value = match lanes {
@@ -47,7 +48,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Copies an array of as large elements, whole vectors of them, to the lanes of another one from that one on.
+    /// Copies an array with the same element size, in whole vectors, to the lanes of another one from `first` on.
     fn copy_row(&mut self, from: Place, to: Place, first: u32) {
         let (base, flags) = (self.base(from), MemFlagsData::trusted());
         for at in (0..from.lanes as usize * from.bytes()).step_by(16) {
@@ -56,7 +57,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// One lane, known now, of an array, as a value of one lane.
+    /// One lane, known at compile time, of an array, as a scalar.
     fn element(&mut self, of: ValueId, lane: u32) -> ValueId {
         let id = self.id();
         match &self.function.cell(of).kind {

@@ -1,4 +1,4 @@
-//! Edges until a condition holds: it is looked at in the function that repeats itself.
+//! Edges until a condition is true, which the repeating function itself checks.
 
 use super::Compiled;
 use super::function::{Held, Maker};
@@ -8,22 +8,22 @@ use super::prepare::Prepared;
 use crate::engine::program::{Kind, ValueId};
 use crate::engine::until::{Order, Until};
 
-/// A function for edges that ends where a condition holds before one.
+/// A function for edges that ends before an edge if a condition is true.
 #[derive(Clone, Copy)]
 pub(super) struct Stopping {
-    /// The edge, by index, and the inputs that it was made for, if it was made for some.
+    /// The edge, by index, and the inputs that it was made for, if any.
     edge: usize,
     held: Option<u64>,
     value: ValueId,
     order: Order,
-    /// Where the number stands that the value is compared with.
+    /// The place of the number that the value is compared with.
     number: Place,
     code: Code,
 }
 
 impl Compiled {
-    /// At most so many edges of these clocks, none of them before which the condition holds or an assertion does not;
-    /// gives how many.
+    /// Executes at most `count` edges of these clocks, none of which the condition or a failing assertion precedes;
+    /// returns the number.
     pub(super) fn until_edges(&mut self, rising: &[usize], count: u64, until: &Until) -> u64 {
         self.unready();
         self.wake_clocks();
@@ -34,15 +34,15 @@ impl Compiled {
         edges
     }
 
-    /// Gives how many are left.
+    /// Returns the number of edges left.
     fn call_until(&mut self, edge: usize, count: u64, until: &Until) -> u64 {
-        // What has long been as it is, is part of the code.
+        // Inputs that have not changed for long are part of the code.
         let held = self.is_special(edge).then_some(self.inputs_version);
         let matches = |it: &Stopping| (it.edge, it.held, it.value, it.order) == (edge, held, until.value, until.order);
         let index = match self.stopping.iter().position(matches) {
             Some(index) => index,
             None => {
-                // Those for inputs as they were will not be called again.
+                // Those for earlier inputs will not be called again.
                 self.stopping.retain(|it| it.held.is_none_or(|version| version == self.inputs_version));
                 let held = if held.is_some() { self.held_inputs() } else { Held::default() };
                 let stopping = self.make_stopping(edge, &held, until);

@@ -1,9 +1,9 @@
-//! Versions of a loop, each for numbers that come often.
+//! Versions of a loop, each for frequent numbers.
 //!
-//! Where many single values choose what all lanes do, as the fields of an instruction do, a loop for each combination of their numbers would be
-//! too many. But a program has few combinations. So all the numbers, side by side, are a *key*, by which code looks for a version of the loop in
-//! a table. If there is none, it notes the key, and runs the loop with its choices. From time to time the engine makes versions for
-//! keys that were noted often.
+//! If many scalars select what all lanes do, as the fields of an instruction do, a loop for each combination would be
+//! too many. But a program uses few combinations. So all the numbers, side by side, form a *key*, by which code looks
+//! up a version of the loop in a table. If there is none, it notes the key and runs the general loop. From time to
+//! time, the engine makes versions for keys that were noted often.
 //!
 //! ```text
 //! op, source, mask, ..  -- key -->  [ key | code ]  -->  sum <- sum + word     nothing is left to choose
@@ -27,19 +27,19 @@ use super::store::Store;
 use crate::engine::Passes;
 use crate::engine::program::{Kind, ValueId};
 
-/// Bits of a key at the most: one less than a number has, as 0 stands for no key.
+/// The most bits of a key: one less than a number has, because 0 means no key.
 const KEY: u32 = 63;
-/// Bits of a version's place in the table.
+/// Bits of a version's index in the table.
 const SLOT: u32 = 10;
 /// Spreads keys over the table: odd, with ones and zeros everywhere.
 const SPREAD: i64 = 0x9e37_79b9_7f4a_7c15_u64 as i64;
 /// Keys that code notes before it overwrites the first.
 const NOTED: u32 = 64;
-/// Edges between two looks at what has been noted.
+/// Edges between two looks at the noted keys.
 const BETWEEN: u64 = NOTED as u64;
-/// Bytes of the stack that a version takes at the most.
+/// The most bytes of stack that a version takes.
 const STACK: usize = 16 << 10;
-/// How many different keys of a loop are counted; then counting begins anew.
+/// The number of different keys of a loop that are counted; then counting restarts.
 const COUNTED: usize = 1 << 12;
 
 /// A loop that may get versions.
@@ -48,28 +48,29 @@ pub(super) struct Versioned {
     lanes: u32,
     /// Without branches.
     kernel: Kernel,
-    /// The single values whose numbers are the key.
+    /// The scalars whose numbers form the key.
     pub subjects: Vec<ValueId>,
 }
 
-/// Where the versions of a loop are looked up, by offset.
+/// The table of a loop's versions, by offset.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TableAt {
-    /// Pairs of a key, plus 1, and the address of code.
+    /// Pairs of a key plus 1 and the address of code.
     table: Place,
-    /// How many keys have been noted, and the last of them.
+    /// The number of noted keys, and the last of them.
     noted: Place,
 }
 
 impl TableAt {
-    /// Gives a place to an empty table.
+    /// Allocates an empty table.
     pub fn new(layout: &mut Layout) -> TableAt {
         TableAt { table: layout.place(2 << SLOT, 64), noted: layout.place(1 + NOTED, 64) }
     }
 }
 
 impl Versioned {
-    /// A loop that does what it does so many times; none if it is too small, or one value chooses alone, which is branched on.
+    /// A loop that repeats `times` times; `None` if it is too small, or if one value selects alone, because a branch
+    /// serves that.
     pub fn new(function: &Function, kernel: &Kernel, lanes: u32, times: usize, passes: &Passes) -> Option<Versioned> {
         let work = (kernel.cells.len() + kernel.sinks.len()) * times;
         if passes.versions_after == u32::MAX || work < passes.versions_from || !is_plain(function, kernel) {
@@ -79,7 +80,7 @@ impl Versioned {
         (subjects.len() > 1).then(|| Versioned { lanes, kernel: kernel.clone(), subjects })
     }
 
-    /// Has all single values stored that versions take.
+    /// Stores all scalars that versions use.
     pub fn store_what_it_takes(&self, function: &Function, plan: &mut Plan) {
         let is_computed = |id: &ValueId| {
             let cell = function.cell(*id);
@@ -90,7 +91,7 @@ impl Versioned {
     }
 }
 
-/// Whether a loop leaves nothing in registers of the machine, and takes nothing that stands in scratch memory.
+/// Whether a loop leaves nothing in machine registers and uses nothing in scratch memory.
 fn is_plain(function: &Function, kernel: &Kernel) -> bool {
     let is_narrow = |id: ValueId| function.cell(id).width <= 64;
     let is_plain = |id: ValueId| {
@@ -104,7 +105,7 @@ fn is_plain(function: &Function, kernel: &Kernel) -> bool {
     taken && kernel.cells.iter().all(|&id| is_plain(id))
 }
 
-/// The single values that a loop's choices hang on, those of most choices first, as many as a key holds.
+/// The scalars that a loop's choices depend on, those of the most choices first, as many as fit in a key.
 fn subjects(function: &Function, kernel: &Kernel) -> Vec<ValueId> {
     let mut scores: Vec<(ValueId, usize)> = branch::choosing(function, kernel).into_iter().collect();
     scores.sort_by_key(|&(id, score)| (std::cmp::Reverse(score), id));
@@ -118,7 +119,7 @@ fn subjects(function: &Function, kernel: &Kernel) -> Vec<ValueId> {
     scores.into_iter().filter(fits).map(|(id, _)| id).collect()
 }
 
-/// The single values that a loop takes.
+/// The scalars that a loop uses.
 fn singles(function: &Function, kernel: &Kernel) -> BTreeSet<ValueId> {
     let mut singles = BTreeSet::new();
     let mut take = |id: ValueId| {
@@ -138,7 +139,7 @@ fn singles(function: &Function, kernel: &Kernel) -> BTreeSet<ValueId> {
 }
 
 impl Emitter<'_, '_, '_> {
-    /// Runs the version of a loop for what its subjects are, if there is one; otherwise what `other` emits.
+    /// Runs the version of a loop for the present subjects, if there is one; otherwise what `other` emits.
     pub(super) fn version_or(&mut self, index: usize, other: impl FnOnce(&mut Self)) {
         let (plan, flags) = (self.plan, MemFlagsData::trusted());
         let TableAt { table, noted } = self.versions[index];
@@ -196,16 +197,16 @@ pub(super) struct Versions {
 /// One of them.
 struct Loop {
     at: TableAt,
-    /// The single values that hang on the subjects, each after its operands.
+    /// The scalars that depend on the subjects, each after its operands.
     cone: Vec<ValueId>,
-    /// How many keys had been noted when that was last looked at.
+    /// The number of noted keys at the last look.
     seen: u64,
-    /// How often each key was.
+    /// The count of each key.
     counts: FxHashMap<u64, u32>,
 }
 
 impl Loop {
-    /// The keys that have now been noted that often.
+    /// The keys that have now been noted often enough.
     fn often(&mut self, state: &Store, after: u32) -> Vec<u64> {
         let count = state.number(self.at.noted, 0);
         let new = (count - self.seen).min(NOTED.into());
@@ -227,7 +228,7 @@ impl Loop {
 }
 
 impl Versions {
-    /// Of a function that has been prepared.
+    /// The loops of a prepared function.
     pub fn new(function: &Function, plan: &Plan, addresses: &Addresses, tables: &[TableAt]) -> Versions {
         let mut function = function.clone();
         function.rewriter.vary();
@@ -267,7 +268,7 @@ impl Versions {
         version
     }
 
-    /// Forgets what has been made since there were so many cells and sinks.
+    /// Drops everything made since there were this many cells and sinks.
     fn forget(&mut self, cells: usize, sinks: usize) {
         let is_old = |id: &ValueId| id.index() < cells;
         self.plan.live_out.retain(is_old);
@@ -279,13 +280,13 @@ impl Versions {
 }
 
 impl Compiled {
-    /// How many edges are done at once, so that versions are made in between.
+    /// The number of edges that are done at once, so that versions are made in between.
     pub(super) fn edges_until_versions(&self) -> u64 {
         if self.versions.is_empty() { u64::MAX } else { BETWEEN }
     }
 
-    /// Runs a function that does edges so many times, and makes versions of its loops; gives how many times are left because something
-    /// did not hold.
+    /// Runs a function for `count` edges, and makes versions of its loops; returns the number left because an
+    /// assertion failed.
     pub(super) fn call_with_versions(&mut self, code: Code, count: u64) -> u64 {
         let mut left = count;
         while left > 0 {
@@ -300,7 +301,7 @@ impl Compiled {
         left
     }
 
-    /// Makes versions of loops for what came often.
+    /// Makes versions of loops for frequent keys.
     fn make_versions(&mut self) {
         let after = self.program.passes.versions_after;
         for index in 0..self.versions.len() {
@@ -311,7 +312,7 @@ impl Compiled {
         }
     }
 
-    /// Makes the version of a loop for a key, unless its place in the table is taken.
+    /// Makes the version of a loop for a key, unless its entry in the table is taken.
     #[cold]
     fn make_version(&mut self, index: usize, number: usize, key: u64) {
         let versions = &mut self.versions[index];

@@ -1,4 +1,4 @@
-//! What a testbench sets and looks at: functions that leave values where they can be read, and quick ways to single numbers.
+//! The interface to a testbench: functions that store values for reading, and fast paths for single numbers.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -13,10 +13,10 @@ use super::{Compiled, HELD};
 use crate::engine::Engine;
 use crate::engine::program::{Triggers, ValueId};
 
-/// A function that leaves values where they can be read.
+/// A function that stores values for reading.
 pub(super) struct View {
     code: Code,
-    /// What changes what it shows, and whether it has since it was last run.
+    /// The triggers of what it shows, and whether they have fired since it last ran.
     pub triggers: Triggers,
     pub stale: bool,
     /// What it shows.
@@ -26,15 +26,15 @@ pub(super) struct View {
 /// The index of no view.
 pub(super) const NO_VIEW: u32 = u32::MAX;
 
-/// Where a value is that has one lane and up to 64 bits, and so stands as its limb.
+/// The place of a value of one lane and up to 64 bits, which is a limb.
 #[derive(Clone, Copy)]
 pub(crate) struct Slot {
-    /// Which limb.
+    /// The limb.
     at: u32,
     source: Source,
 }
 
-/// What leaves a value in its slot.
+/// What stores a value in its slot.
 #[derive(Clone, Copy)]
 enum Source {
     /// It is an input, or an edge changes it.
@@ -46,10 +46,10 @@ enum Source {
 }
 
 impl Slot {
-    /// Another kind of value, or one that has no place yet. No store is so large that it has a limb there.
+    /// Another kind of value, or one that has no place yet. No store is large enough to have a limb there.
     pub const NONE: Slot = Slot { at: u32::MAX, source: Source::State };
 
-    /// That of state.
+    /// The slot of state.
     pub(super) fn of_state(place: &Place) -> Slot {
         Slot::of(place, if place.width <= HELD { Source::Held } else { Source::State })
     }
@@ -63,7 +63,7 @@ impl Slot {
 }
 
 impl Compiled {
-    /// Where a value is, brought up to date if it is computed; `None` for constants.
+    /// The place of a value, brought up to date if it is computed; `None` for constants.
     pub(super) fn place(&mut self, id: ValueId) -> Option<Place> {
         match self.places[id.index()] {
             None if self.program.value(id).segment.is_some() => Some(self.view(id)),
@@ -71,15 +71,15 @@ impl Compiled {
         }
     }
 
-    /// Brings a value that is computed up to date; gives where it is.
+    /// Brings a computed value up to date; returns its place.
     fn view(&mut self, id: ValueId) -> Place {
         let view = self.view_of(id);
         self.refresh(view);
         self.shown[id.index()].expect("it is shown").1
     }
 
-    /// What shows a value that is computed. All output ports of up to 64 bits share a function, as far as they change together; wider ones, which
-    /// are often put together from many lanes, have one each.
+    /// The view of a computed value. Output ports of up to 64 bits that change together share a function. Wider ones,
+    /// which are often assembled from many lanes, have one each.
     #[inline]
     fn view_of(&mut self, id: ValueId) -> usize {
         match &self.shown[id.index()] {
@@ -96,7 +96,7 @@ impl Compiled {
         self.shown[id.index()].expect("it is shown now").0
     }
 
-    /// Brings what a function shows up to date.
+    /// Brings the values of a view up to date.
     #[inline]
     fn refresh(&mut self, view: usize) {
         self.looked = true;
@@ -110,7 +110,7 @@ impl Compiled {
         self.fresh = view as u32;
     }
 
-    /// The number in a slot of this engine, if it stands there as it is now.
+    /// The number in a slot of this engine, if it is up to date.
     #[inline]
     pub(in crate::engine) fn quick_get(&mut self, slot: Slot) -> Option<u64> {
         if let Source::View(view) = slot.source {
@@ -122,7 +122,7 @@ impl Compiled {
         self.state.limbs().get(slot.at as usize).map(Cell::get)
     }
 
-    /// The number in a slot of this engine, brought up to date, if it stands somewhere.
+    /// The number in a slot of this engine, brought up to date, if it has a place.
     #[inline]
     pub(in crate::engine) fn refreshed(&mut self, slot: Slot) -> Option<u64> {
         if let Source::View(view) = slot.source {
@@ -131,8 +131,8 @@ impl Compiled {
         self.state.limbs().get(slot.at as usize).map(Cell::get)
     }
 
-    /// Sets an input that stands in a slot of this engine; `false`, and nothing is done, if it is none. There is no call in it,
-    /// nor anything that can fail, so that it takes no room on the stack.
+    /// Sets an input that has a slot of this engine; returns `false` and does nothing if it has none. It contains no
+    /// call and nothing that can fail, so it needs no stack.
     #[inline]
     pub(in crate::engine) fn quick_set(&mut self, slot: Slot, number: u64, triggers: Triggers) -> bool {
         let Some(is_other) = self.state.replace_limb(slot.at as usize, number) else { return false };
@@ -142,17 +142,17 @@ impl Compiled {
         true
     }
 
-    /// Where a value stands.
+    /// The slot of a value.
     pub(in crate::engine) fn slot(&self, id: ValueId) -> Slot {
         self.slots[id.index()]
     }
 
-    /// Notes where numbers stand, and what is to be brought up to date before: see [`Engine::renew`].
+    /// Notes the places of numbers, and the views to refresh before reading them: see [`Engine::renew`].
     #[cold]
     pub(super) fn note(&mut self, ids: &[ValueId], note: &mut Vec<u32>) {
         let mut views = Vec::new();
         for &id in ids {
-            // Whatever has no place yet gets one, but for constants.
+            // A value without a place gets one, unless it is a constant.
             self.number(id, 0);
             if let Source::View(view) = self.slots[id.index()].source {
                 views.push(view);
@@ -166,16 +166,16 @@ impl Compiled {
         note.extend(ids.iter().map(|id| self.slots[id.index()].at));
     }
 
-    /// As [`Engine::renew`].
+    /// Like [`Engine::renew`].
     pub(super) fn renew_noted(&mut self, note: &[u32], seen: &mut [u64], changed: &mut Vec<u32>) {
         let (views, places) = note[2..].split_at(note[1] as usize);
         views.iter().for_each(|&view| self.refresh(view as usize));
         changed.resize(seen.len(), 0);
         let (limbs, mut count) = (self.state.limbs(), 0);
         for ((&at, seen), index) in places.iter().zip(seen).zip(0..) {
-            // A constant stands nowhere, and remains what it is.
+            // A constant has no place and never changes.
             let number = limbs.get(at as usize).map_or(*seen, Cell::get);
-            // Whether a number has changed is hard to foresee, and so no branch.
+            // Whether a number has changed is hard to predict, so there is no branch.
             changed[count] = index;
             count += usize::from(*seen != number);
             *seen = number;
@@ -183,7 +183,7 @@ impl Compiled {
         changed.truncate(count);
     }
 
-    /// Many inputs may change between two edges, so this waits for nothing that was stored a moment ago.
+    /// Many inputs may change between two edges, so this depends on no recent store.
     #[inline]
     pub(super) fn input_changed(&mut self, triggers: Triggers, is_held: bool) {
         if !triggers.within(self.pending) {
@@ -196,7 +196,7 @@ impl Compiled {
         }
     }
 
-    /// Notes what has changed.
+    /// Notes a change.
     #[inline]
     pub(super) fn change(&mut self, triggers: Triggers) {
         self.pending = self.pending.with(triggers);
@@ -204,7 +204,7 @@ impl Compiled {
         self.again = None;
     }
 
-    /// Marks what pending changes make stale.
+    /// Flags what pending changes make stale.
     #[inline]
     pub(super) fn mark(&mut self) {
         let pending = std::mem::replace(&mut self.pending, Triggers::NONE);
@@ -215,7 +215,7 @@ impl Compiled {
         }
     }
 
-    /// Makes functions for these values, as far as they are computed; those that change together are computed together.
+    /// Makes functions for those of these values that are computed; those that change together are computed together.
     pub(super) fn show(&mut self, values: &[ValueId]) {
         let triggers = |id: ValueId| {
             let segment = self.program.value(id).segment?;
@@ -236,14 +236,15 @@ impl Compiled {
         }
     }
 
-    /// What shows these values.
+    /// The function that shows these values.
     pub(super) fn prepare_view(&mut self, shown: &[ValueId]) -> Prepared {
         let mut maker = Maker::new(&self.program);
         maker.show(shown);
         self.prepare(&maker.finish().0, &[])
     }
 
-    /// Has a function show these values, which are the first that it shows, and no other any more; gives its index.
+    /// Makes a function the view of these values, which are the first that it shows; no other view shows them from
+    /// now on. Returns its index.
     pub(super) fn add_view(&mut self, code: Code, triggers: Triggers, shown: &[ValueId], prepared: &Prepared) -> usize {
         let view = self.views.len();
         for (id, place) in shown.iter().zip(prepared.shown()) {

@@ -6,29 +6,29 @@ use std::ptr::NonNull;
 
 use super::pages::Guarded;
 
-/// Bytes of a line of the cache, to which they are aligned.
+/// Bytes of a cache line, to which they are aligned.
 pub(super) const LINE: usize = 64;
 
-/// Zeros at first; cells, as code changes them through their address.
+/// Zeros at first; cells, because code changes them through their address.
 pub(super) struct Words {
     first: NonNull<Cell<u64>>,
     count: usize,
     _owner: Owner,
 }
 
-/// Whose memory it is.
+/// The owner of the memory.
 #[expect(dead_code, reason = "it is kept, and looked at through the address")]
 enum Owner {
     Heap(Vec<u64>),
     Pages(Guarded),
 }
 
-// SAFETY: the memory is its own, and cells may be sent.
+// SAFETY: it owns the memory, and cells may be sent.
 #[allow(unsafe_code, reason = "an address is not sent to other threads by itself")]
 unsafe impl Send for Words {}
 
 impl Words {
-    /// So many, from the heap. They come from the system as pages that take no memory, and no time, before they are
+    /// Allocates numbers on the heap. The system provides pages that take no memory, and no time, before they are
     /// written.
     pub fn plain(count: usize) -> Words {
         let mut zeros = vec![0u64; count + LINE / 8];
@@ -37,7 +37,7 @@ impl Words {
         Words { first: NonNull::new(first.cast()).expect("a vector is somewhere"), count, _owner: Owner::Heap(zeros) }
     }
 
-    /// So many, between pages that nobody may touch.
+    /// Allocates numbers between protected pages.
     pub fn guarded(count: usize) -> Words {
         let pages = Guarded::new(count);
         let first = pages.start().cast_mut();
@@ -50,8 +50,8 @@ impl Deref for Words {
 
     #[inline]
     fn deref(&self) -> &[Cell<u64>] {
-        // SAFETY: so many numbers stand there, and began as zeros, in memory that lives as long and that nobody looks at but
-        // as cells.
+        // SAFETY: this many numbers are stored there, initially zero, in memory that lives as long and that everybody
+        // accesses as cells.
         #[allow(unsafe_code, reason = "the address is known to code")]
         unsafe {
             std::slice::from_raw_parts(self.first.as_ptr(), self.count)

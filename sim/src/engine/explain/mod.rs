@@ -1,4 +1,4 @@
-//! What each pass makes of a circuit, in words, for people who wonder, and for tests.
+//! The effect of each pass on a circuit, in words, for users and for tests.
 
 mod operation;
 mod pass;
@@ -13,7 +13,7 @@ pub(super) use operation::operation;
 pub use pass::Pass;
 pub(super) use text::{Names, Text};
 
-/// What a pass has left of a circuit.
+/// The circuit after a pass.
 ///
 /// ```
 /// use tilewright_sim::{Pass, Passes, explain, for_examples::Counter};
@@ -27,12 +27,12 @@ pub(super) use text::{Names, Text};
 pub struct Explained {
     /// The pass.
     pub pass: Pass,
-    /// The circuit then: a line for each value, with its name or number, its lanes and width, how it is computed, and where
-    /// the description says so.
+    /// The circuit: a line for each value, with its name or number, its lanes and width, its operation, and its place
+    /// in the description.
     pub text: String,
 }
 
-/// A design after each pass, under those that are switched on and before.
+/// A design after each pass, with the passes that are switched on.
 ///
 /// ```
 /// use tilewright_sim::{Pass, Passes, explain, for_examples::Counter};
@@ -40,7 +40,7 @@ pub struct Explained {
 /// let design = tilewright_hdl::elaborate(&Counter).unwrap();
 /// let all = explain(&design, &Passes::default());
 /// assert!(all.is_sorted_by_key(|explained| explained.pass));
-/// // Without passes nothing happens between the first two.
+/// // Without passes, the first two are equal.
 /// let none = explain(&design, &Passes::none());
 /// assert_eq!(none[0].text, none[1].text);
 /// ```

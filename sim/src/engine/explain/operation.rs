@@ -5,7 +5,7 @@ use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
 
 use crate::engine::program::{Axis, Kind, Lowered, ValueId};
 
-/// How a value is computed; `name` tells values, `memory` memories.
+/// The operation of a value; `name` names values, `memory` memories.
 pub(in crate::engine) fn operation(
     kind: &Kind,
     width: u32,
@@ -43,10 +43,10 @@ pub(in crate::engine) fn operation(
         Kind::Lowered(Lowered::Rotate { of, left }) => format!("{} rotated left by {left}", name(*of)),
         Kind::Read { memory: of, address } => format!("{}[{}]", memory(*of), name(*address)),
         Kind::Lowered(Lowered::Word { memory: of, address }) => {
-            format!("{}[{}] as it stands", memory(*of), name(*address))
+            format!("{}[{}] as stored", memory(*of), name(*address))
         }
         Kind::Lowered(Lowered::WordOf { memory: of, address, at }) => {
-            format!("lane {} of {}[{}] as it stands", name(*at), memory(*of), name(*address))
+            format!("lane {} of {}[{}] as stored", name(*at), memory(*of), name(*address))
         }
         Kind::Broadcast { of, axis } => format!("{} times {}{}", axis.count, name(*of), apart(*axis)),
         Kind::Stack { parts, inner: 1 } => format!("lanes {}", runs(parts, name)),
@@ -62,7 +62,7 @@ pub(in crate::engine) fn operation(
                 apart(*axis)
             )
         }
-        Kind::Interleave { parts, axis } => format!("lanes in turn of {}{}", list(parts), apart(*axis)),
+        Kind::Interleave { parts, axis } => format!("interleaved lanes of {}{}", list(parts), apart(*axis)),
         Kind::Lane { of, axis, index } => format!("lane {index} of {} of {}{}", axis.count, name(*of), apart(*axis)),
         Kind::Pick { of, axis, index } => {
             format!("lane {} of {} of {}{}", name(*index), axis.count, name(*of), apart(*axis))
@@ -87,7 +87,7 @@ pub(super) fn constant(bits: &Bits) -> String {
     }
 }
 
-/// Parts, those that follow each other with the same value together.
+/// Parts, with successive slices of one value joined.
 fn runs(parts: &[ValueId], name: &dyn Fn(ValueId) -> String) -> String {
     let runs = parts.chunk_by(|a, b| name(*a) == name(*b)).map(|run| match run.len() {
         1 => name(run[0]),
@@ -96,7 +96,7 @@ fn runs(parts: &[ValueId], name: &dyn Fn(ValueId) -> String) -> String {
     runs.collect::<Vec<_>>().join(", ")
 }
 
-/// How far apart the lanes along an axis are, if that is not next to each other.
+/// The distance of lanes along an axis, unless they are adjacent.
 fn apart(axis: Axis) -> String {
     if axis.inner == 1 { String::new() } else { format!(", {} lanes apart", axis.inner) }
 }

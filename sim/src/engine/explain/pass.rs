@@ -1,6 +1,6 @@
 //! The passes by name.
 
-/// A pass on the way from a design to code, in the order in which they are made.
+/// A pass on the way from a design to code, in sequence.
 ///
 /// ```
 /// use tilewright_sim::Pass;
@@ -9,38 +9,38 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Pass {
-    /// Instances are put in their places; each node of the description is a value.
+    /// Replaces instances by their contents; each node of the description is a value.
     Flatten,
-    /// Instances of one module that were written one by one become an array.
+    /// Makes an array of separate instances of one module.
     Siblings,
-    /// Names for one value become one, and equal expressions too.
+    /// Merges names for one value, and equal expressions.
     Share,
-    /// Constants are computed, and operations that do nothing left out.
+    /// Computes constants and removes operations without effect.
     Fold,
-    /// What is the same in all lanes is computed once.
+    /// Computes once what is the same in all lanes.
     Uniform,
-    /// Lanes that are computed alike, but were written one by one, are computed together.
+    /// Computes lanes together that are described one by one but computed alike.
     Lift,
-    /// Words wider than a register of the machine are split into the fields that they are made of.
+    /// Splits words wider than a machine register into the fields that they consist of.
     Fields,
-    /// Lanes of one bit are packed in words.
+    /// Packs lanes of one bit into words.
     Pack,
-    /// What one edge of a clock does.
+    /// The changes of one edge of a clock.
     Edge,
-    /// The same, where all inputs of up to 8 bits are held at 0.
+    /// The same, with all inputs of up to 8 bits held at 0.
     Hold,
-    /// Operations that the machine has take the place of those that it has not.
+    /// Replaces operations that the machine lacks by those that it has.
     Lower,
-    /// Values of one lane and loops over lanes are put in order.
+    /// Orders scalars and loops over lanes.
     Plan,
-    /// Loops get branches around them.
+    /// Puts branches around loops.
     Branch,
-    /// Everything is one after the other, cut into functions where it is long.
+    /// Puts everything in sequence, cut into functions where it is long.
     Sequence,
 }
 
 impl Pass {
-    /// All of them, in order.
+    /// All of them, in sequence.
     ///
     /// ```
     /// use tilewright_sim::Pass;
@@ -65,7 +65,7 @@ impl Pass {
         Pass::Sequence,
     ];
 
-    /// Its name, as `tilewright explain --pass` takes it.
+    /// Its name, as `tilewright explain --pass` accepts it.
     ///
     /// ```
     /// use tilewright_sim::Pass;
@@ -91,7 +91,7 @@ impl Pass {
         }
     }
 
-    /// What it does, in a sentence.
+    /// Its effect, in a sentence.
     ///
     /// ```
     /// use tilewright_sim::Pass;
@@ -100,22 +100,20 @@ impl Pass {
     /// ```
     pub fn about(self) -> &'static str {
         match self {
-            Pass::Flatten => "Instances are put in their places; each node of the description is a value.",
-            Pass::Siblings => "Instances of one module that were written one by one run as an array.",
+            Pass::Flatten => "Instances are replaced by their contents; each node of the description is a value.",
+            Pass::Siblings => "Separate instances of one module run as an array.",
             Pass::Share => "Names for one value become one, and equal expressions are computed once.",
-            Pass::Fold => "Constants are computed, and operations that do nothing are left out.",
-            Pass::Uniform => "What is the same in all lanes, or in all rows, is computed once.",
-            Pass::Lift => "Lanes that are computed alike, but were written one by one, are computed together.",
-            Pass::Fields => {
-                "Words wider than a register of the machine are split into the fields that they are made of."
-            }
-            Pass::Pack => "The bits of lanes that have one each are packed in words of the machine.",
-            Pass::Edge => "What one edge of each clock does.",
-            Pass::Hold => "The same, where all inputs of up to 8 bits are held at 0.",
-            Pass::Lower => "Operations that the machine has take the place of those that it has not.",
-            Pass::Plan => "Values of one lane stay in registers of the machine; loops go over lanes.",
-            Pass::Branch => "A loop in which all lanes choose by one small value has a variant for each number.",
-            Pass::Sequence => "Everything stands one after the other, cut into functions where it is long.",
+            Pass::Fold => "Constants are computed, and operations without effect are removed.",
+            Pass::Uniform => "A value that is the same in all lanes, or in all rows, is computed once.",
+            Pass::Lift => "Lanes that are described one by one but computed alike are computed together.",
+            Pass::Fields => "Words wider than a machine register are split into the fields that they consist of.",
+            Pass::Pack => "Lanes of one bit are packed into machine words.",
+            Pass::Edge => "The changes of one edge of each clock.",
+            Pass::Hold => "The same, with all inputs of up to 8 bits held at 0.",
+            Pass::Lower => "Operations that the machine lacks are replaced by those that it has.",
+            Pass::Plan => "Values of one lane stay in machine registers; loops go over lanes.",
+            Pass::Branch => "A loop in which all lanes choose by one small value gets a variant for each number.",
+            Pass::Sequence => "Everything is put in sequence, cut into functions where it is long.",
         }
     }
 }

@@ -8,7 +8,7 @@ use tilewright_hdl::ir::Init;
 use super::operation::{constant, operation};
 use crate::engine::program::{Circuit, Kind, Program, ValueId};
 
-/// What values and memories are called.
+/// The names of values and memories.
 #[derive(Clone)]
 pub(in crate::engine) struct Names {
     values: FxHashMap<ValueId, String>,
@@ -34,7 +34,7 @@ impl Names {
         Names { values, memories }
     }
 
-    /// The same of a circuit in which values have become others.
+    /// The same for a circuit in which values have been replaced.
     pub fn renamed(&self, became: &FxHashMap<ValueId, ValueId>) -> Names {
         let mut named: Vec<_> =
             self.values.iter().filter_map(|(id, name)| Some((*became.get(id)?, *id, name))).collect();
@@ -52,7 +52,7 @@ pub(in crate::engine) struct Text<'a> {
     program: &'a Program,
     circuit: &'a Circuit,
     pub names: Names,
-    /// What values without a name are called, in order of appearance.
+    /// The numbers of unnamed values, in the sequence of appearance.
     numbers: FxHashMap<ValueId, usize>,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Text<'a> {
         Text { program, circuit, names, numbers: FxHashMap::default() }
     }
 
-    /// All of a program: its values, then what its clocks do, what must hold, and what its outputs show.
+    /// All of a program: its values, then the changes of its clocks, its assertions, and its outputs.
     pub fn program(&mut self) -> String {
         let mut text = self.values(self.program.circuit.ids());
         let program = self.program;
@@ -95,7 +95,7 @@ impl<'a> Text<'a> {
                 }
             }
             for assert in program.asserts.iter().filter(|it| it.clock as usize == clock) {
-                let _ = writeln!(changes, "  {} holds: {}", self.name(assert.condition), assert.message);
+                let _ = writeln!(changes, "  assert {}: {}", self.name(assert.condition), assert.message);
             }
             if !changes.is_empty() {
                 let _ = write!(text, "at {}:\n{changes}", declared.name);
@@ -107,7 +107,7 @@ impl<'a> Text<'a> {
         text
     }
 
-    /// Lines for values but for constants, which stand where they are used.
+    /// Lines for values except constants, which are written where they are used.
     pub fn values(&mut self, ids: impl Iterator<Item = ValueId>) -> String {
         let ids: Vec<ValueId> = ids.filter(|id| self.circuit.constant(*id).is_none()).collect();
         for id in &ids {
@@ -142,7 +142,7 @@ impl<'a> Text<'a> {
         [self.name(id), shape, operation, place.unwrap_or_default()]
     }
 
-    /// What sets a value from outside.
+    /// The external source of a value.
     fn state(&self, id: ValueId) -> &'static str {
         match () {
             () if self.program.inputs.iter().any(|port| port.value == id) => "input",
@@ -169,7 +169,7 @@ impl<'a> Text<'a> {
         self.names.memories[index as usize].clone()
     }
 
-    /// What takes what at an edge, and when.
+    /// An assignment at an edge, with its condition.
     pub fn change(&self, what: &str, next: &str, enable: Option<ValueId>) -> String {
         let when = enable.map(|enable| format!(" if {}", self.name(enable))).unwrap_or_default();
         format!("  {what} <- {next}{when}\n")

@@ -1,4 +1,4 @@
-//! Parts of words, taken from what the words are made of.
+//! Parts of words, taken from the sources of the words.
 
 use rustc_hash::FxHashMap;
 use tilewright_hdl::Bits;
@@ -8,16 +8,16 @@ use super::layout::is_bitwise;
 use super::{Piece, WIDE};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, ValueId};
 
-/// How many choices deep a part is looked for; behind that it is a slice.
+/// The depth to which choices are followed for a part; beyond that it is a slice.
 const DEPTH: u32 = 64;
 
-/// How many parts a word is made of at most where a part of it is looked for.
+/// The most parts of a word in which a part is looked for.
 const MOST: usize = 1024;
 
 /// A circuit that parts of words are added to. Its values keep their numbers.
 pub(super) struct Extract {
     pub circuit: Circuit,
-    /// Per value: it is split, so that a part of it needs nothing of the others.
+    /// For each value: it is split, so that a part of it does not depend on the others.
     is_split: Vec<bool>,
     made: FxHashMap<(ValueId, Piece), ValueId>,
     repeated: FxHashMap<(ValueId, u32), ValueId>,
@@ -28,12 +28,12 @@ impl Extract {
         Extract { circuit, is_split, made: FxHashMap::default(), repeated: FxHashMap::default() }
     }
 
-    /// A part of a value: in each lane of it as many as the part has.
+    /// A part of a value: each lane gives as many lanes as the part has.
     pub fn part(&mut self, of: ValueId, piece: Piece) -> ValueId {
         self.within(of, piece, DEPTH)
     }
 
-    /// A value, so many times in each lane.
+    /// A value, repeated in each lane.
     pub fn repeat(&mut self, of: ValueId, times: u32) -> ValueId {
         if times == 1 {
             return of;
@@ -42,7 +42,7 @@ impl Extract {
             return made;
         }
         let Cell { ref kind, lanes, width } = self.circuit[of];
-        // What all lanes have is seen to be so.
+        // A value that is the same in all lanes is recognised as such.
         let (from, count) = match *kind {
             Kind::Broadcast { of, .. } if self.circuit[of].lanes == 1 => (of, lanes * times),
             _ => (of, times),
@@ -53,7 +53,7 @@ impl Extract {
         made
     }
 
-    /// A word made of parts, the lowest first.
+    /// A word assembled from parts, the lowest first.
     pub fn join(&mut self, of: ValueId, parts: &[(Piece, ValueId)]) -> Kind {
         let (lanes, mut all) = (self.circuit[of].lanes, Vec::new());
         for &(piece, part) in parts.iter().rev() {
@@ -200,11 +200,11 @@ impl Extract {
         self.add(of, Kind::Stack { parts, inner: 1 }, lanes, piece.each())
     }
 
-    /// A part of what takes each bit from the same bit of its operands.
+    /// A part of an operation that takes each bit from the same bit of its operands.
     fn of_choice(&mut self, of: ValueId, kind: Kind, lanes: u32, piece: Piece, depth: u32) -> Option<ValueId> {
         let mut part = |it: &mut ValueId| *it = self.within(*it, piece, depth);
         let mut kind = kind;
-        // Lanes of the part are behind those of the word.
+        // Lanes of the part come after those of the word.
         let behind = |axis: &mut Axis| axis.inner *= piece.lanes;
         match &mut kind {
             Kind::Unary(Unary::Not, a) => part(a),

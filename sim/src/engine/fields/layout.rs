@@ -1,8 +1,8 @@
-//! Where words are put together and taken apart: the borders in them, found by unification.
+//! The borders at which words are assembled and taken apart, found by unification.
 //!
-//! Each wide value has a *node*, and so has each part of one that some value is. What is the same word somewhere else (a
-//! register and what it takes, a memory and its ports, both sides of a choice) has the same node, so a border that one of
-//! them has, all of them have.
+//! Each wide value has a *node*, and so has each part that is a value somewhere. Values that are the same word (a
+//! register and its input, a memory and its ports, both sides of a choice) share a node. So a border in one of them
+//! is a border in all.
 
 use rustc_hash::FxHashMap;
 use tilewright_hdl::ir::{Binary, Unary};
@@ -29,20 +29,20 @@ struct Node {
 
 /// What is known of the borders in a node.
 enum Form {
-    /// Those of another node.
+    /// The borders of another node.
     Same(NodeId),
-    /// There are none so far.
+    /// No borders so far.
     Open,
     /// Parts, the lowest first.
     Parts(Vec<NodeId>),
-    /// So many lanes, side by side.
+    /// This number of lanes, side by side.
     Row(u32),
-    /// None, as something is computed of it as a whole.
+    /// No borders, because an operation uses it as a whole.
     Whole,
 }
 
 impl<'a> Layout<'a> {
-    /// Finds them.
+    /// Finds the parts.
     pub fn of(program: &'a Program) -> Layout<'a> {
         let mut layout = Layout { program, nodes: Vec::new(), values: FxHashMap::default(), memories: Vec::new() };
         for memory in &program.memories {
@@ -95,7 +95,7 @@ impl<'a> Layout<'a> {
         pieces
     }
 
-    /// Marks what an operation takes or gives as a whole, as a sum does.
+    /// Records what an operation uses or produces as a whole, as a sum does.
     fn whole(&mut self, id: ValueId, cell: &Cell) {
         let splits = match &cell.kind {
             Kind::Compare(..) | Kind::Shift(..) | Kind::Reduce { .. } => false,
@@ -170,7 +170,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// These parts, the lowest first, are what a value begins with.
+    /// A value begins with these parts, the lowest first.
     fn parts(&mut self, id: ValueId, parts: impl Iterator<Item = ValueId>) {
         let (of, mut low) = (self.of_value(id), 0);
         for part in parts {
@@ -182,7 +182,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// A value is so many lanes side by side.
+    /// A value is this number of lanes side by side.
     fn row(&mut self, id: ValueId, lanes: u32) {
         let width = self.program.circuit[id].width;
         if lanes == 1 {
@@ -207,7 +207,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// A value, if it is no constant, is a word.
+    /// A value is a word, unless it is constant.
     fn link_to(&mut self, id: ValueId, node: NodeId) {
         if self.program.circuit.constant(id).is_none() {
             let of = self.of_value(id);
@@ -231,7 +231,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// The node that a node has become.
+    /// The node into which a node has been merged.
     fn root(&self, node: NodeId) -> NodeId {
         let mut node = node;
         while let Form::Same(other) = self.nodes[node.0].form {
@@ -240,7 +240,7 @@ impl<'a> Layout<'a> {
         node
     }
 
-    /// As [`Layout::root`], with a shorter way the next time.
+    /// Like [`Layout::root`], with path compression.
     fn find(&mut self, node: NodeId) -> NodeId {
         let (root, mut node) = (self.root(node), node);
         while let Form::Same(other) = self.nodes[node.0].form {
@@ -250,7 +250,7 @@ impl<'a> Layout<'a> {
         root
     }
 
-    /// Makes one of two nodes, and so of the parts of them.
+    /// Merges two nodes, and so their parts.
     fn unify(&mut self, a: NodeId, b: NodeId) {
         let mut open = vec![(a, b)];
         while let Some((a, b)) = open.pop() {
@@ -268,7 +268,7 @@ impl<'a> Layout<'a> {
                     open.extend(self.matching(&left, &right));
                     Form::Parts(left)
                 }
-                // Lanes stay together, and the borders in them are of no account.
+                // Lanes stay together, and borders within them do not matter.
                 (Form::Row(n), Form::Parts(_)) | (Form::Parts(_), Form::Row(n)) => Form::Row(n),
                 _ => Form::Whole,
             };
@@ -277,7 +277,7 @@ impl<'a> Layout<'a> {
         }
     }
 
-    /// Splits a node where another one has borders, if both have parts.
+    /// Splits a node at the borders of another one, if both have parts.
     fn align(&mut self, node: NodeId, like: NodeId) {
         if let (Form::Parts(_), Form::Parts(parts)) = (&self.nodes[node.0].form, &self.nodes[like.0].form) {
             let mut low = 0;
@@ -303,8 +303,8 @@ impl<'a> Layout<'a> {
         places(left).into_iter().filter_map(|(place, part)| Some((part, *right.get(&place)?))).collect()
     }
 
-    /// Gives a node a border at that bit; whether it has one then. What is whole has none, nor have lanes, and there are no
-    /// more of them than one in [`SPARSE`] bits.
+    /// Gives a node a border at a bit; returns whether it has one then. Whole nodes and lanes get none, and there is
+    /// at most one border in [`SPARSE`] bits.
     fn split(&mut self, node: NodeId, at: u32) -> bool {
         let node = self.find(node);
         let Node { width, form } = &self.nodes[node.0];
@@ -343,7 +343,7 @@ impl<'a> Layout<'a> {
         true
     }
 
-    /// What there is from a bit on, if there can be a border on each side.
+    /// The part from a bit on, if there can be a border on each side.
     fn part(&mut self, of: NodeId, low: u32, width: u32) -> Option<NodeId> {
         let of = self.find(of);
         if self.nodes[of.0].width == width {
@@ -367,13 +367,13 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// Bits that a border has for itself: more of them would be more work than the words that they are in.
+/// The least average distance of borders: more of them would cost more than the words that they split.
 const SPARSE: u32 = 8;
 
-/// The parts that a node has at most, about.
+/// The most parts of a node, approximately.
 const MOST: usize = 512;
 
-/// Whether each bit of the result is that of two bits.
+/// Whether each bit of the result depends on the same bit of both operands.
 pub(super) fn is_bitwise(op: Binary) -> bool {
     matches!(op, Binary::And | Binary::Or | Binary::Xor)
 }

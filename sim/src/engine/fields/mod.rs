@@ -1,8 +1,8 @@
-//! Words wider than a register of the machine, split into the fields that they are made of.
+//! Splits words wider than a machine register into the fields that they consist of.
 //!
-//! A queue of records keeps a word that is made of fields, and taken apart into the same fields; nobody looks at the word.
-//! So a register or a memory of such words becomes one for each field, or for each row of lanes that was packed into the
-//! word. A word that is wanted all the same is put together from them, by who wants it.
+//! A queue of records stores a word that is assembled from fields and taken apart into the same fields; nothing reads
+//! the whole word. So a register or memory of such words becomes one for each field, or for each row of lanes that
+//! was packed into the word. A reader of the whole word assembles it.
 
 mod extract;
 mod layout;
@@ -18,7 +18,7 @@ use super::program::{
 use extract::Extract;
 use layout::Layout;
 
-/// Bits up to which a word is not split.
+/// The widest word that is not split.
 const WIDE: u32 = 64;
 
 /// Bits of a word.
@@ -28,7 +28,7 @@ pub(crate) struct Piece {
     pub low: u32,
     /// How many.
     pub width: u32,
-    /// As so many lanes, the first in the lowest bits.
+    /// As this many lanes, the first in the lowest bits.
     pub lanes: u32,
 }
 
@@ -50,28 +50,28 @@ impl Piece {
     }
 }
 
-/// Where a piece of a word is kept: a register by its value, or a memory by index, that has as many lanes as the piece for
-/// each lane of the word.
+/// The storage of a piece of a word: a register by its value, or a memory by index, with as many lanes as the piece
+/// for each lane of the word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Part<T> {
     pub of: T,
     pub piece: Piece,
 }
 
-/// A program whose wide words are split. Values have the numbers that they had; parts come after them.
+/// A program whose wide words are split. Values keep their numbers; parts come after them.
 pub(crate) struct Fields {
-    /// The program; what its parts start with is not said here, but by the program that it was.
+    /// The program. The start values of its parts are those of the original program.
     pub program: Program,
-    /// What it has in place of what was there.
+    /// The replacements of the original state.
     pub parts: Parts,
 }
 
-/// Where the parts of words are.
+/// The parts of words.
 #[derive(Debug, Default)]
 pub(crate) struct Parts {
-    /// Those of registers, and of the data of synchronous reads, that are split.
+    /// The parts of split registers and of split read data.
     pub registers: FxHashMap<ValueId, Vec<Part<ValueId>>>,
-    /// Per memory of the program that it was: its parts, which may be one.
+    /// For each memory of the original program: its parts, of which there may be one.
     pub memories: Vec<Vec<Part<u32>>>,
 }
 
@@ -90,7 +90,7 @@ pub(crate) fn split(program: &Program) -> Fields {
     fields
 }
 
-/// Splits.
+/// The split in progress.
 struct Split<'a> {
     from: &'a Program,
     layout: Layout<'a>,
@@ -125,7 +125,7 @@ impl<'a> Split<'a> {
         assign_to_clocks(program);
     }
 
-    /// Says which memories there will be.
+    /// Assigns the numbers of the memories.
     fn number_memories(&mut self) {
         let mut next = 0;
         for (index, parts) in self.fields.parts.memories.iter_mut().enumerate() {
@@ -149,14 +149,14 @@ impl<'a> Split<'a> {
         let word = self.extract.join(id, &parts);
         self.extract.circuit.set_kind(id, word);
         self.fields.parts.registers.insert(id, parts.into_iter().map(|(piece, of)| Part { of, piece }).collect());
-        // It is computed now, by who looks at it.
+        // It is computed now, by its readers.
         let schedule = &mut self.fields.program.schedule;
         schedule.slots[id.index()].1 = Some(schedule.segments.len() as u32);
         let triggers = Triggers::state(clock as usize);
         schedule.segments.push(Segment { values: id.0..id.0 + 1, triggers, readers: Readers::NONE, needs: Vec::new() });
     }
 
-    /// Has a value that is the word of a memory read its parts.
+    /// Makes a value that is the word of a memory read its parts.
     fn read(&mut self, id: ValueId) {
         let Cell { kind: Kind::Read { memory, address }, lanes, .. } = self.from.circuit[id] else { return };
         let loc = self.from.circuit.loc(id);
@@ -174,7 +174,7 @@ impl<'a> Split<'a> {
         self.extract.circuit.set_kind(id, word);
     }
 
-    /// Has a value that is part of a word come from what the word is made of.
+    /// Makes a value that is part of a word use the word's sources.
     fn use_of_word(&mut self, id: ValueId) {
         let Cell { ref kind, width, .. } = self.from.circuit[id];
         let (of, piece) = match *kind {
@@ -190,7 +190,7 @@ impl<'a> Split<'a> {
         }
     }
 
-    /// What a register becomes.
+    /// The replacements of a register.
     fn register(&mut self, register: &Register) -> Vec<Register> {
         let Some(parts) = self.fields.parts.registers.get(&register.value) else { return vec![register.clone()] };
         let part = |&Part { of, piece }: &Part<ValueId>| Register {
@@ -205,7 +205,7 @@ impl<'a> Split<'a> {
         parts.iter().map(part).collect()
     }
 
-    /// What a memory becomes.
+    /// The replacements of a memory.
     fn memory(&mut self, index: usize) -> Vec<Memory> {
         let memory = &self.from.memories[index];
         let parts = self.fields.parts.memories[index].clone();
@@ -241,7 +241,7 @@ impl<'a> Split<'a> {
         Memory { lanes: memory.lanes * piece.lanes, depth, width: piece.each(), policy, contents, reads, writes, unit }
     }
 
-    /// Names the parts after the words that they are of.
+    /// Names the parts after their words.
     fn name(&mut self) {
         let part_name = |name: &str, piece: Piece, parts: usize| match parts {
             1 => name.to_owned(),
@@ -272,7 +272,7 @@ fn is_split(pieces: &[Piece]) -> bool {
     pieces.len() > 1 || pieces[0].lanes > 1
 }
 
-/// A part of what registers start with.
+/// The part of a register's start value.
 fn part_of_start(start: &Init, piece: Piece) -> Init {
     let lanes = |word: &Bits| (0..piece.lanes).map(|lane| piece.of_lane(lane, word)).collect::<Vec<_>>();
     let each = match start {

@@ -7,18 +7,19 @@ use super::memory::{address, word};
 use crate::engine::Failed;
 use crate::engine::program::{Program, Readers, Register, Triggers, ValueId};
 
-/// What is worked out once about edges, and the room they need.
+/// Data about edges that is computed once, and their temporary memory.
 #[derive(Debug, Clone)]
 pub(super) struct Plan {
-    /// Per register: where its new value waits until all have sampled; `None` if no other one can see it change.
+    /// For each register: the place where its new value waits until all have sampled; `None` if no other register can
+    /// see it change.
     staged: Vec<Option<usize>>,
-    /// Per clock and read port of it: where its data waits.
+    /// For each clock and read port: the place where its data waits.
     reads: Vec<Vec<usize>>,
-    /// Per clock: whether what its edge does depends on which other clocks rise.
+    /// For each clock: whether its edge depends on which other clocks rise.
     entangled: Vec<bool>,
-    /// Per clock: its reset is high.
+    /// For each clock: its reset is high.
     resets: Vec<bool>,
-    /// What waits.
+    /// The waiting values.
     waiting: Vec<u64>,
 }
 
@@ -43,7 +44,7 @@ impl Plan {
     }
 }
 
-/// Whether the clock reads a memory that another clock writes, with a read whose result shows a write at that instant.
+/// Whether the clock reads a memory that another clock writes, with a read that shows a write at the same instant.
 fn is_entangled(program: &Program, clock: u32) -> bool {
     program.memories.iter().any(|memory| {
         memory.policy == ReadUnderWrite::Any
@@ -78,7 +79,8 @@ impl Engine {
         failed
     }
 
-    /// The edge of these clocks: all of them sample, then their registers, read data and memories change. Says what did.
+    /// Executes the edge of these clocks: all of them sample, then their registers, read data and memories change.
+    /// Returns what did.
     pub fn edge(&mut self, rising: &[usize]) -> Triggers {
         self.mark();
         if rising.iter().all(|&clock| self.idle[clock]) {
@@ -157,7 +159,7 @@ impl Engine {
         }
     }
 
-    /// Gives registers and read data of a clock their new values; whether anything changed.
+    /// Stores the new values of registers and read data of a clock; returns whether anything changed.
     fn commit(&mut self, program: &Program, clock: usize) -> bool {
         let mut changed = false;
         let (state, results) = self.limbs.split_at_mut(program.schedule.state_end);
@@ -183,7 +185,7 @@ impl Engine {
     }
 }
 
-/// Replaces the lanes of `out` by those of `next` where they are enabled; whether any changed.
+/// Replaces the lanes of `out` by those of `next` where they are enabled; returns whether any changed.
 fn take(out: &mut [u64], next: &[u64], enable: Option<&[u64]>, limbs: usize) -> bool {
     match enable {
         None => replace(out, next),
@@ -205,14 +207,14 @@ fn take(out: &mut [u64], next: &[u64], enable: Option<&[u64]>, limbs: usize) -> 
     }
 }
 
-/// Replaces `out` by `next`; whether it changed.
+/// Replaces `out` by `next`; returns whether it changed.
 fn replace(out: &mut [u64], next: &[u64]) -> bool {
     let changed = out != next;
     out.copy_from_slice(next);
     changed
 }
 
-/// Resets every lane of a register; whether any changed.
+/// Resets every lane of a register; returns whether any changed.
 fn fill(out: &mut [u64], register: &Register) -> bool {
     let limbs = register.reset(0).expect("it has a reset").len();
     let lanes = (0..).zip(out.chunks_exact_mut(limbs));

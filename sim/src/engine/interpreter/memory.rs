@@ -7,14 +7,14 @@ use tilewright_hdl::limbs_for;
 use super::Engine;
 use crate::engine::program::{Memory, Value, ValueId};
 
-/// Where a word stands among the limbs of its memory.
+/// The range of a word among the limbs of its memory.
 pub(super) fn word(memory: &Memory, lane: u32, address: u32) -> Range<usize> {
     let size = limbs_for(memory.width);
     let start = (lane as usize * memory.depth as usize + address as usize) * size;
     start..start + size
 }
 
-/// The address that a lane of `value` holds, or `None` beyond the depth.
+/// The address in a lane of `value`, or `None` beyond the depth.
 pub(super) fn address(memory: &Memory, value: Value, limbs: &[u64], lane: u32) -> Option<u32> {
     let start = value.offset + lane as usize * value.limbs();
     let (low, high) = limbs[start..start + value.limbs()].split_first().expect("a value has a limb");
@@ -22,7 +22,7 @@ pub(super) fn address(memory: &Memory, value: Value, limbs: &[u64], lane: u32) -
 }
 
 impl Engine {
-    /// An asynchronous read in all lanes; beyond the depth it gives zero.
+    /// An asynchronous read in all lanes; zero beyond the depth.
     pub(super) fn read_memory(&mut self, result: ValueId, memory: u32, address: ValueId) {
         let (declared, words) = (&self.program.memories[memory as usize], &self.memories[memory as usize]);
         let (value, at) = (self.program.value(result), self.program.value(address));
@@ -37,7 +37,7 @@ impl Engine {
         }
     }
 
-    /// A write port's word goes into the memory where it is enabled; whether any word changed.
+    /// Writes a port's word to the memory if enabled; returns whether any word changed.
     pub(super) fn write_memory(&mut self, memory: u32, port: u32) -> bool {
         let declared = &self.program.memories[memory as usize];
         let words = &mut self.memories[memory as usize];

@@ -1,7 +1,7 @@
-//! An interpreter for machines that no code can be generated for: it computes only what may have changed, and values of
-//! up to 64 bits in loops over their lanes.
+//! An interpreter for machines for which no code can be generated. It computes only what may have changed, and values
+//! of up to 64 bits in loops over their lanes.
 //!
-//! All values stand in one array of limbs in the program's order, so that operands always lie before results.
+//! All values are in one array of limbs in the program's sequence, so operands always precede results.
 
 mod edge;
 mod memory;
@@ -21,24 +21,24 @@ use crate::engine::{self, Difference, Done, Failed};
 #[derive(Debug, Clone)]
 pub(crate) struct Engine {
     program: Arc<Program>,
-    /// Every value; [`Program::values`] says where.
+    /// Every value; [`Program::values`] has the places.
     limbs: Vec<u64>,
     /// The words of every memory: lane by lane, address by address.
     memories: Vec<Vec<u64>>,
-    /// What has changed since segments were last marked stale.
+    /// The changes since segments were last flagged as stale.
     pending: Triggers,
-    /// Per segment: its results must be computed again before they are read.
+    /// For each segment: its results must be computed again before they are read.
     stale: Vec<bool>,
-    /// Per value: whether it and its operands have up to 64 bits.
+    /// For each value: whether it and its operands have up to 64 bits.
     narrow: Vec<bool>,
-    /// Per clock: its last edge changed nothing, and nothing that it depends on has changed since.
+    /// For each clock: its last edge changed nothing, and nothing that it depends on has changed since.
     idle: Vec<bool>,
     plan: edge::Plan,
 }
 
 impl Engine {
-    /// The circuit as it is after a reset; what a reset does not set starts from the seed of its run, all zeros if that
-    /// is 0.
+    /// The circuit after a reset. State without a reset value starts from the seed of its run, or from zeros if the
+    /// seed is 0.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
         let mut limbs = vec![0; program.schedule.storage];
         for (id, cell) in program.circuit.cells() {
@@ -61,7 +61,7 @@ impl Engine {
         engine
     }
 
-    /// The limbs of a value in all lanes, computed if they have to be.
+    /// The limbs of a value in all lanes, computed if necessary.
     pub fn read(&mut self, id: ValueId) -> &[u64] {
         let value = self.program.value(id);
         if let Some(segment) = value.segment {
@@ -73,7 +73,7 @@ impl Engine {
         &self.limbs[value.range()]
     }
 
-    /// Sets an input, all lanes of it.
+    /// Sets an input, in all its lanes.
     pub fn write(&mut self, id: ValueId, limbs: &[u64], triggers: Triggers) {
         let range = self.program.value(id).range();
         if self.limbs[range.clone()] != *limbs {
@@ -96,7 +96,7 @@ impl Engine {
         self.stale.fill(true);
     }
 
-    /// Marks what pending changes make stale.
+    /// Flags what pending changes make stale.
     fn mark(&mut self) {
         if self.pending == Triggers::NONE {
             return;
@@ -176,12 +176,12 @@ impl State for Engine {
     }
 }
 
-/// A memory full of zeros, of which the system gives only the pages that are written.
+/// A memory full of zeros; the system provides only the pages that are written.
 fn zeros(memory: &Memory) -> Vec<u64> {
     vec![0; memory.lanes as usize * memory.depth as usize * limbs_for(memory.width)]
 }
 
-/// Whether a value and every operand of it have up to 64 bits.
+/// Whether a value and all its operands have up to 64 bits.
 fn is_narrow(program: &Program, cell: &Cell) -> bool {
     let mut narrow = cell.width <= 64;
     cell.kind.for_each_operand(|operand| narrow &= program.circuit[operand].width <= 64);

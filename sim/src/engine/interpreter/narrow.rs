@@ -1,4 +1,5 @@
-//! Operations on values of up to 64 bits: one limb a lane, loops over lanes inside the choice of operation.
+//! Operations on values of up to 64 bits: one limb a lane, with the loop over lanes inside the choice of the
+//! operation.
 
 use tilewright_hdl::ir::{Binary, Reduction, Relation, Shift, Unary};
 use tilewright_hdl::{Bits, top_mask};
@@ -105,7 +106,7 @@ fn choose(select: u64, on_true: u64, on_false: u64) -> u64 {
     on_false ^ ((on_true ^ on_false) & select.wrapping_neg())
 }
 
-/// The number that `width` bits stand for in two's complement.
+/// The number that `width` bits mean in two's complement.
 fn signed(a: u64, width: u32) -> i64 {
     ((a << (64 - width)) as i64) >> (64 - width)
 }
@@ -130,7 +131,7 @@ fn binary(op: Binary, out: &mut [u64], a: &[u64], b: &[u64], mask: u64) {
     }
 }
 
-/// Signed operands become unsigned ones of the same order when their sign bits are flipped.
+/// Flipping the sign bits makes signed comparisons unsigned ones.
 fn compare(relation: Relation, out: &mut [u64], a: &[u64], b: &[u64], flip: u64) {
     match relation {
         Relation::Eq => map2(out, a, b, |a, b| u64::from(a == b)),

@@ -1,7 +1,7 @@
-//! Which lanes are packed, and how many in a word.
+//! Selects the lanes that are packed, and their number in a word.
 //!
-//! Values that are computed from each other by logic are packed together or not at all. It is worth it where few lanes are
-//! packed or unpacked on the way in and out, as that is done lane by lane.
+//! Values connected by logic are packed together or not at all. It is worth it if few lanes are packed or unpacked at
+//! the borders, because that is done lane by lane.
 
 use rustc_hash::FxHashMap;
 use tilewright_hdl::ir::ReadUnderWrite;
@@ -9,18 +9,18 @@ use tilewright_hdl::ir::ReadUnderWrite;
 use super::making::{Making, Shifted, making, repeated, shifted};
 use crate::engine::program::{Axis, Cell, Circuit, Kind, Memory, Program, ValueId};
 
-/// The lanes that words may have, the most first.
+/// The possible numbers of lanes in a word, the largest first.
 const WORDS: [u32; 4] = [64, 32, 16, 8];
 /// Lanes that are computed at once without being packed.
 const AT_ONCE: u32 = 16;
-/// What it costs to pack or unpack a lane, in lanes that are computed one by one.
+/// The cost of packing or unpacking a lane, in lanes computed one by one.
 const LANE_BY_LANE: i64 = 2;
-/// What it costs to gather a lane of two values, of which it is one.
+/// The cost of gathering a lane from one of two values.
 const GATHERED: i64 = 4;
-/// The gain where words of so many lanes cannot be.
+/// The gain if words with this number of lanes are impossible.
 const NEVER: i64 = i64::MIN >> 32;
 
-/// What is packed, with the lanes in a word.
+/// The packed values, with the lanes in a word.
 #[derive(Debug, Default)]
 pub(super) struct Choice {
     pub values: FxHashMap<ValueId, u32>,
@@ -40,7 +40,7 @@ pub(super) fn choose(program: &Program) -> Choice {
     }
     let mut members: Vec<Vec<usize>> = members.into_values().collect();
     members.sort();
-    // What stays as it is has to be packed for those that take it, which may be too much for them.
+    // Unchanged values must be packed for their users, which may cost the users too much.
     loop {
         let (packed, apart): (Vec<_>, Vec<_>) = members.into_iter().partition(|nodes| groups.best(nodes).is_some());
         apart.iter().flatten().for_each(|&node| groups.is_packable[node] = false);
@@ -64,13 +64,13 @@ pub(super) fn choose(program: &Program) -> Choice {
 /// Values, and after them memories, in groups.
 struct Groups<'a> {
     program: &'a Program,
-    /// Per value, and per memory: it can be packed.
+    /// For each value and memory: it can be packed.
     is_packable: Vec<bool>,
-    /// Per value and per memory: another one of its group, nearer to its root.
+    /// For each value and memory: another one of its group, nearer to its root.
     above: Vec<usize>,
-    /// Per value: an edge needs it.
+    /// For each value: an edge needs it.
     is_needed: Vec<bool>,
-    /// Per value that can be packed: what an edge needs of those that take it; itself, if that is no value.
+    /// For each value that can be packed: the needed values that use it; itself, if the user is not a value.
     takers: Vec<Vec<ValueId>>,
 }
 
@@ -93,21 +93,21 @@ impl<'a> Groups<'a> {
         self.is_packable[id.index()]
     }
 
-    /// The place of a memory among values and memories.
+    /// The index of a memory among values and memories.
     fn node(&self, memory: u32) -> usize {
         self.program.circuit.len() + memory as usize
     }
 
     fn root(&mut self, mut node: usize) -> usize {
         while self.above[node] != node {
-            // The way is half as long the next time.
+            // Path halving.
             self.above[node] = self.above[self.above[node]];
             node = self.above[node];
         }
         node
     }
 
-    /// Makes one group of those of two values or memories, if both can be packed.
+    /// Merges the groups of two values or memories, if both can be packed.
     fn join(&mut self, a: usize, b: usize) {
         if self.is_packable[a] && self.is_packable[b] {
             let (a, b) = (self.root(a), self.root(b));
@@ -138,7 +138,7 @@ impl<'a> Groups<'a> {
         }
     }
 
-    /// Sees who takes what can be packed.
+    /// Finds the users of what can be packed.
     fn look(&mut self) {
         let program = self.program;
         let roots: Vec<ValueId> = (0..program.clocks.len()).flat_map(|clock| program.sampled(clock, true)).collect();
@@ -162,7 +162,7 @@ impl<'a> Groups<'a> {
         takes.into_iter().for_each(|id| self.takers[id.index()].push(id));
     }
 
-    /// The lanes of a word, where packing a group gains most; none if it gains nothing.
+    /// The lanes of a word with which packing a group gains the most; `None` if there is no gain.
     fn best(&self, nodes: &[usize]) -> Option<u32> {
         let Program { circuit, memories, .. } = self.program;
         let lanes = match nodes[0].checked_sub(circuit.len()) {
@@ -174,7 +174,7 @@ impl<'a> Groups<'a> {
         (gain > 0).then_some(best)
     }
 
-    /// What is gained by packing a group, in lanes that are not computed.
+    /// The gain of packing a group, in lanes that are not computed.
     fn gain(&self, nodes: &[usize], lanes: u32) -> i64 {
         nodes.iter().map(|&node| self.gain_of(node, lanes)).sum()
     }
@@ -194,23 +194,23 @@ impl<'a> Groups<'a> {
         let id = ValueId(node as u32);
         let all = i64::from(circuit[id].lanes);
         let made = match making(circuit, id, lanes) {
-            // What is only looked at is packed if that is for nothing.
+            // A value that is only observed is packed if that costs nothing.
             Some(_) if !self.is_needed[node] => i64::from(self.packed_operands(id, lanes) == 0),
             None if matches!(circuit[id].kind, Kind::Read { .. }) => NEVER,
             None if !self.is_needed[node] => 0,
-            // They would be gathered, a table saying which is which.
+            // They would be gathered by a table.
             Some(Making::Alternating) => GATHERED * all - self.packed_operands(id, lanes),
             Some(_) => i64::from(circuit[id].lanes.div_ceil(AT_ONCE)) - self.packed_operands(id, lanes),
             None if all % i64::from(lanes) == 0 => -LANE_BY_LANE * all,
             None => NEVER,
         };
         let is_unpacked = self.takers[node].iter().any(|&by| !self.takes_words(by, id, lanes));
-        // All lanes look at the one word of a row at once.
+        // All lanes read the one word of a row at once.
         let unpacking = if all == i64::from(lanes) { all } else { LANE_BY_LANE * all };
         made - if is_unpacked { unpacking } else { 0 }
     }
 
-    /// What it costs to pack the operands of an operation that are of no group.
+    /// The cost of packing the operands of an operation that belong to no group.
     fn packed_operands(&self, id: ValueId, lanes: u32) -> i64 {
         let (circuit, mut cost) = (&self.program.circuit, 0);
         circuit[id].kind.for_each_operand(|operand| {
@@ -229,7 +229,7 @@ impl<'a> Groups<'a> {
         cost
     }
 
-    /// Whether what takes a value can take its words.
+    /// Whether the user of a value can use its words.
     fn takes_words(&self, by: ValueId, of: ValueId, lanes: u32) -> bool {
         let circuit = &self.program.circuit;
         match circuit[by].kind {
@@ -238,19 +238,19 @@ impl<'a> Groups<'a> {
             Kind::Pack { axis: Axis { count, inner: 1 }, .. } | Kind::Reduce { axis: Axis { count, inner: 1 }, .. } => {
                 count.is_multiple_of(lanes)
             }
-            // Few lanes are left of many.
+            // Few of many lanes remain.
             Kind::Lane { .. } => true,
             _ => self.is_packable(by) && making(circuit, by, lanes).is_some(),
         }
     }
 }
 
-/// Whether what moves lanes takes a lane of an operand for each word: what stands at the edge.
+/// Whether an operation that moves lanes uses a single lane of an operand for each word: the value at the edge.
 fn is_taken_apart(kind: &Kind, operand: ValueId) -> bool {
     matches!(shifted(kind), Some(Shifted { edge, .. }) if edge == operand)
 }
 
-/// Per value, and then per memory: whether its lanes, one bit each, can be packed.
+/// For each value, and then for each memory: whether its lanes, one bit each, can be packed.
 fn packable(program: &Program) -> Vec<bool> {
     let Program { circuit, passes, .. } = program;
     let are_enough = |lanes: u32| lanes >= passes.pack_from.max(2);
@@ -266,7 +266,7 @@ fn packable(program: &Program) -> Vec<bool> {
             && match cell.kind {
                 Kind::State => is_state[id.index()],
                 Kind::Read { memory, .. } => memories[memory as usize],
-                // Who needs it repeats it in each word.
+                // Its users repeat it in each word.
                 Kind::Const(_) | Kind::Broadcast { axis: Axis { inner: 1, .. }, .. } => false,
                 _ => true,
             }
@@ -274,8 +274,8 @@ fn packable(program: &Program) -> Vec<bool> {
     circuit.cells().map(is_packable).chain(memories.iter().copied()).collect()
 }
 
-/// Whether a memory has one bit a lane, the same address for all of them, and one write at most. Where a read that is made with
-/// the write gives anything, only lanes that are written may show so.
+/// Whether a memory has one bit a lane, the same address for all of them, and at most one write. If a read during a
+/// write is undefined, only written lanes may show it.
 fn is_packable_memory(circuit: &Circuit, memory: &Memory) -> bool {
     let is_same = |id: ValueId| repeated(circuit, id, 1).is_some() || circuit.constant(id).is_some();
     let is_written_alike = memory.writes.iter().all(|write| is_same(write.enable));

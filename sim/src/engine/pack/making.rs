@@ -1,13 +1,13 @@
-//! How the words of a value come about, if its lanes are packed.
+//! The way in which the words of a value are made, if its lanes are packed.
 
 use tilewright_hdl::ir::{Affine, Binary};
 
 use crate::engine::program::{Axis, Circuit, Kind, ValueId};
 
-/// How words come about.
+/// The ways to make words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Making {
-    /// The bits of a word are all alike.
+    /// The bits of a word are all equal.
     Constant,
     /// Each bit is known.
     Known,
@@ -17,24 +17,25 @@ pub(super) enum Making {
     Logic,
     /// By the same operation on words of the operands, along an axis that counts words where it counted lanes.
     Moved,
-    /// By choosing among words, for all lanes of a word alike.
+    /// By selecting among words, for all lanes of a word alike.
     Picked,
-    /// Each lane of this value is all bits of so many words.
+    /// Each lane of this value fills this number of words.
     Repeated { of: ValueId, words: u32 },
     /// They are the parts of a wider value.
     Parts,
     /// From shorter words, side by side.
     Joined,
-    /// Bits of two words alternate, or each bit of one stands twice.
+    /// Bits of two words alternate, or each bit of one is doubled.
     Alternating,
-    /// The bits of a word are moved, and those of the next one enter at its end.
+    /// The bits of a word are shifted, and those of the next one are shifted in.
     Shifted,
 }
 
-/// The most words that are known one by one: each is an operation.
+/// The most known words: each is an operation.
 const MOST_KNOWN: u32 = 1024;
 
-/// How the words of a value come about, of so many lanes each; none if it is computed lane by lane, and packed then.
+/// The way to make the words of a value, with this number of lanes each; `None` if its lanes are computed one by one
+/// and then packed.
 pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Making> {
     let cell = &circuit[id];
     if !cell.lanes.is_multiple_of(lanes) {
@@ -75,7 +76,7 @@ pub(super) fn making(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<Makin
     }
 }
 
-/// Whether each bit of the result follows from the same bit of operands of one bit.
+/// Whether each bit of the result depends on the same bit of 1-bit operands.
 fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
     match kind {
         Kind::Alias(_) | Kind::Mux { .. } | Kind::Select { .. } => true,
@@ -86,7 +87,7 @@ fn is_logic(circuit: &Circuit, kind: &Kind) -> bool {
     }
 }
 
-/// Whether lanes of one bit are constants, put together.
+/// Whether lanes of one bit are stacked constants.
 fn is_known(circuit: &Circuit, id: ValueId) -> bool {
     match &circuit[id].kind {
         Kind::Const(_) => true,
@@ -97,7 +98,7 @@ fn is_known(circuit: &Circuit, id: ValueId) -> bool {
     }
 }
 
-/// The bit of a lane that [`is_known`].
+/// The bit of a lane for which [`is_known`] is true.
 pub(super) fn known(circuit: &Circuit, id: ValueId, lane: u32) -> bool {
     match &circuit[id].kind {
         Kind::Const(bits) => bits.bit(0),
@@ -108,7 +109,8 @@ pub(super) fn known(circuit: &Circuit, id: ValueId, lane: u32) -> bool {
     }
 }
 
-/// Of lanes that alternate between two values along the last axis, which may be one value: these, and their lanes along it.
+/// For lanes that alternate between two values along the last axis, which may be equal: the values, and their lanes
+/// along it.
 pub(super) fn alternating(kind: &Kind) -> Option<([ValueId; 2], u32)> {
     match kind {
         Kind::Interleave { parts, axis: Axis { count, inner: 1 } } => match parts[..] {
@@ -126,7 +128,7 @@ pub(super) fn alternating(kind: &Kind) -> Option<([ValueId; 2], u32)> {
     }
 }
 
-/// Lanes that are moved along the last axis.
+/// Lanes that are shifted along the last axis.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shifted {
     pub of: ValueId,
@@ -134,11 +136,11 @@ pub(super) struct Shifted {
     pub count: u32,
     /// Lane `i` is lane `i + by`.
     pub by: i32,
-    /// What stands where there is none, without the axis.
+    /// The value where there is no such lane, without the axis.
     pub edge: ValueId,
 }
 
-/// How an operation moves lanes along the last axis, if it moves them all alike.
+/// The shift of an operation along the last axis, if it moves all lanes by one distance.
 pub(super) fn shifted(kind: &Kind) -> Option<Shifted> {
     match *kind {
         Kind::Map {
@@ -152,7 +154,7 @@ pub(super) fn shifted(kind: &Kind) -> Option<Shifted> {
     }
 }
 
-/// What a value is the same as in all lanes of a word, and how many words each lane of that stands for.
+/// The value that all lanes of a word equal, and the number of words for each of its lanes.
 pub(super) fn repeated(circuit: &Circuit, id: ValueId, lanes: u32) -> Option<(ValueId, u32)> {
     match circuit[id].kind {
         Kind::Broadcast { of, axis: Axis { count, inner: 1 } } if count.is_multiple_of(lanes) => {

@@ -1,8 +1,8 @@
-//! Lanes of one bit, packed: the bits of up to 64 lanes in a word of the machine.
+//! Packs lanes of one bit: up to 64 of them in a machine word.
 //!
-//! What is done to such lanes is logic, which words do to all their bits at once. So registers and memories of one bit a lane become
-//! some of a word for each 64 lanes, or for as many as are moved together, and so does what is computed between them.
-//! What is looked at as lanes is unpacked by who looks.
+//! Such lanes are mostly used in logic, which words apply to all their bits at once. So registers and memories with
+//! one bit a lane get a word for each 64 lanes, or for as many as are moved together. So do the values computed
+//! between them. Whoever reads single lanes unpacks them.
 
 mod choose;
 mod making;
@@ -20,20 +20,20 @@ use super::program::{
 use choose::Choice;
 use words::Words;
 
-/// A program whose lanes of one bit are packed. Values have the numbers that they had; words come after them.
+/// A program whose lanes of one bit are packed. Values keep their numbers; words come after them.
 pub(crate) struct Packed {
-    /// The program; what its words start with is not said here, but by the program that it was.
+    /// The program. The start values of its words are those of the original program.
     pub program: Program,
-    /// Where bits are.
+    /// The places of the bits.
     pub places: Places,
 }
 
-/// Where the bits of lanes are: that of lane `i` is bit `i % n` of word `i / n`, if a word has those of `n` lanes.
+/// The places of the bits of lanes: if a word has `n` lanes, lane `i` is bit `i % n` of word `i / n`.
 #[derive(Debug, Default)]
 pub(crate) struct Places {
-    /// For registers, and the data of synchronous reads, that are packed: their words, and the lanes of each.
+    /// For packed registers and packed read data: their words, and the lanes of each.
     pub states: FxHashMap<ValueId, (ValueId, u32)>,
-    /// For memories that are packed: the lanes of a word.
+    /// For packed memories: the lanes of a word.
     pub memories: FxHashMap<u32, u32>,
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn pack(program: Program) -> Packed {
     for (id, clock) in states_of(&program) {
         if let Some(&lanes) = choice.values.get(&id) {
             states.insert(id, (words.of(id, lanes), lanes));
-            // It is computed now, by who looks at it.
+            // It is computed now, by its readers.
             let schedule = &mut packed.schedule;
             schedule.slots[id.index()].1 = Some(schedule.segments.len() as u32);
             let (values, triggers) = (id.0..id.0 + 1, Triggers::state(clock as usize));
@@ -77,7 +77,7 @@ fn states_of(program: &Program) -> impl Iterator<Item = (ValueId, u32)> {
     program.registers.iter().map(|register| (register.value, register.clock)).chain(reads)
 }
 
-/// Names words after the lanes that they pack.
+/// Names words after their lanes.
 fn name(program: &mut Program, states: &FxHashMap<ValueId, (ValueId, u32)>) {
     for scope in &mut program.hierarchy.scopes {
         for signal in std::mem::take(&mut scope.signals) {
@@ -100,7 +100,7 @@ struct Pack<'a> {
 }
 
 impl Pack<'_> {
-    /// What a register becomes.
+    /// The replacement of a register.
     fn register(&mut self, register: &Register) -> Register {
         let Some(&lanes) = self.choice.values.get(&register.value) else { return register.clone() };
         let words = &mut self.words;
@@ -124,7 +124,7 @@ impl Pack<'_> {
         packed
     }
 
-    /// What a memory becomes.
+    /// The replacement of a memory.
     fn memory(&mut self, index: u32, memory: &Memory) -> Memory {
         let Some(&lanes) = self.choice.memories.get(&index) else { return memory.clone() };
         let words = &mut self.words;
@@ -138,7 +138,7 @@ impl Pack<'_> {
         let reads = reads.collect();
         let writes = memory.writes.iter().map(|write| {
             let (address, data) = (same(words, write.address), words.of(write.data, lanes));
-            // Where not all lanes of a word are written, the others are written as they are.
+            // If only some lanes of a word are written, the others are written back unchanged.
             match words.same(write.enable, lanes) {
                 Some(enable) => WritePort { clock: write.clock, enable, address, data },
                 None => {
@@ -167,7 +167,7 @@ impl Pack<'_> {
     }
 }
 
-/// What words start with, given what their lanes do.
+/// The start values of words, from those of their lanes.
 fn packed_start(start: &Init, all: u32, lanes: u32) -> Init {
     match start {
         Init::Same(bit) if bit.is_zero() => Init::Same(Bits::zero(lanes)),

@@ -11,7 +11,7 @@ use crate::engine::program::{Axis, Kind, ValueId};
 const HALF: u32 = 32;
 
 impl Words<'_> {
-    /// Words that are put together from shorter ones.
+    /// Words assembled from shorter ones.
     pub(super) fn joined(&mut self, kind: Kind) -> Kind {
         match kind {
             Kind::Broadcast { of, axis } => Kind::Repeat(self.of(of, axis.inner), axis.count),
@@ -22,7 +22,7 @@ impl Words<'_> {
         }
     }
 
-    /// Words of so many lanes, in which bits of two values alternate.
+    /// Words with this number of lanes, in which bits of two values alternate.
     pub(super) fn alternating(&mut self, id: ValueId, kind: &Kind, lanes: u32) -> ValueId {
         let (of, count) = alternating(kind).expect("its lanes alternate");
         let half = lanes / 2;
@@ -30,7 +30,7 @@ impl Words<'_> {
             let of = of.map(|of| self.of(of, half));
             return self.alternate(id, of);
         }
-        // A word of each gives two.
+        // A word of each gives two words.
         let of = of.map(|of| self.of(of, lanes));
         let words = self.circuit[of[0]].lanes;
         let parts = [0, half].map(|low| {
@@ -40,7 +40,7 @@ impl Words<'_> {
         self.push(id, Kind::Stack { parts: parts.to_vec(), inner: 1 }, 2 * words, lanes)
     }
 
-    /// Words whose bits are those of two words in turn.
+    /// Words that alternate the bits of two words.
     fn alternate(&mut self, id: ValueId, [even, odd]: [ValueId; 2]) -> ValueId {
         let (words, width) = (self.circuit[even].lanes, self.circuit[even].width);
         let whole = 2 * width;
@@ -66,8 +66,8 @@ impl Words<'_> {
         self.push(id, Kind::Binary(Binary::Or, first, second), words, whole)
     }
 
-    /// Moves the lowest `count` bits of words to every second place; in words of 64 bits, those of each half to such places of the
-    /// half, if they fit.
+    /// Moves the lowest `count` bits of words to every second place. In words of 64 bits, it moves those of each half
+    /// within the half, if they fit.
     ///
     /// ```text
     ///         hgfedcba
@@ -98,7 +98,8 @@ impl Words<'_> {
         self.push(id, Kind::Shift(Shift::Left, of, by), words, width)
     }
 
-    /// Words of so many lanes, whose bits are moved, and bits of the next word, or from beyond the end, with them.
+    /// Words with this number of lanes whose bits are shifted; bits of the next word, or from beyond the end, are
+    /// shifted in.
     pub(super) fn shifted(&mut self, id: ValueId, kind: &Kind, lanes: u32) -> Kind {
         let Shifted { of, count, by, edge } = shifted(kind).expect("its lanes are moved");
         let of = self.of(of, lanes);
@@ -112,7 +113,7 @@ impl Words<'_> {
             edge: Some(edge),
         };
         let next = self.push(id, next, words, lanes);
-        // From the next word comes what is at its other end.
+        // Bits from the other end of the next word.
         let (kept, entering) = if by > 0 { (distance, 0) } else { (0, lanes - distance) };
         let kept = self.push(id, Kind::Slice(of, kept), words, lanes - distance);
         let entering = self.push(id, Kind::Slice(next, entering), words, distance);

@@ -31,7 +31,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Has all values that are packed come from their words, and what takes lanes of words take those.
+    /// Computes all packed values from their words, and makes operations that use lanes of words use the words.
     pub fn unpack(&mut self, values: impl Iterator<Item = ValueId>) {
         for id in values {
             match self.choice.values.get(&id) {
@@ -46,7 +46,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The words of a value, of so many lanes each.
+    /// The words of a value, with this number of lanes each.
     pub fn of(&mut self, id: ValueId, lanes: u32) -> ValueId {
         if lanes == 1 {
             return id;
@@ -70,7 +70,7 @@ impl<'a> Words<'a> {
         made
     }
 
-    /// Where the words of `on_true` are to be taken, those of `on_false` elsewhere.
+    /// The words of `on_true` where `select` is high, and of `on_false` elsewhere.
     pub fn choose(&mut self, select: ValueId, lanes: u32, on_true: ValueId, on_false: ValueId) -> ValueId {
         let Cell { lanes: words, width, .. } = self.circuit[on_true];
         let flag =
@@ -100,7 +100,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// For each word, what a value is in all lanes of it, if it is the same there.
+    /// For each word, the value common to all its lanes, if there is one.
     pub fn same(&mut self, id: ValueId, lanes: u32) -> Option<ValueId> {
         let Cell { ref kind, width, .. } = self.circuit[id];
         let words = self.words(id, lanes);
@@ -111,7 +111,7 @@ impl<'a> Words<'a> {
         Some(if count == 1 { of } else { self.push(id, Kind::Broadcast { of, axis: Axis::last(count) }, words, width) })
     }
 
-    /// A flag for each word, high at least where a bit of it is; the same for all words where it can be.
+    /// A flag for each word, high at least if one of its bits is; the same for all words if possible.
     pub fn any(&mut self, id: ValueId, lanes: u32) -> ValueId {
         if let Some(same) = self.same(id, lanes) {
             return same;
@@ -237,7 +237,7 @@ impl<'a> Words<'a> {
                 let inverted = logic(Kind::Unary(Unary::Not, inverted));
                 kind = Kind::Binary(op, of, inverted);
             }
-            // Of one bit all reductions are the bit.
+            // Every reduction of one bit is the bit.
             Kind::Unary(op, of) => {
                 let of = self.of(of, lanes);
                 kind = if op == Unary::Not { Kind::Unary(op, of) } else { Kind::Alias(of) };
@@ -253,7 +253,7 @@ impl<'a> Words<'a> {
         self.push(id, kind, words, lanes)
     }
 
-    /// Has a value that combines lanes, puts them side by side or is some of them take the words that they are in.
+    /// Makes an operation that combines lanes, concatenates them or selects some of them use their words.
     fn gather(&mut self, id: ValueId) {
         let Cell { ref kind, lanes: all, .. } = self.circuit[id];
         let kind = kind.clone();
@@ -276,7 +276,7 @@ impl<'a> Words<'a> {
             }
             Kind::Pack { .. } if is_along && one => Kind::Alias(words),
             Kind::Pack { .. } if is_along => Kind::Pack { of: words, axis: Axis::last(count) },
-            // A row that is within a word.
+            // A row within a word.
             Kind::Lane { index, .. } if all == axis.inner && lanes.is_multiple_of(all) => {
                 let first = index * all;
                 let of_words = Axis::last(self.circuit[words].lanes);
@@ -291,7 +291,7 @@ impl<'a> Words<'a> {
     }
 }
 
-/// Has an operation that moves lanes, or combines those that lie apart, move words of so many.
+/// Makes an operation that moves lanes, or combines distant ones, move words with this number of lanes.
 fn shorten(kind: &mut Kind, lanes: u32) {
     match kind {
         Kind::Broadcast { axis, .. }

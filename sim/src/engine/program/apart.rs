@@ -1,8 +1,8 @@
-//! Which arrays run instance by instance: those of machines that are arrays themselves.
+//! Selects arrays that run instance by instance: those of machines that are arrays themselves.
 //!
-//! Instances of an array run in lanes, all of them at every edge. One whose values have lanes enough of its own, and that has
-//! much to decide besides, gains nothing by that, and its neighbours cost as much while they wait. So each runs by itself,
-//! as a *unit*, and the compiled engine leaves out those that have nothing to do (`compiled/units`).
+//! Instances of an array run in lanes, all of them at every edge. An instance whose values have many lanes of its
+//! own, and that makes many scalar decisions, gains nothing by that; and idle ones cost as much as busy ones. So each
+//! runs by itself, as a *unit*, and the compiled engine skips units that have nothing to do (`compiled/units`).
 
 use std::collections::BTreeSet;
 
@@ -12,12 +12,12 @@ use super::flatten::Key;
 use super::instances::key_of;
 use crate::engine::Passes;
 
-/// The most units of an array, as each has code of its own.
+/// The most units of an array, because each has code of its own.
 const MOST: u32 = 64;
 /// The most operations of all units of an array together.
 const OPERATIONS: usize = 200_000;
 
-/// The arrays whose instances run apart.
+/// The arrays whose instances run separately.
 pub(super) fn arrays(design: &Design, passes: &Passes) -> BTreeSet<Key> {
     let mut found = BTreeSet::new();
     let sizes = sizes(design);
@@ -25,12 +25,12 @@ pub(super) fn arrays(design: &Design, passes: &Passes) -> BTreeSet<Key> {
     found
 }
 
-/// How large a module is, with all that is in it.
+/// The size of a module, including everything in it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Size {
-    /// The most lanes that a value has.
+    /// The most lanes of a value.
     lanes: u32,
-    /// Operations on single values.
+    /// Operations on scalars.
     single: usize,
     /// All operations.
     all: usize,
@@ -47,7 +47,7 @@ fn sizes(design: &Design) -> Vec<Size> {
             size.all += 1;
         }
         for instance in &module.instances {
-            // Modules stand before those that they are in.
+            // Modules precede those that contain them.
             let inside = sizes[instance.module.0 as usize];
             size.lanes = size.lanes.max(inside.lanes.saturating_mul(instance.shape.lanes()));
             size.single += if instance.shape.is_plain() { inside.single } else { 0 };
@@ -58,7 +58,7 @@ fn sizes(design: &Design) -> Vec<Size> {
     sizes
 }
 
-/// Looks into a module of which there is one, and into the single instances in it.
+/// Visits a module with one instance, and the single instances in it.
 fn enter(design: &Design, module: &Module, key: &Key, sizes: &[Size], passes: &Passes, found: &mut BTreeSet<Key>) {
     for instance in &module.instances {
         let (key, count) = (key_of(key, instance), instance.shape.lanes());

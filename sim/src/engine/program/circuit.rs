@@ -1,4 +1,5 @@
-//! The circuit of operations: what flattening makes of a design, what every pass rewrites, and what code is made of.
+//! The circuit of operations: the result of flattening a design, which every pass rewrites and from which code is
+//! made.
 
 use std::ops::Index;
 
@@ -6,7 +7,7 @@ use tilewright_hdl::{Bits, Loc};
 
 use super::Kind;
 
-/// A value's place in a [`Circuit`].
+/// The index of a value in a [`Circuit`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ValueId(pub u32);
 
@@ -17,10 +18,10 @@ impl ValueId {
     }
 }
 
-/// A value: how it comes about, and its shape. Two equal cells of a circuit compute the same, unless they are state.
+/// A value: its operation and its shape. Two equal cells of a circuit compute the same, unless they are state.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct Cell {
-    /// How it comes about.
+    /// Its operation.
     pub kind: Kind,
     /// The number of lanes, at least 1.
     pub lanes: u32,
@@ -29,37 +30,38 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// A cell of so many lanes of so many bits.
+    /// A cell with this number of lanes of this width.
     pub fn new(kind: Kind, lanes: u32, width: u32) -> Cell {
         Cell { kind, lanes, width }
     }
 }
 
-/// Values, each computed from others. What it reads from and changes (registers, memories, ports) stands beside it.
+/// Values, each computed from others. The objects that it reads and changes (registers, memories, ports) are stored
+/// beside it.
 #[derive(Debug, Clone, Default)]
 pub struct Circuit {
     cells: Vec<Cell>,
-    /// Per cell: where the description has it.
+    /// For each cell its place in the description.
     locs: Vec<Option<Loc>>,
 }
 
 impl Circuit {
-    /// How many cells there are.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.cells.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no cells.
     pub fn is_empty(&self) -> bool {
         self.cells.is_empty()
     }
 
-    /// All ids, in order.
+    /// All ids, in sequence.
     pub fn ids(&self) -> impl DoubleEndedIterator<Item = ValueId> + use<> {
         (0..self.cells.len() as u32).map(ValueId)
     }
 
-    /// All cells, in order.
+    /// All cells, in sequence.
     pub fn cells(&self) -> impl Iterator<Item = (ValueId, &Cell)> {
         (0..).map(ValueId).zip(&self.cells)
     }
@@ -71,23 +73,23 @@ impl Circuit {
         ValueId(self.cells.len() as u32 - 1)
     }
 
-    /// Replaces how a value comes about.
+    /// Replaces the operation of a value.
     pub fn set_kind(&mut self, id: ValueId, kind: Kind) {
         self.cells[id.index()].kind = kind;
     }
 
-    /// Forgets all cells but so many.
+    /// Drops all cells after the first `cells`.
     pub fn truncate(&mut self, cells: usize) {
         self.cells.truncate(cells);
         self.locs.truncate(cells);
     }
 
-    /// Where the description has a value.
+    /// The place of a value in the description.
     pub fn loc(&self, id: ValueId) -> Option<Loc> {
         self.locs[id.index()]
     }
 
-    /// What a value is in every lane, if it is constant.
+    /// The value in every lane, if it is constant.
     pub fn constant(&self, id: ValueId) -> Option<&Bits> {
         match &self[id].kind {
             Kind::Const(bits) => Some(bits),
@@ -95,12 +97,12 @@ impl Circuit {
         }
     }
 
-    /// Whether a value is a flag, the same in every lane, that is known.
+    /// The flag's known value, if it is constant in every lane.
     pub fn known(&self, flag: ValueId) -> Option<bool> {
         self.constant(flag).map(|bits| !bits.is_zero())
     }
 
-    /// All that these values are computed from, and they themselves, each after its operands.
+    /// Everything that these values are computed from, and they themselves, each after its operands.
     pub fn needed(&self, roots: impl IntoIterator<Item = ValueId>) -> Vec<ValueId> {
         let mut seen = vec![false; self.cells.len()];
         let mut order = Vec::new();

@@ -1,4 +1,4 @@
-//! Combinational cycles, found without recursion so that a chain of any depth will do.
+//! Combinational cycles, found without recursion, so that chains may have any depth.
 
 use super::{Circuit, ValueId};
 
@@ -24,7 +24,7 @@ struct Graph {
     users: Edges,
 }
 
-/// For each cell the cells at the other end, back to back.
+/// For each cell the cells at the other end, in one list.
 struct Edges {
     starts: Vec<u32>,
     ends: Vec<u32>,
@@ -62,7 +62,7 @@ impl Graph {
         Graph { users: operands.reversed(), operands }
     }
 
-    /// Takes away, in order, every cell among `among` that has no `before` left there.
+    /// Removes, in sequence, every cell in `among` that has no `before` left there.
     fn peel(&self, before: &Edges, after: &Edges, among: Vec<bool>) -> Vec<u32> {
         let cells = || (0..among.len() as u32).filter(|&cell| among[cell as usize]);
         let mut waiting = vec![0; among.len()];

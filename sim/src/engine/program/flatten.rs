@@ -1,4 +1,4 @@
-//! From modules and instances to one flat netlist. Instance arrays stay whole, except those asked to be unrolled.
+//! From modules and instances to one flat netlist. Instance arrays stay whole, unless they are to be unrolled.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
@@ -10,30 +10,29 @@ use super::{Axis, Cell, Clock, Kind, Passes, Port, Program, Triggers, UnitId, Va
 
 /// A design made flat.
 pub(super) struct Flat {
-    /// Its cells in no particular order; nothing is scheduled.
+    /// Its cells in no particular sequence; nothing is scheduled.
     pub program: Program,
-    /// The outputs of arrays that are kept whole, with the array that each is of.
+    /// The outputs of whole arrays, with the array of each.
     pub array_outputs: Vec<(ValueId, Key)>,
     /// The instances, with the cell of the first node of each.
     pub instances: Vec<(u32, ModuleId, Key)>,
 }
 
-/// An instance or an instance array, the same one whatever lane it is looked at from: the instances' names from the top
-/// down.
+/// An instance or an instance array, independent of the lane: the instances' names from the top down.
 pub(super) type Key = Vec<String>;
 
-/// What is not evaluated in all lanes at once, as its lanes depend on each other.
+/// Objects whose lanes depend on each other, so they are not evaluated at once.
 #[derive(Default, PartialEq, Eq, Clone)]
 pub(super) struct Unrolled {
     /// Arrays that become single instances.
     pub arrays: BTreeSet<Key>,
-    /// Those of them whose instances are units.
+    /// Those arrays whose instances are units.
     pub apart: BTreeSet<Key>,
-    /// Nodes of which each lane is computed alone, by the instance that they are in.
+    /// Nodes whose lanes are computed separately, by their instance.
     pub nodes: BTreeMap<Key, BTreeSet<NodeId>>,
 }
 
-/// The design as cells, so many times side by side.
+/// The design as cells, repeated `lanes` times.
 pub(super) fn flatten(design: &Design, lanes: u32, unrolled: &Unrolled, passes: &Passes) -> Flat {
     let program = Program { passes: passes.clone(), ..Program::default() };
     let flat = Flat { program, array_outputs: Vec::new(), instances: Vec::new() };
@@ -57,13 +56,13 @@ pub(super) struct Flatten<'a> {
     pub(super) design: &'a Design,
     pub(super) unrolled: &'a Unrolled,
     pub(super) flat: Flat,
-    /// What a testbench sets for the inputs of the top that have lanes.
+    /// The values that a testbench sets for the inputs of the top that have lanes.
     top_inputs: HashMap<NodeId, ValueId>,
     /// The address of each asynchronous read port, by memory of the program and port, in all lanes.
     pub(super) addresses: HashMap<(u32, u32), ValueId>,
     /// Instances whose cells have ids but are not filled in yet.
     open: VecDeque<Body>,
-    /// How many units there are so far.
+    /// The number of units so far.
     pub(super) units: u32,
 }
 
@@ -82,16 +81,16 @@ pub(super) struct Entered {
 pub(super) struct Body {
     pub(super) module: ModuleId,
     pub(super) key: Key,
-    /// Its scope; several if it stands for instances that were written one by one.
+    /// Its scope; several if it represents separate instances.
     pub(super) scopes: Vec<ScopeId>,
     pub(super) lanes: u32,
     /// The unit that it is in, or is.
     pub(super) unit: Option<UnitId>,
     /// The cell of the module's first node; the others follow.
     base: u32,
-    /// The first of a node's cells for single lanes, for nodes with lanes where something is unrolled.
+    /// The first of a node's cells for single lanes, if the node is unrolled.
     pub(super) split: Vec<Option<u32>>,
-    /// What drives the inputs; empty for the top, whose inputs are state.
+    /// The drivers of the inputs; empty for the top, whose inputs are state.
     inputs: Vec<ValueId>,
     /// The program's clock for each clock of the module.
     pub(super) clocks: Vec<u32>,
@@ -150,7 +149,7 @@ impl Flatten<'_> {
         }
     }
 
-    /// What a testbench sets for an input of the top: all lanes side by side, the first in the lowest bits.
+    /// The value that a testbench sets for an input of the top: all lanes side by side, the first in the lowest bits.
     fn packed_input(&mut self, module: &Module, id: NodeId, input: ValueId, lanes: u32) -> ValueId {
         let node = module.node(id);
         if node.shape.is_plain() {
@@ -163,7 +162,7 @@ impl Flatten<'_> {
         port
     }
 
-    /// What a testbench gets of an output of the top.
+    /// The value that a testbench reads of an output of the top.
     fn packed_output(&mut self, node: &Node, of: ValueId, lanes: u32) -> ValueId {
         if node.shape.is_plain() {
             return of;
@@ -258,7 +257,7 @@ impl Flatten<'_> {
         self.name(body, module, &memories);
     }
 
-    /// How a node's cell is computed, all lanes together.
+    /// The operation of a node's cell, for all lanes together.
     fn kind(&self, body: &Body, module: &Module, id: NodeId, memories: &[u32]) -> Kind {
         let node = module.node(id);
         let at = |id: &NodeId| body.whole(*id);
@@ -330,7 +329,7 @@ impl Flatten<'_> {
     }
 }
 
-/// An operation whose lanes are each computed from the same lane of the operands.
+/// An elementwise operation.
 pub(super) fn elementwise(node: &Node, at: impl Fn(&NodeId) -> ValueId) -> Kind {
     match &node.op {
         Op::Const(bits) => Kind::Const(bits.clone()),

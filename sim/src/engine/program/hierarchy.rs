@@ -1,10 +1,10 @@
-//! The names of a program: the tree of instances as the Verilog has it, and the value behind each name.
+//! The names of a program: the tree of instances as in the Verilog, and the value behind each name.
 
 use tilewright_hdl::ir::{Kind, Shape};
 
 use super::ValueId;
 
-/// A scope's place in [`Hierarchy::scopes`].
+/// The index of a scope in [`Hierarchy::scopes`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ScopeId(pub u32);
 
@@ -22,15 +22,15 @@ pub struct Scope {
     pub name: String,
     /// The name of its module.
     pub module: String,
-    /// The scope that it stands in.
+    /// The scope that contains it.
     pub parent: Option<ScopeId>,
-    /// What it is one of.
+    /// Its replication.
     pub replication: Replication,
-    /// How many instances it stands for: the lanes of its values.
+    /// The number of instances that it represents: the lanes of its values.
     pub lanes: u32,
     /// The clocks of the module, by the names of its ports.
     pub clocks: Vec<ClockPort>,
-    /// Its signals in order of declaration: ports, then the rest.
+    /// Its signals in the sequence of declaration: ports, then the rest.
     pub signals: Vec<Signal>,
     /// Its memories: name, index in [`Program::memories`](super::Program::memories), and shape in this scope.
     pub memories: Vec<(String, u32, Shape)>,
@@ -43,21 +43,21 @@ pub struct Scope {
 pub enum Replication {
     /// A single instance.
     Single,
-    /// All of an array of instances of that shape, side by side in lanes.
+    /// A whole array of instances of this shape, side by side in lanes.
     Whole(Shape),
-    /// One element, by number, of an array of that shape that does not run in lanes.
+    /// One element, by number, of an array of this shape that does not run in lanes.
     Element(Shape, u32),
-    /// One of several instances of a module, written one by one, that run side by side in lanes.
+    /// One of several separate instances of a module that run side by side in lanes.
     Sibling {
-        /// Which lane it is.
+        /// Its lane.
         index: u32,
-        /// How many there are.
+        /// The number of instances.
         of: u32,
     },
 }
 
 impl Replication {
-    /// How many lanes each of its parent's has.
+    /// The number of lanes for each lane of its parent.
     fn lanes(self) -> u32 {
         match self {
             Replication::Whole(shape) => shape.lanes(),
@@ -83,19 +83,19 @@ pub struct ClockPort {
 pub struct Signal {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Its role.
     pub role: Role,
-    /// Its value, with the lanes of its scope, times those of its shape.
+    /// Its value. It has the lanes of its scope, times those of its shape.
     pub value: ValueId,
     /// The width of one lane in bits.
     pub width: u32,
     /// Its shape in its own scope.
     pub shape: Shape,
-    /// What its bits stand for.
+    /// The meaning of its bits.
     pub kind: Kind,
 }
 
-/// The lane of a shape as names have it: nothing, `[3]` or `[1][2]`.
+/// The lane of a shape in the form of names: nothing, `[3]` or `[1][2]`.
 pub fn index(shape: Shape, lane: u32) -> String {
     let axes = (0..shape.axes()).map(|axis| format!("[{}]", shape.along(axis, lane)));
     axes.collect()
@@ -111,11 +111,11 @@ pub fn at_index(shape: Shape, text: &str) -> Option<u32> {
             row.parse::<u32>().ok()?.checked_mul(columns)?.checked_add(column.parse().ok()?)?
         }
     };
-    // Numbers may be written in more than one way, and columns may be too many.
+    // Numbers have several spellings, and columns may be out of range.
     (lane < shape.lanes() && index(shape, lane) == text).then_some(lane)
 }
 
-/// What a named value is.
+/// The role of a named value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// An input port.
@@ -140,7 +140,7 @@ pub struct Place {
 }
 
 impl Hierarchy {
-    /// The scope of that id.
+    /// The scope with this id.
     pub fn scope(&self, id: ScopeId) -> &Scope {
         &self.scopes[id.0 as usize]
     }
@@ -182,7 +182,7 @@ impl Hierarchy {
         places.find(|&place| self.is_own(place)).expect("a lane is in some instance")
     }
 
-    /// Whether a lane of a scope's values is the scope's own, not that of an instance beside it.
+    /// Whether a lane of a scope's values is its own, not that of an instance beside it.
     fn is_own(&self, place: Place) -> bool {
         let (mut scope, mut lane) = (self.scope(place.scope), place.lane);
         loop {
@@ -215,7 +215,7 @@ impl Hierarchy {
         names.join(".")
     }
 
-    /// The path of something named in an instance.
+    /// The path of a named object in an instance.
     pub fn path_in(&self, place: Place, name: &str) -> String {
         match self.path(place) {
             path if path.is_empty() => name.to_string(),
@@ -223,7 +223,7 @@ impl Hierarchy {
         }
     }
 
-    /// Every instance of a run, each before those in it, in order of declaration.
+    /// Every instance of a run, each before those in it, in the sequence of declaration.
     pub fn places(&self, run: u32) -> Vec<Place> {
         let mut open = vec![self.top(run)];
         let mut all = Vec::new();

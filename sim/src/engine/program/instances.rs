@@ -1,4 +1,4 @@
-//! The instances in a module: single ones, arrays, and those written one by one that run as an array.
+//! The instances in a module: single ones, arrays, and separate ones that run as an array.
 
 use std::collections::HashMap;
 
@@ -8,24 +8,24 @@ use super::flatten::{Body, Entered, Flatten, Key};
 use super::hierarchy::{Replication, ScopeId};
 use super::{Cell, Kind, UnitId, ValueId};
 
-/// What an instance has become.
+/// The flattened form of an instance.
 #[derive(Debug, Clone)]
 pub(super) enum Children {
-    /// The bases of its body, or of its bodies if it is an array that is unrolled.
+    /// The base of its body, or the bases of its bodies if it is an unrolled array.
     Bases(Vec<u32>),
-    /// A lane of an array of instances that were written one by one.
+    /// A lane of an array of separate instances.
     Sibling { base: u32, lane: u32, of: u32 },
 }
 
-/// From how many instances of a module on they run in lanes.
+/// The least number of instances of a module that run in lanes.
 const SIBLINGS: usize = 4;
-/// Nodes for each port that a module has to have for that.
+/// The least number of nodes for each port of such a module.
 const NODES_A_PORT: usize = 3;
 
 impl Flatten<'_> {
     /// Enters all instances; siblings together.
     pub(super) fn instances(&mut self, body: &Body, module: &Module) -> Vec<Children> {
-        // In an array there are lanes enough, and those of siblings would lie apart.
+        // In an array there are lanes enough, and those of siblings would not be adjacent.
         let is_worth_it = self.flat.program.passes.siblings && (body.lanes as usize) < SIBLINGS;
         let groups = if is_worth_it { siblings(self.design, module) } else { HashMap::new() };
         let mut children: Vec<Option<Children>> = vec![None; module.instances.len()];
@@ -46,7 +46,7 @@ impl Flatten<'_> {
                 _ => children[index] = Some(Children::Bases(self.instance(body, module, instance))),
             }
         }
-        // In the order of declaration, which siblings have left.
+        // In the sequence of declaration, from which siblings were removed.
         let numbers: HashMap<&str, usize> =
             module.instances.iter().enumerate().map(|(number, instance)| (instance.name.as_str(), number)).collect();
         let mut scopes = std::mem::take(&mut self.flat.program.hierarchy.scopes);
@@ -88,7 +88,7 @@ impl Flatten<'_> {
         self.enter(Entered { module: instances[0].module, key, scopes, lanes, unit: body.unit, inputs, clocks })
     }
 
-    /// Enters an instance, as many times as it is unrolled to; returns the bases.
+    /// Enters an instance, as often as it is unrolled; returns the bases.
     fn instance(&mut self, body: &Body, module: &Module, instance: &Instance) -> Vec<u32> {
         let (key, shape) = (key_of(&body.key, instance), instance.shape);
         let is_unrolled = !shape.is_plain() && self.unrolled.arrays.contains(&key);
@@ -124,7 +124,7 @@ impl Flatten<'_> {
 }
 
 impl Flatten<'_> {
-    /// What feeds each element of an array that is unrolled.
+    /// The inputs of each element of an unrolled array.
     fn element_inputs(&mut self, body: &Body, module: &Module, instance: &Instance) -> Vec<Vec<ValueId>> {
         let count = instance.shape.lanes();
         let mut elements = Vec::new();
@@ -140,12 +140,12 @@ impl Flatten<'_> {
     }
 }
 
-/// What siblings have in common: the module and its clocks.
+/// The common properties of siblings: the module and its clocks.
 fn kind(instance: &Instance) -> (ModuleId, &[ClockId]) {
     (instance.module, &instance.clocks)
 }
 
-/// The instances of a module that are of one kind, where they are not better on their own.
+/// The instances of a module that are of one kind, if running them together is better.
 fn siblings<'a>(design: &Design, module: &'a Module) -> HashMap<(ModuleId, &'a [ClockId]), Vec<usize>> {
     let mut groups: HashMap<_, Vec<usize>> = HashMap::new();
     for (index, instance) in module.instances.iter().enumerate().filter(|(_, instance)| instance.shape.is_plain()) {
@@ -159,7 +159,7 @@ fn siblings<'a>(design: &Design, module: &'a Module) -> HashMap<(ModuleId, &'a [
     groups
 }
 
-/// The nodes of a module and of what is in it, about.
+/// The approximate number of nodes of a module with everything in it.
 fn nodes(design: &Design, id: ModuleId) -> usize {
     let module = design.module(id);
     module.nodes.len() + module.instances.iter().map(|instance| nodes(design, instance.module)).sum::<usize>()

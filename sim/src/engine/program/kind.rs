@@ -1,23 +1,23 @@
-//! How a value is computed from others: the operators of the circuit, made flat.
+//! The operations that compute values: the flattened operators of the circuit.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shape, Shift, Unary};
 
 use super::ValueId;
 
-/// An operation. Elementwise kinds have operands of as many lanes as the result; widths are as for the operator of
-/// the same name in [`tilewright_hdl::ir::Op`].
+/// An operation. Elementwise kinds have operands with as many lanes as the result; the rules for widths are those of
+/// the operator of the same name in [`tilewright_hdl::ir::Op`].
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// Set from outside the expressions: an input, a register, the data of a synchronous read.
     State,
     /// The same in every lane.
     Const(Bits),
-    /// The same as another value of the same shape.
+    /// Equal to another value of the same shape.
     Alias(ValueId),
-    /// An operator of one operand.
+    /// An operator with one operand.
     Unary(Unary, ValueId),
-    /// An operator of two operands.
+    /// An operator with two operands.
     Binary(Binary, ValueId, ValueId),
     /// A comparison, in two's complement if the flag is set.
     Compare(Relation, bool, ValueId, ValueId),
@@ -32,49 +32,49 @@ pub enum Kind {
         /// The value where `select` is 0.
         on_false: ValueId,
     },
-    /// The value of the first arm whose condition holds, else the default.
+    /// The value of the first arm whose condition is true, else the default.
     Select {
         /// Condition and value, highest priority first.
         arms: Vec<(ValueId, ValueId)>,
-        /// The value where no condition holds.
+        /// The value if no condition is true.
         default: ValueId,
     },
     /// The value of the arm whose key equals the subject, else the default.
     Case {
-        /// What is compared.
+        /// The compared value.
         subject: ValueId,
         /// Key and value; keys differ.
         arms: Vec<(Bits, ValueId)>,
-        /// The value where no key equals the subject.
+        /// The value if no key equals the subject.
         default: ValueId,
     },
     /// The operand's bits from this one up.
     Slice(ValueId, u32),
     /// The operands side by side, the most significant first.
     Concat(Vec<ValueId>),
-    /// The operand side by side with itself, so many times.
+    /// Copies of the operand side by side; the second field is their number.
     Repeat(ValueId, u32),
     /// The operand widened, with its sign if the flag is set.
     Extend(ValueId, bool),
-    /// The word of a memory at an address, at once.
+    /// The word of a memory at an address, asynchronously.
     Read {
         /// The memory, by index.
         memory: u32,
         /// The address.
         address: ValueId,
     },
-    /// An axis more: the operand so many times over.
+    /// Adds an axis: the operand, repeated.
     Broadcast {
         /// The operand.
         of: ValueId,
-        /// The axis that the result has more.
+        /// The axis that is added.
         axis: Axis,
     },
-    /// An axis more: the parts one after the other.
+    /// Adds an axis: the parts, one after another.
     Stack {
-        /// What each lane along the axis is; of one shape.
+        /// The lanes along the axis; all of one shape.
         parts: Vec<ValueId>,
-        /// The lanes behind the axis.
+        /// The number of lanes within one step of the axis.
         inner: u32,
     },
     /// Lane `i` along an axis is lane `index(i)` of the operand.
@@ -85,9 +85,9 @@ pub enum Kind {
         axis: Axis,
         /// The lanes that the result has along it.
         count: u32,
-        /// Which lane it is.
+        /// The rule that gives the source lane.
         index: Affine,
-        /// Without the axis: what stands where the operand has no such lane; there if there is such a place.
+        /// Without the axis: the value if the operand has no such lane; present if that occurs.
         edge: Option<ValueId>,
     },
     /// Lane `i` along an axis is lane `i / k` of part `i % k`.
@@ -97,85 +97,85 @@ pub enum Kind {
         /// The axis, as each part has it.
         axis: Axis,
     },
-    /// An axis less: one lane along it.
+    /// Removes an axis: one lane along it.
     Lane {
         /// The operand.
         of: ValueId,
         /// The axis, as the operand has it.
         axis: Axis,
-        /// Which lane.
+        /// The lane.
         index: u32,
     },
-    /// An axis less: the lane that a number says, or 0 if there is none.
+    /// Removes an axis: the lane that a number selects, or 0 if there is none.
     Pick {
         /// The operand.
         of: ValueId,
         /// The axis, as the operand has it.
         axis: Axis,
-        /// Which lane, of the result's shape.
+        /// The selected lane, of the result's shape.
         index: ValueId,
     },
-    /// An axis less: all lanes along it combined.
+    /// Removes an axis: all lanes along it combined.
     Reduce {
-        /// How.
+        /// The operator.
         by: Reduction,
         /// The operand.
         of: ValueId,
         /// The axis, as the operand has it.
         axis: Axis,
     },
-    /// An axis less: all lanes along it side by side, lane 0 lowest.
+    /// Removes an axis: all lanes along it side by side, lane 0 lowest.
     Pack {
         /// The operand.
         of: ValueId,
         /// The axis, as the operand has it.
         axis: Axis,
     },
-    /// An axis more: parts of the operand, the lowest in lane 0.
+    /// Adds an axis: parts of the operand, the lowest in lane 0.
     Unpack {
         /// The operand.
         of: ValueId,
-        /// The axis that the result has more.
+        /// The axis that is added.
         axis: Axis,
     },
-    /// What no program has, only a function that has been lowered.
+    /// Operations that only a lowered function has.
     Lowered(Lowered),
 }
 
-/// What only lowering makes: the operations of the machine that no circuit has.
+/// The machine operations that only lowering makes.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Lowered {
-    /// The operand's lane of the number that a lane of `at` has, which is one of them.
+    /// In each lane, the operand's lane with the number in that lane of `at`, which must exist.
     Gather {
         /// The operand.
         of: ValueId,
-        /// Which lane, of the result's shape.
+        /// The selected lane, of the result's shape.
         at: ValueId,
     },
-    /// Lane `i` is lane `i - by` of the operand, anything where there is none.
+    /// Lane `i` is lane `i - by` of the operand, undefined if there is none.
     Slide {
         /// The operand.
         of: ValueId,
-        /// How many lanes towards the higher index.
+        /// The distance in lanes towards the higher index.
         by: i32,
     },
-    /// The word of a memory as it stands there, which may be inverted in some bits.
+    /// The stored form of a memory's word, some bits of which may be inverted.
     Word {
         /// The memory, by index.
         memory: u32,
         /// The address.
         address: ValueId,
     },
-    /// For each lane, the word of the lane of a memory whose number it has, at an address that all have, as it stands there.
+    /// For each lane, the stored form of the word of the memory lane with a given number, at a common address.
     WordOf {
         /// The memory, by index: it has lanes.
         memory: u32,
         /// The address, in one lane.
         address: ValueId,
-        /// Which lane, of the result's shape.
+        /// The selected lane, of the result's shape.
         at: ValueId,
     },
-    /// Pieces of values side by side, very many of them.
+    /// Very many pieces of values side by side.
     Assemble {
         /// The values, each once.
         of: Vec<ValueId>,
@@ -186,7 +186,7 @@ pub enum Lowered {
     Rotate {
         /// The operand.
         of: ValueId,
-        /// By how many bits, fewer than it has.
+        /// The distance in bits, less than its width.
         left: u32,
     },
 }
@@ -194,20 +194,20 @@ pub enum Lowered {
 /// Some bits of one of several values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Piece {
-    /// Which value, by its place among them.
+    /// The value, by its index among them.
     pub of: u32,
     /// The first bit.
     pub low: u32,
-    /// How many bits.
+    /// The number of bits.
     pub width: u32,
 }
 
-/// An axis of a value: its lanes are `outer` groups of `count` lanes, which are `inner` lanes each.
+/// An axis of a value: the value's lanes are `outer` groups of `count` lanes, each of which is `inner` lanes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Axis {
     /// The lanes along it.
     pub count: u32,
-    /// The lanes behind it: how far two neighbours along it are apart.
+    /// The lanes within one step: the distance of two neighbours along it.
     pub inner: u32,
 }
 
@@ -222,24 +222,24 @@ impl Axis {
         Axis { count: shape.extent(axis), inner: shape.inner(axis) }
     }
 
-    /// The lanes of the axis and of those behind it.
+    /// The number of lanes of the axis and within it.
     pub fn lanes(self) -> u32 {
         self.count * self.inner
     }
 
-    /// The lane of a value with the axis that is number `index` along it, for a lane of one without.
+    /// The lane of a value with the axis at number `index` along it, for a lane of a value without the axis.
     pub fn at(self, lane: u32, index: u32) -> u32 {
         (lane / self.inner * self.count + index) * self.inner + lane % self.inner
     }
 
-    /// For a lane of a value with the axis: the number along it, and the lane of one without.
+    /// For a lane of a value with the axis: the number along it, and the lane of a value without it.
     pub fn split(self, lane: u32) -> (u32, u32) {
         let (outer, within) = (lane / self.lanes(), lane % self.lanes());
         (within / self.inner, outer * self.inner + within % self.inner)
     }
 }
 
-/// Calls `$visit` with a reference to every operand, shared or not as `$iter` says.
+/// Calls `$visit` with a reference to every operand, mutable or not as `$iter` is.
 macro_rules! each_operand {
     ($kind:expr, $iter:ident, $visit:ident) => {
         match $kind {
@@ -309,7 +309,7 @@ impl Kind {
         each_operand!(self, iter_mut, visit);
     }
 
-    /// Whether each lane of the result depends on the same lane of the operands alone.
+    /// Whether each lane of the result depends on the same lane of the operands only.
     pub fn is_elementwise(&self) -> bool {
         match self {
             Kind::Unary(..)

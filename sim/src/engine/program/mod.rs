@@ -1,13 +1,13 @@
-//! The compiled form of a circuit: flat, in order of evaluation, with its storage laid out. It says what to compute
-//! and when, and nothing about what executes it, so that every engine reads the same program.
+//! The compiled form of a circuit: flat, in the order of evaluation, with its storage laid out. It says what to
+//! compute and when, but not how, so every engine reads the same program.
 //!
-//! A [`Value`] is `lanes x width` bits. An instance array stays whole: a value inside an array of `n` inside an
-//! array of `m` has `m * n` lanes, and lane `outer * n + inner` belongs to that pair of instances. Most operations
-//! are elementwise over equal lane counts; the lane operations of [`Kind`] lead from one lane count to another. A
-//! program of several runs of a design is the array of so many top modules.
+//! A [`Value`] is `lanes x width` bits. An instance array stays whole: a value inside an array of `n` inside an array
+//! of `m` has `m * n` lanes, and lane `outer * n + inner` belongs to that pair of instances. Most operations are
+//! elementwise over equal lane counts; the lane operations of [`Kind`] change the lane count. A program for several
+//! runs of a design is an array of top modules.
 //!
-//! Operations are grouped into [`Segment`]s by what can change them and by who needs them, so that an edge of one
-//! clock evaluates nothing that depends on another clock alone.
+//! Operations with the same causes of change and the same readers form a [`Segment`]. So an edge of one clock
+//! evaluates nothing that depends only on another clock.
 
 mod apart;
 mod circuit;
@@ -34,9 +34,9 @@ pub use hierarchy::Hierarchy;
 pub use kind::{Axis, Kind, Lowered, Piece};
 pub(crate) use schedule::assign_to_clocks;
 
-/// What can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
+/// The causes that can make a segment's results stale: a bit for each clock's state and for each clock's inputs.
 ///
-/// From the 33rd clock on, several share a bit; then a segment may be evaluated more often than it has to be.
+/// From the 33rd clock on, several share a bit; then a segment may be evaluated more often than necessary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Triggers(u64);
 
@@ -71,25 +71,25 @@ impl Triggers {
         self.0 & !others.0 == 0
     }
 
-    /// How many there are.
+    /// The number of causes.
     pub fn count(self) -> u32 {
         self.0.count_ones()
     }
 }
 
-/// Who needs a segment's results: the edges of which clocks, and whether an output port.
+/// The readers of a segment's results: the edges of some clocks, and output ports.
 ///
 /// From the 64th clock on, several share a bit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Readers(u64);
 
 impl Readers {
-    /// Nobody: results that are there for peeking and for waves.
+    /// No readers: results that are only for peeking and for waves.
     pub const NONE: Readers = Readers(0);
     /// An output port.
     pub const OUTPUT: Readers = Readers(1);
 
-    /// What an edge of this clock samples.
+    /// The samples at an edge of this clock.
     pub fn edge(clock: usize) -> Readers {
         Readers(2 << (clock % 63))
     }
@@ -104,24 +104,25 @@ impl Readers {
         self.0 & other.0 != 0
     }
 
-    /// How many there are.
+    /// The number of readers.
     pub fn count(self) -> u32 {
         self.0.count_ones()
     }
 }
 
-/// A flat circuit with all that it reads from and changes.
+/// A flat circuit with all objects that it reads and changes.
 ///
-/// What [`compile`] gives is in order: first state, then constants, then results, each after its operands.
+/// The values of [`compile`]'s result are in sequence: first state, then constants, then results, each after its
+/// operands.
 #[derive(Debug, Clone, Default)]
 pub struct Program {
     /// The values.
     pub circuit: Circuit,
-    /// What is computed when, and where values are stored.
+    /// When values are computed, and where an engine with all values in limbs stores them.
     pub schedule: Schedule,
-    /// The clocks of the top module.
+    /// For each value: its first limb, and the segment that computes it, if any.
     pub clocks: Vec<Clock>,
-    /// Input ports of the top module.
+    /// The number of 64-bit limbs of all values.
     pub inputs: Vec<Port>,
     /// Output ports of the top module.
     pub outputs: Vec<Port>,
@@ -129,13 +130,13 @@ pub struct Program {
     pub registers: Vec<Register>,
     /// The memories.
     pub memories: Vec<Memory>,
-    /// What must hold at edges.
+    /// The assertions and assumptions.
     pub asserts: Vec<Assert>,
-    /// What is counted at edges.
+    /// The covers.
     pub covers: Vec<Cover>,
-    /// The names of it all.
+    /// The names of everything.
     pub hierarchy: Hierarchy,
-    /// How it was made, and how code is to be.
+    /// The passes that made it, and those for its code.
     pub passes: Passes,
 }
 
@@ -148,7 +149,7 @@ pub struct Schedule {
     pub storage: usize,
     /// The limb at which the state ends and constants and results begin.
     pub state_end: usize,
-    /// The grouping of what is computed, in order of evaluation.
+    /// The groups of computed values, in the order of evaluation.
     pub segments: Vec<Segment>,
 }
 
@@ -166,12 +167,12 @@ pub struct Value {
 }
 
 impl Value {
-    /// How many limbs one lane takes.
+    /// The number of limbs of one lane.
     pub fn limbs(&self) -> usize {
         limbs_for(self.width)
     }
 
-    /// Where all lanes are in the storage.
+    /// The range of all lanes in the storage.
     pub fn range(&self) -> std::ops::Range<usize> {
         self.offset..self.offset + self.lanes as usize * self.limbs()
     }
@@ -182,32 +183,32 @@ impl Value {
 pub struct Segment {
     /// The values that it computes, by id.
     pub values: std::ops::Range<u32>,
-    /// What makes it stale.
+    /// The causes that make it stale.
     pub triggers: Triggers,
-    /// Who needs it.
+    /// Its readers.
     pub readers: Readers,
-    /// The earlier segments that it may depend on, in order of evaluation.
+    /// The earlier segments that it may depend on, in the order of evaluation.
     pub needs: Vec<u32>,
 }
 
-/// A clock and all that happens at its edges.
+/// A clock and everything that happens at its edges.
 #[derive(Debug, Clone)]
 pub struct Clock {
     /// The clock's name: that of the description, or `clk` for the default clock.
     pub name: String,
     /// The port in Verilog.
     pub port: String,
-    /// The reset port in Verilog, if anything has a reset.
+    /// The reset port in Verilog, if the reset is used.
     pub reset: Option<String>,
     /// The period in picoseconds.
     pub period: u64,
-    /// What can make its edge do something else than the last time.
+    /// The causes that can make its edge have another effect than the last time.
     pub triggers: Triggers,
     /// Its registers, by index in [`Program::registers`].
     pub registers: Vec<u32>,
     /// Its read ports, by memory and index in [`Memory::reads`].
     pub reads: Vec<(u32, u32)>,
-    /// Its write ports, by memory and index in [`Memory::writes`], a later one of a memory wins.
+    /// Its write ports, by memory and index in [`Memory::writes`]; a later one of a memory wins.
     pub writes: Vec<(u32, u32)>,
     /// Its asserts, by index in [`Program::asserts`].
     pub asserts: Vec<u32>,
@@ -220,32 +221,33 @@ pub struct Port {
     pub name: String,
     /// Its path in the bundle.
     pub path: String,
-    /// Its value, with as many lanes as the program has: all lanes of the port side by side, the first in the lowest bits.
+    /// Its value, with as many lanes as the program has runs: all lanes of the port side by side, the first in the
+    /// lowest bits.
     pub value: ValueId,
-    /// The number of its own lanes; 1 of a plain port.
+    /// The number of its own lanes; 1 for a plain port.
     pub lanes: u32,
     /// It is one number, in two's complement.
     pub is_signed: bool,
-    /// What a change of this input makes stale; none for an output.
+    /// The values that a change of this input makes stale; none for an output.
     pub triggers: Triggers,
 }
 
 /// A register, in all lanes of its array.
 #[derive(Debug, Clone)]
 pub struct Register {
-    /// What it holds.
+    /// Its value.
     pub value: ValueId,
     /// Its clock, by index in [`Program::clocks`].
     pub clock: u32,
-    /// What it holds after a reset: values for so many lanes, over and over.
+    /// The value after a reset, for a number of lanes, repeated.
     pub reset: Option<Init>,
-    /// What it holds at power-on, if not the value after a reset.
+    /// The value at power-on, if it differs from that after a reset.
     pub initial: Option<Bits>,
-    /// 1 bit a lane: whether it takes `next`; `None` means always.
+    /// 1 bit a lane: the enable; `None` means always.
     pub enable: Option<ValueId>,
-    /// What it takes.
+    /// The next value.
     pub next: ValueId,
-    /// The unit that it is in.
+    /// The unit that contains it.
     pub unit: Option<UnitId>,
 }
 
@@ -262,15 +264,15 @@ pub struct Memory {
     pub depth: u32,
     /// The width of a word in bits.
     pub width: u32,
-    /// What a synchronous read gives when its word is written at the same edge.
+    /// The result of a synchronous read whose word is written at the same edge.
     pub policy: ReadUnderWrite,
-    /// What it holds at the start: words for so many lanes, over and over.
+    /// The contents at the start: words for a number of lanes, repeated.
     pub contents: Contents,
     /// Synchronous read ports.
     pub reads: Vec<ReadPort>,
     /// Write ports.
     pub writes: Vec<WritePort>,
-    /// The unit that it is in.
+    /// The unit that contains it.
     pub unit: Option<UnitId>,
 }
 
@@ -281,7 +283,7 @@ pub struct ReadPort {
     pub clock: u32,
     /// The address.
     pub address: ValueId,
-    /// 1 bit a lane: whether it reads; `None` means always.
+    /// 1 bit a lane: the enable; `None` means always.
     pub enable: Option<ValueId>,
     /// The data register.
     pub value: ValueId,
@@ -292,7 +294,7 @@ pub struct ReadPort {
 pub struct WritePort {
     /// Its clock, by index in [`Program::clocks`].
     pub clock: u32,
-    /// 1 bit a lane: whether it writes.
+    /// 1 bit a lane: the enable.
     pub enable: ValueId,
     /// The address.
     pub address: ValueId,
@@ -300,44 +302,44 @@ pub struct WritePort {
     pub data: ValueId,
 }
 
-/// A condition that must hold at every edge of its clock while that clock's reset is low.
+/// A condition that must be true at every edge of its clock while that clock's reset is low.
 #[derive(Debug, Clone)]
 pub struct Assert {
     /// Its clock, by index in [`Program::clocks`].
     pub clock: u32,
     /// 1 bit a lane.
     pub condition: ValueId,
-    /// What is wrong if it does not hold.
+    /// The message if it is false.
     pub message: String,
-    /// Whether it is the stimulus that is wrong then.
+    /// Whether the stimulus is wrong then.
     pub is_assumption: bool,
-    /// Where the description states it.
+    /// The place in the description.
     pub loc: Loc,
-    /// How many of the lanes of the condition each instance has.
+    /// The number of lanes of the condition for each instance.
     pub group: u32,
-    /// The scope that it stands in; several for instances that run in lanes but were written one by one.
+    /// Its scope; several for separate instances that run in lanes.
     pub scopes: Vec<hierarchy::ScopeId>,
 }
 
-/// A condition whose edges are counted, by a register beside those of the design.
+/// A condition whose edges are counted, in a register beside those of the design.
 #[derive(Debug, Clone)]
 pub struct Cover {
     /// Its clock, by index in [`Program::clocks`].
     pub clock: u32,
     /// The register that counts, in each lane, also while the reset is high.
     pub counter: ValueId,
-    /// What happens.
+    /// The name of the event.
     pub name: String,
-    /// Where the description states it.
+    /// The place in the description.
     pub loc: Loc,
-    /// How many of the lanes each instance has.
+    /// The number of lanes for each instance.
     pub group: u32,
-    /// The scope that it stands in; several for instances that run in lanes but were written one by one.
+    /// Its scope; several for separate instances that run in lanes.
     pub scopes: Vec<hierarchy::ScopeId>,
 }
 
 impl Register {
-    /// The value of a lane after a reset, if a reset touches it.
+    /// The value of a lane after a reset, if it has a reset value.
     pub fn reset(&self, lane: u32) -> Option<&[u64]> {
         let value = match self.reset.as_ref()? {
             Init::Same(value) => value,
@@ -348,7 +350,7 @@ impl Register {
 }
 
 impl Program {
-    /// How many runs of the design there are side by side.
+    /// The number of runs of the design side by side.
     pub fn lanes(&self) -> u32 {
         self.hierarchy.scopes[0].lanes
     }

@@ -27,8 +27,8 @@ impl Flatten<'_> {
     }
 }
 
-/// What of a module has a name in waves: ports first, then the data of synchronous reads (called `MEMORY_read`, or
-/// `MEMORY_read0` and so on if there are several, where the description has no name for it), then the rest.
+/// The named values of a module: ports first, then the data of synchronous reads, then the rest. Unnamed read data is
+/// called `MEMORY_read`, or `MEMORY_read0` and so on if there are several.
 fn signals(module: &Module, value: impl Fn(NodeId) -> ValueId) -> Vec<Signal> {
     let mut all: Vec<Signal> = Vec::new();
     let mut taken = BTreeSet::new();

@@ -1,4 +1,4 @@
-//! What an instance reads from and changes: registers, memories, assertions.
+//! The objects that an instance reads and changes: registers, memories, assertions.
 
 use tilewright_hdl::ir::{self, Binary, ClockId, Directive, Module, NodeId, Property, Shape};
 use tilewright_hdl::{Bits, Loc};
@@ -25,7 +25,7 @@ impl Flatten<'_> {
         module.memories.iter().map(|memory| self.memory(body, module, memory)).collect()
     }
 
-    /// Adds what must hold, or a counter of what is to happen.
+    /// Adds an assertion, or a counter for a cover.
     fn property(&mut self, body: &Body, module: &Module, property: &Property) {
         let Property { directive, condition, ref message, loc, .. } = *property;
         let (clock, of) = (body.clocks[property.clock.0 as usize], body.whole(condition));
@@ -86,7 +86,7 @@ impl Flatten<'_> {
         index
     }
 
-    /// A node in all lanes of a shape, though it be plain.
+    /// A node in all lanes of a shape, even if it is plain.
     fn in_lanes(&mut self, body: &Body, module: &Module, id: NodeId, shape: Shape) -> ValueId {
         let (node, of) = (module.node(id), body.whole(id));
         if node.shape == shape {

@@ -1,4 +1,4 @@
-//! The values that something outside the expressions refers to.
+//! The values that objects outside the expressions refer to.
 
 use super::{Clock, Program, Register, ValueId};
 
@@ -35,12 +35,13 @@ impl Program {
         self.asserts.iter_mut().for_each(|assert| visit(&mut assert.condition));
     }
 
-    /// What an edge of a clock samples: for registers, read ports and write ports, and assertions if they are asked for.
+    /// The values that an edge of a clock samples: for registers, read ports and write ports, and for assertions if
+    /// requested.
     pub(crate) fn sampled(&self, clock: usize, with_asserts: bool) -> Vec<ValueId> {
         self.sampled_but_by(clock, with_asserts, |_| false)
     }
 
-    /// The same, but for what only these registers sample.
+    /// The same, without values that only these registers sample.
     pub(crate) fn sampled_but_by(
         &self,
         clock: usize,

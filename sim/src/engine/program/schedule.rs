@@ -1,7 +1,7 @@
-//! The order of a program: which values are kept, in what order they are stored and computed, and in which segments.
+//! The order of a program: the values that are kept, their sequence in storage and in evaluation, and their segments.
 //!
-//! An operation that another one depends on has no more triggers and no fewer readers. Therefore segments, which are
-//! the sets of operations of equal triggers and readers, do not depend on each other in a circle, and sorting by
+//! An operation on which another one depends has no more triggers and no fewer readers. Segments are the sets of
+//! operations with equal triggers and readers. Therefore they do not depend on each other cyclically, and sorting by
 //! those two gives an order of evaluation.
 
 use std::cmp::Reverse;
@@ -10,8 +10,8 @@ use tilewright_hdl::limbs_for;
 
 use super::{Cell, Circuit, Kind, Memory, Program, Readers, Schedule, Segment, Triggers, ValueId};
 
-/// Brings the values of a program, each after its operands, into the order in which they are stored and computed; those
-/// that nobody refers to are left out.
+/// Orders the values of a program for storage and evaluation, each after its operands; unreferenced values are
+/// removed.
 pub(super) fn schedule(program: &mut Program) {
     assign_to_clocks(program);
     let triggers = triggers(program);
@@ -43,7 +43,7 @@ pub(super) fn schedule(program: &mut Program) {
     program.schedule = schedule;
 }
 
-/// Enters into each clock what happens at its edges, and nothing else.
+/// Enters into each clock everything that happens at its edges.
 pub(crate) fn assign_to_clocks(program: &mut Program) {
     let clocks = &mut program.clocks;
     for clock in clocks.iter_mut() {
@@ -68,7 +68,7 @@ pub(crate) fn assign_to_clocks(program: &mut Program) {
     }
 }
 
-/// What can change each cell.
+/// The triggers that can change each cell.
 fn triggers(program: &Program) -> Vec<Triggers> {
     let mut all = vec![Triggers::NONE; program.circuit.len()];
     program.inputs.iter().for_each(|port| all[port.value.index()] = port.triggers);
@@ -96,7 +96,7 @@ fn written(program: &Program, memory: u32) -> Triggers {
     writes.iter().fold(Triggers::NONE, |all, write| all.with(Triggers::state(write.clock as usize)))
 }
 
-/// Who needs each cell, directly or not.
+/// The direct and indirect readers of each cell.
 fn readers(program: &Program) -> Vec<Readers> {
     let mut all = vec![Readers::NONE; program.circuit.len()];
     let mut add = |id: ValueId, readers| all[id.index()] = all[id.index()].with(readers);
@@ -111,7 +111,7 @@ fn readers(program: &Program) -> Vec<Readers> {
     all
 }
 
-/// Enters into each clock what can make its edge do something else.
+/// Enters into each clock the triggers that can make its edge have another effect.
 fn watch(program: &mut Program, triggers: &[Triggers]) {
     for clock in 0..program.clocks.len() {
         let values = program.sampled(clock, true);
@@ -120,7 +120,7 @@ fn watch(program: &mut Program, triggers: &[Triggers]) {
     }
     for memory in 0..program.memories.len() {
         let written = written(program, memory as u32);
-        // Who writes the same again and again has to do so after somebody else has.
+        // A port that repeats the same write must write again after another port has written.
         let Memory { reads, writes, .. } = &program.memories[memory];
         for clock in reads.iter().map(|read| read.clock).chain(writes.iter().map(|write| write.clock)) {
             let clock = &mut program.clocks[clock as usize];
@@ -129,7 +129,7 @@ fn watch(program: &mut Program, triggers: &[Triggers]) {
     }
 }
 
-/// The cells that something outside the expressions refers to, directly or not.
+/// The cells that objects outside the expressions refer to, directly or not.
 fn kept(program: &mut Program) -> Vec<bool> {
     let mut kept = vec![false; program.circuit.len()];
     program.rewrite_roots(|value| kept[value.index()] = true);

@@ -1,4 +1,5 @@
-//! Single lanes of nodes, for lanes that depend on each other within a clock: evaluated all at once they would be a cycle.
+//! Single lanes of nodes, for lanes that depend on each other within a clock: evaluated all at once, they would form
+//! a cycle.
 
 use tilewright_hdl::ir::{MemoryId, Module, Node, NodeId, Op};
 
@@ -6,7 +7,7 @@ use super::flatten::{self, Body, Flatten};
 use super::{Axis, Cell, Kind, ValueId};
 
 impl Body {
-    /// The cell of one lane of a node, where it has cells for its lanes; of a plain node its only cell.
+    /// The cell of one lane of a node, if it has cells for its lanes; for a plain node, its only cell.
     pub(super) fn at(&self, node: NodeId, lane: u32) -> ValueId {
         match self.split[node.0 as usize] {
             Some(first) => ValueId(first + lane),
@@ -16,12 +17,12 @@ impl Body {
 }
 
 impl Flatten<'_> {
-    /// Whether each lane of a node is computed alone.
+    /// Whether each lane of a node is computed separately.
     pub(super) fn is_split(&self, body: &Body, id: NodeId) -> bool {
         self.unrolled.nodes.get(&body.key).is_some_and(|nodes| nodes.contains(&id))
     }
 
-    /// Fills in the cells of a node's single lanes, each of which depends on no more than it has to.
+    /// Fills in the cells of a node's single lanes, each with the fewest dependencies.
     pub(super) fn split(&mut self, body: &Body, module: &Module, id: NodeId, memories: &[u32]) {
         for lane in 0..module.node(id).shape.lanes() {
             let kind = self.lane_kind(body, module, id, memories, lane);
@@ -29,7 +30,7 @@ impl Flatten<'_> {
         }
     }
 
-    /// How one lane of a node is computed.
+    /// The operation of one lane of a node.
     fn lane_kind(&mut self, body: &Body, module: &Module, id: NodeId, memories: &[u32], lane: u32) -> Kind {
         let node = module.node(id);
         let shape = node.shape;
@@ -72,7 +73,8 @@ impl Flatten<'_> {
         }
     }
 
-    /// One lane of an asynchronous read whose address comes from other lanes of it: all lanes read where this one does.
+    /// One lane of an asynchronous read whose address depends on other lanes of it: all lanes read where this one
+    /// does.
     fn lane_of_read(
         &mut self,
         body: &Body,
@@ -93,11 +95,11 @@ impl Flatten<'_> {
         Kind::Lane { of, axis, index: lane }
     }
 
-    /// One lane of what is not computed lane by lane here.
+    /// One lane of an operation that is not computed lane by lane here.
     fn lane_of_whole(&self, body: &Body, node: &Node, id: NodeId, lane: u32) -> Kind {
         match &self.flat.program.circuit[body.whole(id)].kind {
             Kind::Const(bits) => Kind::Const(bits.clone()),
-            // The instances of an array that is unrolled.
+            // The instances of an unrolled array.
             Kind::Stack { parts, inner: 1 } => Kind::Alias(parts[lane as usize]),
             Kind::Stack { parts, inner } => {
                 let (of, axis) = (parts[(lane / inner) as usize], Axis::last(*inner));
@@ -122,7 +124,7 @@ impl Flatten<'_> {
         self.flat.program.circuit.push(cell, Some(node.loc))
     }
 
-    /// What an element of an array is fed by a node: those lanes of it that are the element's.
+    /// The input of an array's element from a node: the element's lanes of it.
     pub(super) fn element_input(
         &mut self,
         body: &Body,

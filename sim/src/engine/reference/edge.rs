@@ -7,7 +7,7 @@ use super::Engine;
 use crate::engine::Word;
 use crate::engine::program::{Program, ReadPort, ValueId};
 
-/// What one lane of something takes at an edge.
+/// The new value of one lane of an object at an edge.
 struct Taken<T> {
     at: T,
     lane: u32,
@@ -15,7 +15,7 @@ struct Taken<T> {
 }
 
 impl Engine {
-    /// The edge of these clocks.
+    /// Executes the edge of these clocks.
     pub(super) fn edge(&mut self, rising: &[usize]) {
         self.settle();
         let program = self.program.clone();
@@ -66,7 +66,7 @@ impl Engine {
         }
     }
 
-    /// Whether the word that is read is written at this instant, where that gives another one.
+    /// Whether the word that is read is also written at this instant, and that changes the result.
     fn is_written(&self, program: &Program, memory: u32, lane: u32, read: &ReadPort, rising: &[usize]) -> bool {
         let declared = &program.memories[memory as usize];
         let address = self.address(memory, lane, read.address);

@@ -1,6 +1,6 @@
-//! The reference engine: what a program does, said as plainly as possible. It computes every value whenever anything has
-//! changed, lane by lane, as [`semantics`] says; at an edge everything samples, then everything changes. All other engines
-//! are held to it.
+//! The reference engine: the effect of a program, as plainly as possible. It computes every value whenever anything
+//! has changed, lane by lane, by [`semantics`]; at an edge everything samples, then everything changes. All other
+//! engines must agree with it.
 
 mod edge;
 
@@ -22,17 +22,17 @@ pub(crate) struct Engine {
     values: Vec<Vec<u64>>,
     /// The words of every memory: lane by lane, address by address.
     memories: Vec<Vec<u64>>,
-    /// Per clock: its reset is high.
+    /// For each clock: its reset is high.
     resets: Vec<bool>,
-    /// Something has changed since all was computed.
+    /// Something has changed since everything was computed.
     is_stale: bool,
     /// The words that edges have written.
     written: Vec<Word>,
 }
 
 impl Engine {
-    /// The circuit as it is after a reset; what a reset does not set starts from the seed of its run, all zeros if that
-    /// is 0.
+    /// The circuit after a reset. State without a reset value starts from the seed of its run, or from zeros if the
+    /// seed is 0.
     pub fn new(program: Arc<Program>, seeds: &[u64]) -> Engine {
         let zeros = |count: usize, width: u32| vec![0; count * limbs_for(width)];
         let mut engine = Engine {
@@ -51,7 +51,7 @@ impl Engine {
         engine
     }
 
-    /// The words that edges have written since this was last asked, more than once perhaps.
+    /// The words that edges have written since the last call, perhaps with repetitions.
     pub fn take_written(&mut self) -> Vec<Word> {
         std::mem::take(&mut self.written)
     }
@@ -81,12 +81,12 @@ impl Engine {
         Number { limbs, width }
     }
 
-    /// Whether a lane of a flag is 1; one that is not there is.
+    /// Whether a lane of a flag is 1; an absent flag is.
     fn holds(&self, flag: Option<ValueId>, lane: u32) -> bool {
         flag.is_none_or(|flag| self.number(flag, lane).limbs[0] != 0)
     }
 
-    /// The word that a lane of an address leads to, if it is within the depth.
+    /// The address in a lane, if it is within the depth.
     fn address(&self, memory: u32, lane: u32, address: ValueId) -> Option<u32> {
         self.within(memory, self.number(address, lane))
     }
@@ -106,7 +106,7 @@ impl Engine {
         }
     }
 
-    /// Where a word stands among the limbs of its memory.
+    /// The range of a word among the limbs of its memory.
     fn place(&self, memory: u32, lane: u32, address: u32) -> Range<usize> {
         let Memory { depth, width, .. } = self.program.memories[memory as usize];
         let first = (lane as usize * depth as usize + address as usize) * limbs_for(width);

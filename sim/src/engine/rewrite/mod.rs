@@ -1,8 +1,8 @@
-//! The one way in which circuits are rewritten: value numbering under rules.
+//! The common mechanism of all rewriting: value numbering under rules.
 //!
-//! A [`Rewriter`] builds a circuit. Whoever adds an operation gets the number of the value that it computes: that of an
-//! earlier cell if one computes the same, after all [`rules`] have had their say. So a circuit that is handed through,
-//! operation by operation, comes out smaller and computes the same.
+//! A [`Rewriter`] builds a circuit. Adding an operation returns the number of its value: that of an earlier cell if
+//! one computes the same, after all [`rules`] have been applied. So a circuit that is passed through, operation by
+//! operation, becomes smaller and computes the same.
 
 mod rebuild;
 mod rules;
@@ -16,12 +16,12 @@ use crate::engine::program::{Cell, Circuit, Kind, Program, ValueId};
 
 pub(crate) use rebuild::rebuild;
 
-/// What a rule makes of an operation.
+/// The result of a rule.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Rewrite {
-    /// It is a value that there is already.
+    /// The operation equals an existing value.
     Same(ValueId),
-    /// It is computed in another way, at which all rules look again.
+    /// Another operation computes it; all rules are applied to that again.
     As(Kind),
 }
 
@@ -29,31 +29,31 @@ pub(crate) enum Rewrite {
 #[derive(Debug, Clone)]
 pub(crate) struct Rewriter {
     circuit: Circuit,
-    /// The cells, by what they compute.
+    /// The cells, by their operations.
     known: FxHashMap<Cell, ValueId>,
     passes: Passes,
-    /// Where the description has what is added.
+    /// The place in the description of added cells.
     loc: Option<Loc>,
 }
 
 impl Rewriter {
-    /// An empty circuit, to which those rules apply that the passes name.
+    /// An empty circuit, with the rules that the passes enable.
     pub fn new(passes: &Passes) -> Rewriter {
         Rewriter { circuit: Circuit::default(), known: FxHashMap::default(), passes: passes.clone(), loc: None }
     }
 
-    /// One that has built this, and applies no rules.
+    /// A rewriter with this circuit, and without rules.
     #[cfg(test)]
     pub fn of(circuit: Circuit) -> Rewriter {
         Rewriter { circuit, ..Rewriter::new(&Passes::none()) }
     }
 
-    /// One that has built nothing, under the same rules.
+    /// A rewriter with an empty circuit, and the same rules.
     pub fn empty(&self) -> Rewriter {
         Rewriter::new(&self.passes)
     }
 
-    /// What has been built.
+    /// The circuit so far.
     pub fn circuit(&self) -> &Circuit {
         &self.circuit
     }
@@ -63,7 +63,7 @@ impl Rewriter {
         self.circuit
     }
 
-    /// Says where the description has what is added from here on.
+    /// Sets the place in the description of cells added from now on.
     pub fn at(&mut self, loc: Option<Loc>) -> &mut Self {
         self.loc = loc;
         self
@@ -79,7 +79,8 @@ impl Rewriter {
         self.number_or_find(cell).0
     }
 
-    /// As [`Rewriter::number`]; says too whether the operation has still to be computed, or is one of its operands.
+    /// Like [`Rewriter::number`]; also returns whether the operation must still be computed, or is one of its
+    /// operands.
     pub fn number_or_find(&mut self, cell: Cell) -> (ValueId, bool) {
         match self.reduce(cell) {
             Ok(same) => (same, false),
@@ -87,7 +88,7 @@ impl Rewriter {
         }
     }
 
-    /// What an operation gives, if that is known.
+    /// The result of an operation, if it is known.
     pub fn known(&mut self, cell: Cell) -> Option<Bits> {
         match self.reduce(cell) {
             Ok(same) => self.circuit.constant(same).cloned(),
@@ -96,7 +97,7 @@ impl Rewriter {
         }
     }
 
-    /// The value that an operation is, or the simplest operation that computes it.
+    /// The value that equals an operation, or the simplest operation that computes it.
     fn reduce(&mut self, mut cell: Cell) -> Result<ValueId, Cell> {
         loop {
             match rules::apply(self, &cell) {
@@ -107,7 +108,7 @@ impl Rewriter {
         }
     }
 
-    /// As [`Rewriter::number`], from the parts of a cell.
+    /// Like [`Rewriter::number`], from the parts of a cell.
     pub fn add(&mut self, kind: Kind, lanes: u32, width: u32) -> ValueId {
         self.number(Cell::new(kind, lanes, width))
     }
@@ -117,20 +118,20 @@ impl Rewriter {
         self.circuit.push(cell, self.loc)
     }
 
-    /// Adds a cell that is another one, for who needs it twice.
+    /// Adds a copy of a cell, for a second use.
     pub fn copy(&mut self, id: ValueId) -> ValueId {
         let Cell { lanes, width, .. } = self.circuit[id];
         self.push(Cell::new(Kind::Alias(id), lanes, width))
     }
 
-    /// From here on the circuit is added variants of what it has: by rules that need no new operations, and without the
-    /// use of any cell that was there before, which may be computed elsewhere.
+    /// From now on, only variants of existing cells are added. The rules add no new operations then, and do not use
+    /// any earlier cell, which may be computed elsewhere.
     pub fn vary(&mut self) {
         self.passes = Passes { fold: true, share: true, uniform: false, lift: false, ..self.passes };
         self.known.clear();
     }
 
-    /// Forgets all cells but so many.
+    /// Drops all cells after the first `cells`.
     pub fn truncate(&mut self, cells: usize) {
         self.circuit.truncate(cells);
         self.known.clear();

@@ -5,8 +5,9 @@ use rustc_hash::FxHashMap;
 use super::Rewriter;
 use crate::engine::program::{Cell, Circuit, ValueId};
 
-/// Makes anew, by `make`, what these values of a circuit are computed from, and they themselves. `became` says what some
-/// values are in the new circuit, such as state, and constants that are known; what the others become is entered there.
+/// Makes these values of a circuit, and everything that they are computed from, anew with `make`. `became` has the
+/// values that are known in the new circuit, such as state and constants; the new values of the others are entered
+/// there.
 pub(crate) fn rebuild(
     circuit: &Circuit,
     roots: impl IntoIterator<Item = ValueId>,

@@ -1,4 +1,4 @@
-//! What one lane of an elementwise operation gives, for any widths.
+//! The result of one lane of an elementwise operation, for any widths.
 
 use std::cmp::Ordering;
 
@@ -118,7 +118,7 @@ fn order(signed: bool, a: Number, b: Number) -> Ordering {
     }
 }
 
-/// Whether operands in this order are in that relation.
+/// Whether operands that compare in this way are in that relation.
 fn holds(relation: Relation, order: Ordering) -> bool {
     match relation {
         Relation::Eq => order.is_eq(),

@@ -1,4 +1,4 @@
-//! What one lane of an operation across lanes gives.
+//! The result of one lane of an operation across lanes.
 
 use tilewright_hdl::ir::Reduction;
 use tilewright_hdl::top_mask;

@@ -1,5 +1,5 @@
-//! What each operation means. There is no second definition: the reference engine computes by it, constants are folded by
-//! it, and generated code is compared with it.
+//! The meaning of each operation. There is no second definition: the reference engine and constant folding use it,
+//! and generated code is compared with it.
 
 mod elementwise;
 mod lanes;
@@ -13,9 +13,9 @@ pub(crate) struct Number<'a> {
     pub width: u32,
 }
 
-/// Computes one lane of a cell into `out`, whose limbs hold its width; `operand` gives a lane of a value.
+/// Computes one lane of a cell into `out`, which has the limbs of its width; `operand` returns a lane of a value.
 ///
-/// State is not computed, and words of memories are not computed from values alone: [`lane_with_words`] has those.
+/// State is not computed, and words of memories depend on more than values: for those use [`lane_with_words`].
 pub(crate) fn lane<'a>(cell: &Cell, lane: u32, out: &mut [u64], operand: impl Fn(ValueId, u32) -> Number<'a>) {
     match cell.kind.is_elementwise() {
         true => elementwise::evaluate(&cell.kind, cell.width, out, |id| operand(id, lane)),
@@ -23,8 +23,8 @@ pub(crate) fn lane<'a>(cell: &Cell, lane: u32, out: &mut [u64], operand: impl Fn
     }
 }
 
-/// As [`lane`], with memories: `word` gives the word of a lane of one, by its index, at an address, as it stands there, or
-/// zero beyond the depth.
+/// Like [`lane`], with memories: `word` returns the stored form of the word in a lane of a memory, by its index, at
+/// an address, or zero beyond the depth.
 pub(crate) fn lane_with_words<'a>(
     cell: &Cell,
     lane: u32,

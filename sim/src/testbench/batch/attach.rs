@@ -1,4 +1,4 @@
-//! What can watch a run of a batch.
+//! The observers of a run of a batch.
 
 use tilewright_hdl::Bundle;
 
@@ -8,8 +8,8 @@ use crate::testbench::error::Error;
 use crate::testbench::trace::{Recorder, Vcd, Wave};
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
-    /// Writes a waveform file of one run from here on; see [`Simulation::trace`](crate::Simulation::trace). Several
-    /// runs are several files.
+    /// Writes a waveform file of one run from now on; see [`Simulation::trace`](crate::Simulation::trace). Several
+    /// runs need several files.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, Vcd, for_examples::Counter};
@@ -20,7 +20,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     /// batch.set_each(batch.i.enable, |run| run == 2);
     /// batch.run(5);
     /// batch.finish()?;
-    /// assert!(std::fs::read_to_string(&path).unwrap().contains("101 ")); // it counts to 5 in that run
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("101 ")); // that run counts to 5
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -37,7 +37,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.circuit.trace(run, vcd)
     }
 
-    /// Records inputs and outputs of one run at every instant from here on.
+    /// Records inputs and outputs of one run at every instant from now on.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -51,14 +51,14 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// After the first step, if the run has a seed, or if there is no such run.
+    /// Called after the first step, or for a run with a seed; or there is no such run.
     #[track_caller]
     pub fn recording(&mut self, run: u32) -> Recorder {
         self.check(run);
         self.all.circuit.recording(run)
     }
 
-    /// Draws a wave of these ports and signals of one run from here on.
+    /// Draws a wave of these ports and signals of one run from now on.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};

@@ -16,17 +16,17 @@ use crate::testbench::error::{Error, UnknownName};
 use crate::testbench::port::Port;
 use crate::testbench::simulation::{Simulation, Typed, typed};
 
-/// So many runs of one circuit at a time, each with inputs and a start of its own, as many
-/// [`Simulation`](crate::Simulation)s would be, but that they are steps of one program: the compiled engine has the
-/// runs beside each other in vectors. A circuit without arrays gains by that from about 4 runs on, in proportion to
-/// how many lanes a vector holds; more runs take as much longer as there are more.
+/// Several runs of one circuit at once, each with its own inputs and start. They behave like that many
+/// [`Simulation`](crate::Simulation)s, but are steps of one program: the compiled engine places the runs side by side
+/// in vectors. A circuit without arrays gains from about 4 runs on, in proportion to the lanes of a vector. Beyond
+/// that, the time grows with the number of runs.
 ///
 /// ```
 /// # use tilewright_hdl::{Block, Module, Width, bit, bundle, def};
 /// # bundle! {
-/// #     /// What is counted.
+/// #     /// The event.
 /// #     pub struct CounterIn<T> { pub enable: T }
-/// #     /// How many there were.
+/// #     /// The number of events.
 /// #     pub struct CounterOut<T> { pub count: T }
 /// # }
 /// # #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -57,9 +57,9 @@ use crate::testbench::simulation::{Simulation, Typed, typed};
 /// # }
 /// ```
 ///
-/// Time is the same for all runs: they are stepped and reset together. An assertion that fails in one of them stops all,
-/// and [`Violation::run`](crate::Violation::run) says which; the others cannot go on without it. A trace, a wave or a
-/// recording is of one run, and is what a [`Simulation`](crate::Simulation) of that run alone would give.
+/// Time is common to all runs: they are stepped and reset together. A failing assertion in one run stops all of them,
+/// and [`Violation::run`](crate::Violation::run) names the run. A trace, wave or recording is of one run, and is
+/// identical to that of a [`Simulation`](crate::Simulation) of that run alone.
 pub struct Batch<I: Bundle = (), O: Bundle = ()> {
     /// The input ports.
     pub i: I::Of<Port>,
@@ -72,7 +72,7 @@ pub struct Batch<I: Bundle = (), O: Bundle = ()> {
 /// An input as it was set, in all runs.
 struct Input {
     limbs: Vec<u64>,
-    /// How many limbs a run has.
+    /// The number of limbs of a run.
     size: usize,
     /// The engine does not have it yet.
     waits: bool,
@@ -87,7 +87,7 @@ impl Input {
 }
 
 impl Batch {
-    /// Elaborates and compiles a block for so many runs; its default clock has a period of 10 ns.
+    /// Elaborates and compiles a block for `runs` runs. Its default clock has a period of 10 ns.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -106,7 +106,7 @@ impl Batch {
         Batch::at(block, DEFAULT_PERIOD, runs)
     }
 
-    /// As [`Batch::of`], with another period of the default clock.
+    /// Like [`Batch::of`], with another period of the default clock.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -127,7 +127,7 @@ impl Batch {
         Batch::new(&design, runs, i, o)
     }
 
-    /// Compiles a design for so many runs; ports are found by [`Batch::port`].
+    /// Compiles a design for `runs` runs; find its ports with [`Batch::port`].
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -162,8 +162,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         Ok(Batch { i, o, inputs: inputs.collect(), all })
     }
 
-    /// The same circuit at time 0, with a seed for each run as in [`Simulation::seeded`](crate::Simulation::seeded):
-    /// `seeded(|run| run.into())` starts all of them differently, but the first from zeros. Inputs become zero.
+    /// The same circuit at time 0, with a seed for each run as in [`Simulation::seeded`](crate::Simulation::seeded).
+    /// `seeded(|run| run.into())` starts all runs differently; the first starts from zeros. Inputs become zero.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -175,7 +175,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// After the first step, or with a trace attached.
+    /// Called after the first step, or with a trace attached.
     #[track_caller]
     pub fn seeded(mut self, seed: impl FnMut(u32) -> u64) -> Self {
         self.all.circuit.seed((0..self.runs()).map(seed).collect());
@@ -194,7 +194,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// After the first step, or with a trace attached.
+    /// Called after the first step, or with a trace attached.
     #[track_caller]
     pub fn on(mut self, kind: EngineKind) -> Self {
         self.all = self.all.on(kind);
@@ -210,7 +210,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self
     }
 
-    /// How many runs there are.
+    /// The number of runs.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -238,7 +238,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.engine()
     }
 
-    /// The compiled circuit: the array of as many top modules as there are runs.
+    /// The compiled circuit: an array of top modules, one for each run.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -250,7 +250,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.program()
     }
 
-    /// The port of that Verilog name or bundle path.
+    /// The port with this Verilog name or bundle path.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -261,12 +261,12 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Errors
     ///
-    /// There is none.
+    /// There is no such port.
     pub fn port(&self, name: &str) -> Result<Port, UnknownName> {
         self.all.port(name)
     }
 
-    /// All runs, with their inputs as they were set.
+    /// All runs, with their inputs as set.
     pub(super) fn ready(&mut self) -> &mut Simulation<I, O> {
         for (index, input) in (0..).zip(&mut self.inputs) {
             if std::mem::take(&mut input.waits) {

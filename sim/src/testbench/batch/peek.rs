@@ -1,4 +1,4 @@
-//! What is inside the runs of a batch.
+//! Values inside the runs of a batch.
 
 use tilewright_hdl::{Bits, Bundle};
 
@@ -7,7 +7,7 @@ use crate::testbench::error::UnknownName;
 use crate::testbench::port::IntoValue;
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
-    /// The value of anything with a name in one run, settled; see [`Simulation::peek`](crate::Simulation::peek).
+    /// The settled value of any named object in one run; see [`Simulation::peek`](crate::Simulation::peek).
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -20,7 +20,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Errors
     ///
-    /// There is no such name; the error has the nearest one.
+    /// There is no such name; the error suggests the nearest one.
     ///
     /// # Panics
     ///
@@ -53,7 +53,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.circuit.peek_word(path, run, address)
     }
 
-    /// Replaces a word of a memory in one run at once.
+    /// Replaces a word of a memory in one run immediately.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};

@@ -7,7 +7,7 @@ use crate::testbench::port::{IntoValue, Port};
 use crate::testbench::simulation::in_step;
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
-    /// Sets an input of one run from now on; nothing happens before the next step.
+    /// Sets an input of one run from now on; the circuit does not change before the next step.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -28,7 +28,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.inputs[port.index as usize].set(run, &bits);
     }
 
-    /// Sets an input of every run, to what `value` says for it.
+    /// Sets an input of every run to the value that `value` returns for it.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -37,7 +37,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///     batch.set_each(batch.i.enable, |run| cycle < run);
     ///     batch.step();
     /// }
-    /// assert_eq!(batch.get(batch.o.count, 3), 3); // run 3 counts in the cycles 0, 1 and 2
+    /// assert_eq!(batch.get(batch.o.count, 3), 3); // run 3 counts in cycles 0, 1 and 2
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -51,7 +51,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         }
     }
 
-    /// Sets an input of all runs alike.
+    /// Sets an input of all runs to one value.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -171,7 +171,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         });
     }
 
-    /// The value of a port in one run, settled.
+    /// The settled value of a port in one run.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -191,7 +191,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().circuit.get(port, run)
     }
 
-    /// The value of a port in every run, settled.
+    /// The settled value of a port in every run.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -210,7 +210,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         limbs.chunks_exact(value.limbs()).map(|run| Bits::from_limbs(value.width, run)).collect()
     }
 
-    /// Every output of one run, settled.
+    /// The settled values of all outputs of one run.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -230,7 +230,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().read_run(run)
     }
 
-    /// Every output of one run as a number, settled; see [`Simulation::read_u64`](crate::Simulation::read_u64).
+    /// The settled values of all outputs of one run, as numbers; see
+    /// [`Simulation::read_u64`](crate::Simulation::read_u64).
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -244,7 +245,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// An output is wider than 64 bits and does not fit, or there is no such run.
+    /// An output's value does not fit in 64 bits, or there is no such run.
     #[track_caller]
     pub fn read_u64(&mut self, run: u32) -> O::Of<u64> {
         self.check(run);

@@ -1,4 +1,4 @@
-//! Letting time pass for many runs at once.
+//! Advancing many runs at once.
 
 use tilewright_hdl::Bundle;
 
@@ -6,7 +6,7 @@ use super::Batch;
 use crate::testbench::error::{Error, UnknownName};
 
 impl<I: Bundle, O: Bundle> Batch<I, O> {
-    /// Takes all runs to the next instant at which a clock rises, and through the edges there.
+    /// Advances all runs to the next instant at which a clock rises, and through its edges.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -19,13 +19,13 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// An assertion of the design does not hold in some run, a trace cannot be written, or there is no clock.
+    /// An assertion of the design fails in some run, a trace cannot be written, or there is no clock.
     #[track_caller]
     pub fn step(&mut self) {
         self.ready().step();
     }
 
-    /// As [`Batch::step`], `n` times.
+    /// Calls [`Batch::step`] `n` times.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -44,7 +44,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().run(n);
     }
 
-    /// Takes all runs through every instant up to and including that time in picoseconds.
+    /// Advances all runs through every instant up to and including this time in picoseconds.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -62,7 +62,8 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().run_to(time);
     }
 
-    /// Takes all runs to where a clock, or one of that name, has risen `n` more times; other clocks rise as they may.
+    /// Advances all runs until a clock, given directly or by name, has risen `n` more times. Other clocks rise in
+    /// between.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -80,7 +81,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().step_clock(clock, n);
     }
 
-    /// Holds every reset of all runs high for one edge of every clock, then low.
+    /// Sets every reset of all runs high for one edge of every clock, then low.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -100,7 +101,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().reset();
     }
 
-    /// As [`Batch::step`], for a program that reports errors itself.
+    /// Like [`Batch::step`], for a program that reports errors itself.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -114,20 +115,20 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Errors
     ///
-    /// As [`Simulation::try_step`](crate::Simulation::try_step): if assertions do not hold in some runs, the edge
-    /// happens in none.
+    /// Like [`Simulation::try_step`](crate::Simulation::try_step): if assertions fail in some runs, the edge happens
+    /// in none.
     pub fn try_step(&mut self) -> Result<(), Error> {
         self.ready().try_step()
     }
 
-    /// As [`Batch::run`].
+    /// Like [`Batch::run`].
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
     /// let mut batch = Batch::of(&Counter, 4)?;
     /// batch.set(batch.i.enable, 2, 1);
     /// assert!(batch.try_run(1000).is_err());
-    /// assert_eq!(batch.time(), 2_000_000); // where it ended, for all runs
+    /// assert_eq!(batch.time(), 2_000_000); // the last instant, for all runs
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -138,12 +139,12 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().try_run(n)
     }
 
-    /// As [`Batch::run_to`].
+    /// Like [`Batch::run_to`].
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
     /// let mut batch = Batch::of(&Counter, 4)?;
-    /// assert!(batch.try_run_to(1_000_000_000).is_ok()); // nothing counts, so nothing is violated
+    /// assert!(batch.try_run_to(1_000_000_000).is_ok()); // nothing counts, so no assertion fails
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -154,7 +155,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().try_run_to(time)
     }
 
-    /// As [`Batch::reset`]; after an error the resets stay high.
+    /// Like [`Batch::reset`]; after an error, the resets stay high.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};
@@ -173,7 +174,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.ready().try_reset()
     }
 
-    /// Ends every trace: writes what is left of it.
+    /// Ends every trace and writes the rest of it.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, Vcd, for_examples::Counter};
@@ -191,7 +192,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Errors
     ///
-    /// [`Error::Trace`] for the first file that could not be written to its end; the others are.
+    /// [`Error::Trace`] for the first file that could not be completed; the other files are complete.
     pub fn finish(&mut self) -> Result<(), Error> {
         self.ready().finish()
     }
@@ -209,7 +210,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
         self.all.time()
     }
 
-    /// How many times a clock, or one of that name, has risen.
+    /// The number of times that a clock, given directly or by name, has risen.
     ///
     /// ```
     /// # use tilewright_sim::{Batch, for_examples::Counter};

@@ -6,7 +6,7 @@ use std::task::{Context, Poll};
 
 use super::{Testbench, Turn};
 
-/// What runs beside others: a future, as an `async` block is, or a [`monitor`].
+/// A process: a future, such as an `async` block, or a [`monitor`].
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -20,12 +20,12 @@ use super::{Testbench, Turn};
 ///         assert_eq!(t.get_u64(count), 0);
 ///     }
 /// };
-/// t.run((t.wait(10), monitor(watches))); // both are
+/// t.run((t.wait(10), monitor(watches))); // both are processes
 /// assert_eq!(t.time(), 100_000);
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 pub trait Process {
-    /// What it gives when it ends.
+    /// The result at its end.
     type Output;
     #[doc(hidden)]
     type Future: Future;
@@ -35,7 +35,7 @@ pub trait Process {
     #[doc(hidden)]
     fn future(self) -> Self::Future;
 
-    /// What it gives, of what its future gave, if that has ended.
+    /// The result, from that of its future if it has ended.
     #[doc(hidden)]
     fn output(gave: Option<<Self::Future as Future>::Output>) -> Self::Output;
 }
@@ -62,14 +62,15 @@ impl<F: Future> Process for F {
 /// use tilewright_sim::monitor;
 ///
 /// let t = sim.testbench();
-/// t.run((t.wait(3), monitor(t.wait(1000)))); // it is not waited for
+/// t.run((t.wait(3), monitor(t.wait(1000)))); // nobody waits for the monitor
 /// assert_eq!(t.time(), 30_000);
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Monitor<F>(F);
 
-/// The process as one whose end nobody waits for: it watches for as long as others run. See [`Testbench`] for an example.
+/// Makes a process a monitor: it watches as long as other processes run, and nobody waits for its end. See
+/// [`Testbench`] for an example.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -103,11 +104,11 @@ impl<F: Future> Process for Monitor<F> {
     fn output(_: Option<F::Output>) {}
 }
 
-/// A process on its way.
+/// A running process.
 #[doc(hidden)]
 pub struct Member<P: Process> {
     turn: Turn,
-    /// Until it has ended.
+    /// `None` after it has ended.
     future: Option<Pin<Box<P::Future>>>,
     gave: Option<<P::Future as Future>::Output>,
 }
@@ -120,7 +121,7 @@ impl<P: Process> Member<P> {
         Member { turn, future: Some(Box::pin(process.future())), gave: None }
     }
 
-    /// Gives it its turn; says whether others need not go on for it.
+    /// Resumes it; returns whether it is over, or is a monitor.
     fn go_on(&mut self, testbench: &Testbench, context: &mut Context) -> bool {
         let Some(future) = &mut self.future else { return true };
         let outer = testbench.shared.borrow().running;
@@ -139,7 +140,8 @@ impl<P: Process> Member<P> {
 }
 
 impl Testbench<'_> {
-    /// Processes of one kind as one, which gives what each of them gave; for as many receivers, say, as a block has outputs.
+    /// Several processes of one kind as one, which returns the result of each: for example, a receiver for each
+    /// output of a block.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -167,22 +169,22 @@ impl Testbench<'_> {
     }
 }
 
-/// What [`Testbench::run`] takes: a tuple of up to eight processes.
+/// The argument of [`Testbench::run`]: a tuple of up to eight processes.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
 /// let mut sim = Simulation::of(&Counter)?;
 /// let t = sim.testbench();
-/// let ((), six) = t.run((t.wait(2), async { 6 })); // a tuple gives a tuple
+/// let ((), six) = t.run((t.wait(2), async { 6 })); // a tuple returns a tuple
 /// assert_eq!(six, 6);
 /// # Ok::<(), tilewright_sim::Error>(())
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "a `{Self}` is no group of processes",
-    note = "`run` takes a tuple, as `t.run((producer, consumer))`; a list is made one process by `t.all(..)`, and one alone is `(process,)`"
+    message = "a `{Self}` is not a group of processes",
+    note = "`run` takes a tuple, as `t.run((producer, consumer))`; `t.all(..)` makes one process of a list, and a single one is `(process,)`"
 )]
 pub trait Processes {
-    /// What each of them gives.
+    /// The results.
     type Output;
     #[doc(hidden)]
     type Members;
@@ -190,7 +192,7 @@ pub trait Processes {
     #[doc(hidden)]
     fn members(self, testbench: &Testbench) -> Self::Members;
 
-    /// Gives each its turn; says whether none has to go on.
+    /// Resumes each; returns whether all are over or monitors.
     #[doc(hidden)]
     fn go_on(members: &mut Self::Members, testbench: &Testbench, context: &mut Context) -> bool;
 
@@ -211,7 +213,7 @@ macro_rules! tuples {
             }
 
             fn go_on(($($process,)+): &mut Self::Members, testbench: &Testbench, context: &mut Context) -> bool {
-                // All have their turn, also after one that has to go on.
+                // All are resumed, also after one that is not over.
                 [$($process.go_on(testbench, context)),+].into_iter().all(|is_over| is_over)
             }
 

@@ -1,8 +1,8 @@
-//! Processes side by side: the drivers, receivers and monitors of one test, each written as plain sequential code.
+//! Processes side by side: the drivers, receivers and monitors of a test, each written as plain sequential code.
 //!
-//! A process is an `async` block; that it waits for an edge is an `.await`. At an instant every process that waits for it goes on, sees
-//! all values from before the edge, settled, and says what its inputs are to be after it, as a register does. So it does not matter
-//! which goes on first.
+//! A process is an `async` block that waits for edges with `.await`. At an instant, every process that waits for it
+//! resumes. It sees all values settled before the edge, and sets its inputs for after the edge, as a register does.
+//! So the sequence in which processes resume does not matter.
 
 mod group;
 mod pauses;
@@ -23,7 +23,7 @@ use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
 use wait::Waiting;
 
-/// A simulation in the hands of several processes, made by [`Simulation::testbench`].
+/// A simulation driven by several processes, made by [`Simulation::testbench`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -71,7 +71,7 @@ use wait::Waiting;
 /// let ((), seen, ()) = t.run((producer, consumer, monitor(checker)));
 /// assert_eq!(seen, [2, 3, 4, 5, 6, 7, 8, 9, 10]);
 ///
-/// // Or with what is there already: words with pauses that a seed draws, and what is to come.
+/// // The same with built-in processes: random pauses from a seed, and the expected words.
 /// t.run((
 ///     t.send_all(words, 1..=9, Pauses::percent(30, 1)),
 ///     t.expect_all(sums, 2..=10, Pauses::percent(50, 2)),
@@ -82,31 +82,31 @@ use wait::Waiting;
 #[derive(Clone)]
 pub struct Testbench<'s> {
     shared: Rc<RefCell<Shared<'s>>>,
-    /// The clock whose edges are meant; where there is none, those of every clock.
+    /// The clock whose edges are waited for; `None` means those of every clock.
     clock: Option<usize>,
 }
 
-/// What all processes share.
+/// The state that all processes share.
 struct Shared<'s> {
     circuit: &'s mut Running,
-    /// How many instants may pass until all have ended.
+    /// The number of instants within which all must end.
     limit: u64,
-    /// How often all processes had a turn: at the start, and at each instant since.
+    /// The number of times that all processes have been resumed: at the start, and at each instant since.
     turns: u64,
-    /// The instant at which the processes have their turn, unless it is the start: its time, and the clocks that rise.
+    /// The instant at which processes resume, except at the start: its time, and the clocks that rise.
     instant: Option<u64>,
     rising: Vec<usize>,
-    /// The process that has its turn.
+    /// The process that is running.
     running: Option<Turn>,
-    /// How many processes there were.
+    /// The number of processes so far.
     processes: u32,
-    /// What inputs are to be after the edge.
+    /// The inputs after the edge.
     sets: Vec<Set>,
-    /// What the processes wait for that had their turn.
+    /// The waits of the processes that have been resumed.
     waiting: Vec<Waiting>,
 }
 
-/// A process that has its turn.
+/// A process that is running.
 #[derive(Clone, Copy)]
 struct Turn {
     number: u32,
@@ -114,7 +114,7 @@ struct Turn {
     is_monitor: bool,
 }
 
-/// What an input is to be.
+/// A new value of an input.
 struct Set {
     port: Port,
     value: Bits,
@@ -153,7 +153,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
 }
 
 impl<'s> Testbench<'s> {
-    /// The same testbench, whose steps are the edges of a clock, or of one of that name. Without it they are those of every clock.
+    /// The same testbench, stepping by the edges of one clock, given directly or by name. Otherwise it steps by those
+    /// of every clock.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -175,14 +176,14 @@ impl<'s> Testbench<'s> {
         }
     }
 
-    /// Lets processes run for so many instants until it gives up; 100,000 unless this says otherwise.
+    /// Sets the number of instants after which the testbench gives up; the default is 100,000.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// let t = sim.testbench();
     /// t.limit(10);
-    /// t.run((t.wait(10),)); // one more would be a panic that says what waits
+    /// t.run((t.wait(10),)); // one more would panic, with a message that says what waits
     /// assert_eq!(t.time(), 100_000);
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
@@ -190,7 +191,8 @@ impl<'s> Testbench<'s> {
         self.shared.borrow_mut().limit = instants;
     }
 
-    /// Sets an input. It changes after the edge, once every process had its turn; outside of processes, at once.
+    /// Sets an input. Within a process, it changes after the edge, when every process has been resumed; elsewhere it
+    /// changes immediately.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -213,7 +215,7 @@ impl<'s> Testbench<'s> {
         self.set_at(port, value, Loc::caller());
     }
 
-    /// The value of a port before the edge, settled.
+    /// The settled value of a port before the edge.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -227,7 +229,7 @@ impl<'s> Testbench<'s> {
         self.shared.borrow_mut().circuit.get(port, 0)
     }
 
-    /// As [`Testbench::get`], for a port of up to 64 bits.
+    /// Like [`Testbench::get`], for a port of up to 64 bits.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -247,7 +249,8 @@ impl<'s> Testbench<'s> {
         self.shared.borrow_mut().circuit.narrow(port, 0)
     }
 
-    /// The time in picoseconds of the edge at which the process goes on; outside of processes, that of the last instant.
+    /// The time in picoseconds of the edge at which the process resumes; outside of processes, the time of the last
+    /// instant.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -263,14 +266,15 @@ impl<'s> Testbench<'s> {
         self.shared.borrow().now()
     }
 
-    /// What `look` sees if an input were that value at this moment, which it is not: which outputs follow it within the clock.
+    /// Runs `look` as if an input had this value at this moment, and then restores the input. It shows which outputs
+    /// follow the input within the clock.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
     /// let mut sim = Simulation::of(&Counter)?;
     /// let (enable, count, t) = (sim.i.enable, sim.o.count, sim.testbench());
     /// let now = t.get_u64(count);
-    /// assert_eq!(t.suppose(enable, 1, || t.get_u64(count)), now); // it comes from a register
+    /// assert_eq!(t.suppose(enable, 1, || t.get_u64(count)), now); // the output comes from a register
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
@@ -304,7 +308,7 @@ impl<'s> Testbench<'s> {
 }
 
 impl Shared<'_> {
-    /// The time of this turn.
+    /// The time at which processes resume.
     fn now(&self) -> u64 {
         self.instant.unwrap_or(self.circuit.timeline.time())
     }

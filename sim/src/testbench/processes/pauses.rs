@@ -1,6 +1,6 @@
-//! Pauses that chance draws.
+//! Random pauses.
 
-/// How often a sender or a receiver pauses before a word, drawn from a seed: the same seed pauses at the same words.
+/// The pauses of a sender or a receiver before a word, drawn from a seed: the same seed pauses at the same words.
 ///
 /// ```
 /// # use tilewright_sim::Pauses;
@@ -16,7 +16,7 @@ pub struct Pauses {
 }
 
 impl Pauses {
-    /// A word a clock.
+    /// A word in every clock.
     ///
     /// ```
     /// use tilewright_sim::Pauses;
@@ -26,7 +26,7 @@ impl Pauses {
     /// ```
     pub const NONE: Pauses = Pauses { percent: 0, state: 1 };
 
-    /// In each clock, a pause with that probability, from 0 to 99 percent.
+    /// In each clock, a pause with this probability, from 0 to 99 percent.
     ///
     /// ```
     /// use tilewright_sim::Pauses;
@@ -41,22 +41,22 @@ impl Pauses {
     ///
     /// # Panics
     ///
-    /// With 100 percent nothing would ever go over.
+    /// At 100 percent, no word would ever be transferred.
     #[track_caller]
     pub const fn percent(percent: u64, seed: u64) -> Pauses {
         assert!(percent < 100, "pauses of 100 percent or more let nothing through: from 0 to 99");
-        // Small seeds far apart, and none that xorshift stays at.
+        // Spreads small seeds apart, and avoids the fixed point of xorshift.
         Pauses { percent, state: seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1 }
     }
 
-    /// How many clocks the next pause takes.
+    /// The length of the next pause in clocks.
     ///
     /// ```
     /// use tilewright_sim::Pauses;
     ///
     /// let mut pauses = Pauses::percent(50, 7);
     /// let clocks: u32 = (0..1000).map(|_| pauses.next_length()).sum();
-    /// assert!((800..1200).contains(&clocks)); // in each second clock, it goes on
+    /// assert!((800..1200).contains(&clocks)); // half of the clocks are pauses
     /// ```
     pub fn next_length(&mut self) -> u32 {
         let mut clocks = 0;
@@ -66,7 +66,7 @@ impl Pauses {
         clocks
     }
 
-    /// The next number (xorshift).
+    /// The next random number (xorshift).
     fn draw(&mut self) -> u64 {
         self.state ^= self.state << 13;
         self.state ^= self.state >> 7;

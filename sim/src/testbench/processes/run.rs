@@ -1,4 +1,4 @@
-//! The run of several processes: a turn for each at every instant.
+//! Running several processes: each is resumed at every instant.
 
 use std::task::{Context, Waker};
 
@@ -8,10 +8,10 @@ use super::{Processes, Testbench};
 use crate::testbench::run::done;
 
 impl Testbench<'_> {
-    /// Runs processes side by side until each has ended, monitors excepted, and gives what each gave.
+    /// Runs processes side by side until each has ended, except for monitors, and returns their results.
     ///
-    /// All begin at once; what they set before they first wait is so before the next edge. From then on each goes on at the edges that
-    /// it waits for. The instant at which the last one ends happens.
+    /// All begin at once; values that they set before their first wait are in effect before the next edge. From then
+    /// on, each resumes at the edges that it waits for. The instant at which the last one ends is executed.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -29,14 +29,14 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// They have not ended within the [limit](Testbench::limit): the message says what each of them waits for. Or a process panics, or
-    /// as [`Simulation::step`](crate::Simulation::step).
+    /// They have not ended within the [limit](Testbench::limit): the message lists what each of them waits for. Or a
+    /// process panics, or as [`Simulation::step`](crate::Simulation::step).
     #[track_caller]
     pub fn run<P: Processes>(&self, processes: P) -> P::Output {
         let loc = Loc::caller();
         assert!(self.shared.borrow().running.is_none(), "a process calls `run`, at {loc}: give all processes to one");
         let mut members = processes.members(self);
-        // Nothing wakes a process but time, so all have a turn at each instant.
+        // Only time wakes a process, so all are resumed at each instant.
         let mut context = Context::from_waker(Waker::noop());
         let mut go_on = || P::go_on(&mut members, self, &mut context);
         let mut has_ended = go_on();
@@ -56,7 +56,7 @@ impl Testbench<'_> {
         P::outputs(members)
     }
 
-    /// Inputs become what the processes said.
+    /// Sets the inputs as the processes requested.
     fn drive_sets(&self) {
         let mut shared = self.shared.borrow_mut();
         for set in std::mem::take(&mut shared.sets) {
@@ -64,7 +64,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// What each process waits for.
+    /// Lists what each process waits for.
     fn stuck(&self, limit: u64, loc: Loc) -> String {
         let shared = self.shared.borrow();
         let mut text = format!("the processes of the run at {loc} have not ended after {limit} instants:");
@@ -76,12 +76,12 @@ impl Testbench<'_> {
 }
 
 impl super::Shared<'_> {
-    /// The processes are about to have their turn before the next instant.
+    /// Prepares for resuming the processes before the next instant.
     fn next_turn(&mut self) {
         self.turns += 1;
         self.waiting.clear();
         self.instant = self.circuit.timeline.next_time();
-        // Without clocks the step that follows says so.
+        // Without clocks, the following step reports the error.
         self.circuit.timeline.rising_at(self.instant.unwrap_or(0), &mut self.rising);
     }
 }

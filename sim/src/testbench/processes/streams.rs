@@ -1,4 +1,4 @@
-//! What a process does with a stream: it sends, receives, compares and watches.
+//! Processes on streams: sending, receiving, comparing and watching.
 
 use std::fmt::Debug;
 use std::future::Future;
@@ -9,8 +9,8 @@ use super::{Pauses, Testbench};
 use crate::testbench::port::{IntoValue, Port};
 
 impl Testbench<'_> {
-    /// Sends a word to the block: shows it until the block takes it. Two one after another go over in two clocks. Its values are of one type, any
-    /// that [`Testbench::set`] takes, such as `i64` where some are negative.
+    /// Sends a word to the block: offers it until the block takes it. Two words in sequence take two clocks. The
+    /// values have one type, any that [`Testbench::set`] accepts, such as `i64` for negative numbers.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
@@ -36,7 +36,7 @@ impl Testbench<'_> {
         async move { self.send_at::<P, V>(&stream, &word, loc).await }
     }
 
-    /// As [`Testbench::send`], of a word whose values are wider than 64 bits.
+    /// Like [`Testbench::send`], for a word with values wider than 64 bits.
     ///
     /// ```
     /// # use tilewright_hdl::Bits;
@@ -58,7 +58,7 @@ impl Testbench<'_> {
         async move { self.send_at::<P, Bits>(&stream, &word, loc).await }
     }
 
-    /// Receives a word from the block: takes the first that it shows.
+    /// Receives a word from the block: takes the first one that it offers.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Increment};
@@ -73,20 +73,20 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// A value does not fit 64 bits.
+    /// A value does not fit in 64 bits.
     #[track_caller]
     pub fn receive<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<u64>> {
         let loc = Loc::caller();
         async move { self.receive_at(&stream, loc).await }
     }
 
-    /// As [`Testbench::receive`], with negative numbers: what is declared as signed is read in two's complement.
+    /// Like [`Testbench::receive`], with negative numbers: signed fields are read in two's complement.
     ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # use tilewright_sim::Simulation;
     /// block! {
-    ///     /// Gives the negative of each number.
+    ///     /// Negates each number.
     ///     struct Negate;
     ///     in NegateIn { numbers: stream(bits(8).signed()) }
     ///     out NegateOut { negated: stream(bits(8).signed()) }
@@ -114,7 +114,7 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// A value does not fit 64 bits with its sign.
+    /// A value with its sign does not fit in 64 bits.
     #[track_caller]
     pub fn receive_i64<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = P::With<i64>> {
         let loc = Loc::caller();
@@ -124,7 +124,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// As [`Testbench::receive`], of a word whose values are wider than 64 bits.
+    /// Like [`Testbench::receive`], for a word with values wider than 64 bits.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Increment};
@@ -144,7 +144,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// Sends words, one a clock but for the pauses.
+    /// Sends words, one a clock except for the pauses.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
@@ -175,7 +175,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// Receives so many words, one a clock but for the pauses.
+    /// Receives `count` words, one a clock except for the pauses.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
@@ -209,7 +209,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// Receives these words, one a clock but for the pauses.
+    /// Receives these words, one a clock except for the pauses.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment};
@@ -224,7 +224,7 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// A word is another one; the message says which. Or as [`Testbench::receive`].
+    /// A word differs from the expected one; the message says which. Or as [`Testbench::receive`].
     #[track_caller]
     pub fn expect_all<P: Fields<Port>, V: IntoValue + Leaf>(
         &self,
@@ -249,12 +249,12 @@ impl Testbench<'_> {
                 }
                 let word = stream.payload.map(|port| self.signed::<i128>(*port));
                 let (name, time) = (self.name(&stream), self.time());
-                panic!("word {number} of `{name}`, at {time} ps, is {word:?}, and not {expected:?}\n  --> {loc}");
+                panic!("word {number} of `{name}`, at {time} ps, is {word:?}, not {expected:?}\n  --> {loc}");
             }
         }
     }
 
-    /// Waits for so many edges, at none of which the block shows a word: nothing is doubled at the end.
+    /// Waits for `edges` edges at which the block must not offer a word; it shows that no word is sent twice.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Increment};
@@ -269,7 +269,7 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// It shows one.
+    /// The block offers a word.
     #[track_caller]
     pub fn expect_silence<P: Fields<Port>>(&self, stream: Stream<P, Port>, edges: u64) -> impl Future<Output = ()>
     where
@@ -290,7 +290,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// Watches for ever that a word that the block shows stays until it is taken: give it to [`monitor`](crate::monitor).
+    /// Watches without end that an offered word stays until it is taken; pass it to [`monitor`](crate::monitor).
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment, monitor};
@@ -308,7 +308,7 @@ impl Testbench<'_> {
     ///
     /// # Panics
     ///
-    /// It is taken back or changes.
+    /// An offered word is withdrawn or changes.
     #[track_caller]
     pub fn holds<P: Fields<Port>>(&self, stream: Stream<P, Port>) -> impl Future<Output = ()>
     where
@@ -317,7 +317,7 @@ impl Testbench<'_> {
         self.holds_as(stream, |port| self.number(*port, "holds_bits"), Loc::caller())
     }
 
-    /// As [`Testbench::holds`], for words whose values are wider than 64 bits.
+    /// Like [`Testbench::holds`], for words with values wider than 64 bits.
     ///
     /// ```
     /// # use tilewright_sim::{Pauses, Simulation, for_examples::Increment, monitor};
@@ -361,7 +361,7 @@ impl Testbench<'_> {
         }
     }
 
-    /// The word that a stream shows before the edge, if it shows one.
+    /// The word that a stream offers before the edge, if any.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Increment};
@@ -395,7 +395,7 @@ impl Testbench<'_> {
         self.set_at(stream.valid, 1, loc);
         ports.iter().zip(values).for_each(|(port, value)| self.set_at(*port, value, loc));
         self.until_at(stream.ready.into(), loc).await;
-        // A word that is not valid is none: a block that reads it nevertheless fails its test.
+        // The payload of an invalid word is random: a block that reads it nevertheless fails its test.
         self.set_at(stream.valid, 0, loc);
         ports.iter().for_each(|port| self.set_at(*port, 0, loc));
     }
@@ -405,7 +405,7 @@ impl Testbench<'_> {
         stream.payload.map(|port| self.number(*port, "receive_bits"))
     }
 
-    /// Waits for a word, and takes it; before the edge its payload is to be read.
+    /// Waits for a word and takes it; its payload must be read before the edge.
     async fn take_at<P: Fields<Port>>(&self, stream: &Stream<P, Port>, loc: Loc) {
         self.set_at(stream.ready, 1, loc);
         self.until_at(stream.valid.into(), loc).await;
@@ -417,7 +417,7 @@ impl Testbench<'_> {
         self.shared.borrow_mut().circuit.number(port, 0, instead)
     }
 
-    /// The number that a port is, negative if it is signed and so is its value.
+    /// The value of a port as a number, negative if the port is signed and the value is.
     #[track_caller]
     fn signed<N: TryFrom<i128>>(&self, port: Port) -> N {
         let circuit = &mut self.shared.borrow_mut().circuit;
@@ -425,7 +425,7 @@ impl Testbench<'_> {
             Some(number) => number,
             None => {
                 let (path, bits) = (&circuit.declared(port).path, 8 * size_of::<N>());
-                panic!("`{path}` does not fit {bits} bits with its sign: use `receive_bits`")
+                panic!("`{path}` does not fit in {bits} bits with its sign: use `receive_bits`")
             }
         }
     }
@@ -438,7 +438,7 @@ impl Testbench<'_> {
     }
 }
 
-/// The leaves of a record, in order.
+/// The leaves of a record, in sequence.
 fn leaves<T: Leaf, F: Fields<T>>(record: &F) -> Vec<T> {
     let mut leaves = Vec::new();
     record.visit(&mut |part| {

@@ -1,4 +1,4 @@
-//! Waiting: for edges, and for the edge at which something is so.
+//! Waiting for edges, and for conditions at edges.
 
 use std::future::Future;
 use std::pin::Pin;
@@ -11,26 +11,26 @@ use crate::engine::until::Until;
 use crate::testbench::condition::Condition;
 use crate::testbench::running::Running;
 
-/// A process that waits, for the message that says why nothing goes on.
+/// A waiting process, for the message of a testbench that gives up.
 pub(super) struct Waiting {
     what: What,
-    /// Since when, in picoseconds.
+    /// The time at which it began, in picoseconds.
     since: u64,
     loc: Loc,
 }
 
-/// What is waited for, to be said.
+/// The goal of a wait, for messages.
 #[derive(Clone, Copy)]
 enum What {
     Edges(u64),
     Condition(Condition),
 }
 
-/// What is waited for.
+/// The goal of a wait.
 enum Goal {
-    /// So many edges.
+    /// This number of edges.
     Edges(u64),
-    /// The edge at which this holds, which is made of that.
+    /// The edge at which the condition is true, in its two forms.
     Until(Until, Condition),
 }
 
@@ -42,15 +42,15 @@ impl Waiting {
             What::Edges(left) => format!("{left} edges"),
             What::Condition(condition) => circuit.condition_text(condition),
         };
-        format!("one waits since {} ps for {what}\n  --> {}", self.since, self.loc)
+        format!("one has waited since {} ps for {what}\n  --> {}", self.since, self.loc)
     }
 }
 
-/// A wait that has begun, or not yet.
+/// A wait, begun or not.
 struct Wait<'t, 's> {
     testbench: &'t Testbench<'s>,
     goal: Goal,
-    /// The turn in which it began, and the time then.
+    /// The count of resumptions at which it began, and the time then.
     began: Option<(u64, u64)>,
     loc: Loc,
 }
@@ -74,7 +74,7 @@ impl<'s> Testbench<'s> {
         self.begin(Goal::Edges(1), Loc::caller())
     }
 
-    /// Waits for so many edges.
+    /// Waits for `edges` edges.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -89,7 +89,8 @@ impl<'s> Testbench<'s> {
         self.begin(Goal::Edges(edges), Loc::caller())
     }
 
-    /// Waits for the first edge, from the next one on, before which a condition holds: `t.until(done)`, `t.until(count.is_at_least(5))`.
+    /// Waits for the first edge, from the next one on, before which a condition is true: `t.until(done)`,
+    /// `t.until(count.is_at_least(5))`.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -103,18 +104,18 @@ impl<'s> Testbench<'s> {
     ///
     /// # Panics
     ///
-    /// The number of the condition does not fit into its port, or a port of several bits is not compared with one.
+    /// The number of the condition does not fit in its port, or a port of several bits is not compared with a number.
     #[track_caller]
     pub fn until(&self, condition: impl Into<Condition>) -> impl Future<Output = ()> {
         self.until_at(condition.into(), Loc::caller())
     }
 
-    /// As [`Testbench::wait`], from that line.
+    /// Like [`Testbench::wait`], at this source line.
     pub(super) fn wait_at(&self, edges: u64, loc: Loc) -> impl Future<Output = ()> {
         self.begin(Goal::Edges(edges), loc)
     }
 
-    /// As [`Testbench::until`], from that line.
+    /// Like [`Testbench::until`], at this source line.
     #[track_caller]
     pub(super) fn until_at(&self, condition: Condition, loc: Loc) -> impl Future<Output = ()> {
         let until = self.shared.borrow().circuit.until(condition);
@@ -134,7 +135,7 @@ impl Future for Wait<'_, '_> {
         let mut shared = testbench.shared.borrow_mut();
         let now = (shared.turns, shared.now());
         let (turn, since) = *self.began.get_or_insert(now);
-        // It does not end at the edge at which it began.
+        // A wait does not end at the edge at which it began.
         let rises = turn != shared.turns && testbench.clock.is_none_or(|clock| shared.rising.contains(&clock));
         let is_over = match &mut self.goal {
             Goal::Edges(left) => {

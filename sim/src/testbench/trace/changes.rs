@@ -1,7 +1,7 @@
 //! Value changes as the bytes of a waveform file.
 //!
-//! The form is that of IEEE 1364-2001, section 18.2: `#TIME`, and then a line for each variable that changes there. The
-//! `vcd` crate, which writes the header, formats digit by digit and would take most of the time of a traced run.
+//! The format is that of IEEE 1364-2001, section 18.2: `#TIME`, and then a line for each variable that changes there.
+//! The `vcd` crate, which writes the header, formats digit by digit and would dominate the time of a traced run.
 
 use vcd::IdCode;
 
@@ -17,7 +17,7 @@ pub(crate) struct Id {
 }
 
 impl Id {
-    /// The longest identifier, so that a scalar's value or the space before it fits into the word too.
+    /// The longest identifier, so that a scalar's value or the space before it fits in the word too.
     const LONGEST: usize = 6;
 
     /// # Panics
@@ -31,22 +31,22 @@ impl Id {
     }
 }
 
-/// How many variables stand together: as many as a number has bits.
+/// The number of variables in a block: as many as a number has bits.
 pub(super) const BLOCK: usize = 64;
 
-/// How the lines of a variable of up to 32 bits that is no string are written. Most variables are such, and each line is put
-/// together without a choice that would be hard to foresee.
+/// The precomputed line format of a variable of up to 32 bits that is not a string. Most variables are such, and each
+/// line is assembled without an unpredictable branch.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Short {
-    /// What follows on the digits.
+    /// The characters after the digits.
     after: u64,
     after_length: u32,
-    /// How many characters stand before them: a scalar has none there.
+    /// The number of characters before the digits, which a scalar does not have.
     before: u32,
 }
 
 impl Short {
-    /// The lines of a scalar, or of a vector.
+    /// The lines of a scalar or of a vector.
     pub fn new(id: Id, is_scalar: bool) -> Short {
         match is_scalar {
             true => Short { after: id.word, after_length: id.length as u32, before: 0 },
@@ -55,15 +55,16 @@ impl Short {
     }
 }
 
-/// Value changes in memory, in order of time.
+/// Value changes in memory, in the sequence of time.
 ///
-/// Most of a traced run goes into these lines, a few bytes each. So they are put together of copies of fixed size, of
-/// which the next one overwrites what is not in use; only a line that is at its end is looked at for room.
+/// Most of the time of a traced run is spent on these lines, a few bytes each. So they are assembled from copies of
+/// fixed size, and each copy overwrites the unused end of the previous one. The room in the buffer is checked only
+/// once for each line.
 #[derive(Debug, Default)]
 pub(super) struct Changes {
-    /// The text, and room behind it.
+    /// The text, and free space after it.
     bytes: Vec<u8>,
-    /// Where the text ends.
+    /// The end of the text.
     end: usize,
     /// The last time that was written.
     time: Option<u64>,
@@ -82,7 +83,7 @@ const DIGITS: [[u8; 8]; 256] = {
     all
 };
 
-/// The room for the line of a number of up to 64 bits and what its copies leave behind it.
+/// The room for the line of a number of up to 64 bits and for the unused ends of its copies.
 pub(super) const LINE: usize = 80;
 
 impl Changes {
@@ -91,25 +92,25 @@ impl Changes {
         &self.bytes[..self.end]
     }
 
-    /// Forgets the text, but not the time.
+    /// Clears the text, but keeps the time.
     pub fn clear(&mut self) {
         self.end = 0;
     }
 
-    /// Gives the text, and how long it is, away for other room.
+    /// Exchanges the text, with its length, for another buffer.
     pub fn exchange(&mut self, take: impl FnOnce(Vec<u8>, usize) -> Vec<u8>) {
         self.bytes = take(std::mem::take(&mut self.bytes), self.end);
         self.clear();
     }
 
-    /// Room at the end.
+    /// The free space at the end.
     #[inline]
     fn room(&mut self) -> &mut [u8; LINE] {
         self.reserve(LINE);
         self.bytes[self.end..].first_chunk_mut().expect("it has just grown")
     }
 
-    /// So many bytes of room at the end.
+    /// Makes room for `more` bytes at the end.
     fn reserve(&mut self, more: usize) {
         if self.bytes.len() < self.end + more {
             self.grow(more);
@@ -132,7 +133,7 @@ impl Changes {
         }
     }
 
-    /// What follows happens at this time.
+    /// Sets the time of the following changes.
     pub fn at(&mut self, time: u64) {
         if self.time != Some(time) {
             self.time = Some(time);
@@ -142,7 +143,7 @@ impl Changes {
         }
     }
 
-    /// New values of those of such variables that have a bit in `which`.
+    /// Writes the new values of those short variables that have a bit in `which`.
     #[inline]
     pub fn shorts(&mut self, which: u64, all: &[Short; BLOCK], limbs: &[u64; BLOCK]) {
         self.reserve(LINE * BLOCK);
@@ -168,7 +169,7 @@ impl Changes {
         self.end += put_end(self.room(), 0, b'0' + u8::from(high), id);
     }
 
-    /// A variable of several bits, from its limbs, the lowest first; leading zeros are left out.
+    /// A variable of several bits, from its limbs, the lowest first; leading zeros are omitted.
     #[inline]
     pub fn bits(&mut self, id: Id, limbs: &[u64]) {
         let &[limb] = limbs else { return self.wide(id, limbs) };
@@ -178,7 +179,7 @@ impl Changes {
         self.end += put_end(line, 1 + digits, b' ', id);
     }
 
-    /// As [`Changes::bits`], of any number of limbs.
+    /// Like [`Changes::bits`], for any number of limbs.
     fn wide(&mut self, id: Id, limbs: &[u64]) {
         let top = limbs.iter().rposition(|&limb| limb != 0).unwrap_or(0);
         self.text(b"b");
@@ -197,25 +198,27 @@ impl Changes {
     }
 }
 
-/// Puts the line of a new value there; gives its length.
+/// Writes the line of a new value there; returns its length.
 #[inline]
 fn put_short(line: &mut [u8; LINE], of: Short, number: u32) -> usize {
     let before = (of.before & 1) as usize;
     let leading = (number | 1).leading_zeros();
     line[0] = b'b';
     put_bytes(line, before, &(number << leading).to_be_bytes());
-    // It is less than 64 anyway, which saves a look at whether there is room.
+    // It is less than 64 anyway; the remainder avoids a bounds check.
     let after = (before + (u32::BITS - leading) as usize) % 64;
     line[after..after + 8].copy_from_slice(&of.after.to_le_bytes());
     after + of.after_length as usize
 }
 
-/// Puts the lowest `count` digits of a number there, at least one, the highest first; gives how many those are.
+/// Writes the lowest `count` digits of a number there, at least one, the highest first; returns how many were
+/// written.
 #[inline]
 fn put_digits(line: &mut [u8; LINE], at: usize, number: u64, count: u32) -> usize {
     let rest = number << (u64::BITS - count);
     let bytes = rest.to_be_bytes();
-    // Half of them, or all: how many are in use is hard to foresee, and more branches would take longer than the digits.
+    // Half of them, or all: the number in use is hard to predict, and more branches would take longer than the
+    // digits.
     let (high, low) = bytes.split_at(4);
     put_bytes(line, at, high);
     if count > 32 {
@@ -224,14 +227,14 @@ fn put_digits(line: &mut [u8; LINE], at: usize, number: u64, count: u32) -> usiz
     count as usize
 }
 
-/// Puts the digits of four bytes there.
+/// Writes the digits of four bytes there.
 #[inline]
 fn put_bytes(line: &mut [u8; LINE], at: usize, bytes: &[u8]) {
     let places = line[at..at + 32].chunks_exact_mut(8);
     places.zip(bytes).for_each(|(place, &byte)| place.copy_from_slice(&DIGITS[usize::from(byte)]));
 }
 
-/// Puts a character and the identifier there; gives where the line ends.
+/// Writes a character and the identifier there; returns the end of the line.
 #[inline]
 fn put_end(line: &mut [u8; LINE], at: usize, before: u8, id: Id) -> usize {
     line[at..at + 8].copy_from_slice(&(id.word << 8 | u64::from(before)).to_le_bytes());
@@ -247,7 +250,7 @@ mod tests {
 
     use super::*;
 
-    /// What a variable changes to.
+    /// The new value of a variable.
     #[derive(Debug, Clone)]
     enum New {
         Bit(bool),
@@ -271,7 +274,7 @@ mod tests {
         prop_oneof![0..94_u64, 0..9_000_u64, 0..80_000_000_u64].prop_map(IdCode::from)
     }
 
-    /// Writes a line, as one of those that are written together if `together`.
+    /// Writes a line, as a short variable if `together`.
     fn write(text: &mut Changes, variable: IdCode, new: &New, together: bool) {
         let id = Id::new(variable);
         match new {
@@ -287,7 +290,7 @@ mod tests {
         text.shorts(1 << 5, &[of; BLOCK], &[limb; BLOCK]);
     }
 
-    /// The command that is to be read: a vector begins with its highest one, or is a single zero.
+    /// The expected command: a vector begins with its highest one, or is a single zero.
     fn expected(variable: IdCode, new: &New) -> Command {
         match new {
             New::Bit(high) => Command::ChangeScalar(variable, Value::from(*high)),
@@ -312,7 +315,7 @@ mod tests {
                 text.at(time);
                 commands.push(Command::Timestamp(time));
                 for (variable, new, together) in changes {
-                    // The same time again is not written again.
+                    // An unchanged time is not written again.
                     text.at(time);
                     write(&mut text, *variable, new, *together);
                     commands.push(expected(*variable, new));

@@ -14,8 +14,8 @@ use crate::engine::Done;
 use crate::engine::program::{Program, Triggers};
 use crate::testbench::error::Error;
 
-/// How much is collected before it goes to the file, always in whole time steps: unless a run is killed in the midst of
-/// a write, its file ends with one.
+/// The amount collected before it goes to the file, always in whole time steps. So the file ends with a whole step,
+/// unless the run is killed during a write.
 const CHUNK: usize = 1 << 18;
 
 /// No edge.
@@ -28,29 +28,29 @@ pub(crate) struct Dump {
     window: Range<u64>,
     /// The values of the last step: of the file, or of the flight recorder.
     shown: Shown,
-    /// What takes many steps at once, if the engine gives them so.
+    /// Takes many steps at once, if the engine supports it.
     rows: Option<Rows>,
     /// Whether the file has a step.
     begun: bool,
     /// The resets as the file shows them.
     resets: Vec<bool>,
-    /// Up to when the text goes.
+    /// The end time of the text.
     time: u64,
-    /// The clocks that fall in a step, and when; kept to save an allocation.
+    /// The clocks that fall in a step, and when; kept to avoid an allocation.
     falls: Vec<(u64, Option<Id>)>,
-    /// What is still to go to the file.
+    /// The text that has not gone to the file yet.
     text: Changes,
     flight: Option<Flight>,
 }
 
 /// A flight recorder: the last steps.
 struct Flight {
-    /// How many it holds at most.
+    /// The largest number of steps that it keeps.
     capacity: usize,
     steps: VecDeque<Step>,
 }
 
-/// What is in force between two instants.
+/// The values between two instants.
 #[derive(Default)]
 struct Step {
     since: u64,
@@ -61,8 +61,8 @@ struct Step {
 }
 
 impl Dump {
-    /// Creates the file, or for a flight recorder only prepares it.
-    /// The engine knows `rows` as the values of all variables.
+    /// Creates the file; for a flight recorder, only prepares it. `rows` is the engine's index for the values of all
+    /// variables.
     pub fn new(
         vcd: Vcd,
         program: &Program,
@@ -97,13 +97,13 @@ impl Dump {
         self.file.append(&self.header.text);
     }
 
-    /// Hands what is collected to the system.
+    /// Hands the collected text to the system.
     fn flush(&mut self) {
         self.file.append(self.text.bytes());
         self.text.clear();
     }
 
-    /// Has what is collected written, if it is much.
+    /// Flushes the collected text if it is long.
     fn flush_much(&mut self) {
         if self.text.bytes().len() >= CHUNK {
             let file = &mut self.file;
@@ -111,9 +111,10 @@ impl Dump {
         }
     }
 
-    /// Writes a time step: the values shown, as they have been since its begin, and the clocks that fall within it.
+    /// Writes a time step: the values shown since its begin, and the clocks that fall within it.
     fn step(&mut self, since: u64, until: u64, resets: &[bool]) {
-        // An instant at which an assertion fails is shown again when it is tried again: time goes on from there.
+        // If an assertion fails at an instant and the instant is tried again, it is shown again. Time continues from
+        // the first attempt.
         let at = since.max(self.time);
         if self.begun {
             self.changes(at, resets);
@@ -130,7 +131,7 @@ impl Dump {
         self.flush_much();
     }
 
-    /// Writes what has changed since the last step.
+    /// Writes the changes since the last step.
     fn changes(&mut self, at: u64, resets: &[bool]) {
         let Dump { text, header, shown, .. } = self;
         shown.visit_changed(|number, limbs| {
@@ -159,7 +160,7 @@ impl Dump {
         let falling = header.clocks.iter().filter_map(|clock| Some((clock.fall(since)?, clock.id)));
         falls.clear();
         falls.extend(falling.filter(|&(fall, _)| *time < fall && fall < until));
-        // Those at the same time remain in the order of the clocks.
+        // At one time, the sequence of the clocks remains.
         falls.sort_by_key(|fall| fall.0);
         for &(fall, id) in &*falls {
             text.at(fall);
@@ -168,7 +169,7 @@ impl Dump {
         }
     }
 
-    /// Writes what the flight recorder holds; from here on every step is written.
+    /// Writes the steps of the flight recorder; from now on, every step is written.
     fn land(&mut self) {
         let Some(flight) = self.flight.take() else { return };
         self.open();
@@ -180,7 +181,7 @@ impl Dump {
 }
 
 impl Flight {
-    /// Keeps a step, and forgets the oldest one if there are too many.
+    /// Keeps a step, and drops the oldest one if there are too many.
     fn keep(&mut self, since: u64, until: u64, limbs: &[u64], resets: &[bool]) {
         let oldest = if self.steps.len() == self.capacity { self.steps.pop_front() } else { None };
         let mut step = oldest.unwrap_or_default();
@@ -225,7 +226,7 @@ impl Observer for Dump {
     fn rows(&mut self, view: &mut View, count: u64) -> Result<Done, Error> {
         self.file.report()?;
         let Dump { rows: Some(rows), header, shown, text, .. } = self else { return Ok(NOTHING) };
-        // What is not a step like the ones before is left to `sample`.
+        // A step unlike the previous ones is left to `sample`.
         let is_alike = self.begun && self.resets == view.resets && view.since > self.time.max(self.window.start);
         if !is_alike {
             return Ok(NOTHING);
@@ -257,7 +258,8 @@ impl Observer for Dump {
     }
 }
 
-/// A run that ends without [`Simulation::finish`](crate::Simulation::finish), as by a panic, still leaves its waves.
+/// A run that ends without [`Simulation::finish`](crate::Simulation::finish), for example by a panic, still leaves
+/// its waves.
 impl Drop for Dump {
     fn drop(&mut self) {
         self.flush();

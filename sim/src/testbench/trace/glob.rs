@@ -1,10 +1,10 @@
 //! Patterns for hierarchical names.
 
-/// Whether `pattern` matches all of `path`: `*` stands for any characters but a dot, `**` for any. It takes time in proportion to
-/// the product of both lengths.
+/// Whether `pattern` matches all of `path`: `*` stands for any characters but a dot, `**` for any characters. The
+/// time is proportional to the product of both lengths.
 pub(crate) fn matches(pattern: &str, path: &str) -> bool {
     let parts = parts(pattern);
-    // By `i`: whether the first `i` parts match what has been read of the path.
+    // For each `i`, whether the first `i` parts match the path so far.
     let mut reached = vec![false; parts.len() + 1];
     reached[0] = true;
     pass_stars(&parts, &mut reached);
@@ -31,7 +31,7 @@ impl Part {
         !matches!(self, Part::One(_))
     }
 
-    /// Whether it stands for this character and more.
+    /// Whether it matches this character and may match more.
     fn repeats(&self, c: char) -> bool {
         match self {
             Part::One(_) => false,
@@ -55,7 +55,7 @@ fn parts(pattern: &str) -> Vec<Part> {
     parts
 }
 
-/// A star also stands for nothing.
+/// A star also matches nothing.
 fn pass_stars(parts: &[Part], reached: &mut [bool]) {
     for (i, part) in parts.iter().enumerate() {
         reached[i + 1] |= reached[i] && part.is_star();

@@ -1,4 +1,4 @@
-//! What watches a run: waveform files, waves in text, recordings. A run without any pays nothing for them.
+//! Observers of a run: waveform files, text waves, recordings. A run without observers does not pay for them.
 
 mod changes;
 mod dump;
@@ -27,11 +27,11 @@ pub(crate) use vcd_header::header;
 pub use wave::Wave;
 pub(crate) use wave::{Draw, Source};
 
-/// What an observer sees: the circuit settled before an edge.
+/// The view of an observer: the circuit settled before an edge.
 pub(crate) struct View<'a> {
     pub program: &'a Program,
     pub engine: &'a mut dyn Engine,
-    /// The last instant, in picoseconds: the values have been in force since.
+    /// The last instant, in picoseconds: the start of the present values.
     pub since: u64,
     /// The coming instant.
     pub until: u64,
@@ -43,19 +43,19 @@ pub(crate) struct View<'a> {
     pub changed: Triggers,
 }
 
-/// Something that watches every instant. What goes wrong is reported by the next sample or at the end: the error of an
-/// assertion at the same instant comes first.
+/// An observer of every instant. It reports its own errors at the next sample or at the end, because the error of an
+/// assertion at the same instant takes precedence.
 pub(crate) trait Observer {
-    /// The circuit as it is just before an edge. An error is one from before; the sample is then not taken.
+    /// Samples the circuit just before an edge. An error is from earlier; the sample is then not taken.
     fn sample(&mut self, view: &mut View) -> Result<(), Error>;
 
-    /// Goes through as many edges of the only clock as it takes at once, up to `count`: none if it wants to see each of the
-    /// next ones.
+    /// Executes as many edges of the only clock as it can take at once, up to `count`; none if it needs to see each
+    /// of the next ones.
     fn rows(&mut self, _view: &mut View, _count: u64) -> Result<Done, Error> {
         Ok(Done { edges: 0, changed: Triggers::NONE })
     }
 
-    /// Whether it wants no more samples.
+    /// Whether it needs no more samples.
     fn is_over(&self) -> bool {
         false
     }

@@ -1,9 +1,9 @@
-//! The numbers of a wave in text.
+//! The numbers of a text wave.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::Kind;
 
-/// What the numbers of a [`Wave`](super::Wave) are written in.
+/// The radix of the numbers of a [`Wave`](super::Wave).
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, WaveRadix, for_examples::Counter};
@@ -27,8 +27,8 @@ pub enum WaveRadix {
     Binary,
 }
 
-/// A value as a row shows it: a code by its name, a signed number with its sign. Without a radix, numbers are hexadecimal, and signed ones
-/// decimal.
+/// A value as a row shows it: a code by its name, a signed number with its sign. Without a radix, unsigned numbers
+/// are hexadecimal and signed ones decimal.
 pub(super) fn text(value: &Bits, kind: Kind, radix: Option<WaveRadix>) -> String {
     let code = |names: &'static [&'static str]| names.get(usize::try_from(value.to_u64()?).ok()?).copied();
     match kind {
@@ -45,7 +45,7 @@ pub(super) fn text(value: &Bits, kind: Kind, radix: Option<WaveRadix>) -> String
     }
 }
 
-/// A value without a sign, and without zeros before it. More than 128 bits are never decimal.
+/// A value without a sign and without leading zeros. More than 128 bits are never decimal.
 fn number(value: &Bits, radix: Option<WaveRadix>) -> String {
     let digits = match (radix, value.to_u128()) {
         (Some(WaveRadix::Binary), _) => format!("{value:b}"),

@@ -1,4 +1,4 @@
-//! Records a run: what goes in and comes out before every edge.
+//! Records a run: the inputs and outputs before every edge.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard};
@@ -11,7 +11,7 @@ use crate::engine::program::{Port, Program, ValueId, hierarchy};
 use crate::engine::{Engine, Word};
 use crate::testbench::error::Error;
 
-/// The words of memories that were replaced before the first step.
+/// The memory words that were replaced before the first step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Poked(Arc<Mutex<BTreeSet<Word>>>);
 
@@ -28,7 +28,7 @@ impl Poked {
         self.words().clear();
     }
 
-    /// What they hold in a run; words with neighbouring addresses together.
+    /// Their values in a run; words at consecutive addresses are joined.
     fn initial(&self, view: &View, run: u32) -> Vec<Initial> {
         let (program, mut all) = (view.program, Vec::<(Word, Initial)>::new());
         for place in program.hierarchy.places(run) {
@@ -65,7 +65,7 @@ impl Word {
     }
 }
 
-/// A recording that goes on while the simulation runs.
+/// A recording, which continues while the simulation runs.
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -79,18 +79,18 @@ impl Word {
 #[derive(Debug, Clone, Default)]
 pub struct Recorder {
     recording: Arc<Mutex<Recording>>,
-    /// Of a batch.
+    /// The run of a batch.
     run: u32,
     poked: Poked,
 }
 
 impl Recorder {
-    /// Records that run, which starts with these words poked.
+    /// Records this run, which starts with these words poked.
     pub(crate) fn of(run: u32, poked: Poked) -> Recorder {
         Recorder { run, poked, ..Recorder::default() }
     }
 
-    /// What was recorded so far; the recording goes on with nothing.
+    /// The recording so far; it continues empty.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};

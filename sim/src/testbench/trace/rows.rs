@@ -1,5 +1,5 @@
-//! Many steps of a waveform at once: an engine leaves the values before each edge in rows, and what is different from one
-//! row to the next is what changes in the file.
+//! Many steps of a waveform at once: an engine stores the values before each edge in rows, and the differences
+//! between successive rows are the changes in the file.
 
 use std::cell::Cell;
 
@@ -11,34 +11,34 @@ use super::vcd_header::{Header, Variable, VariableKind};
 use crate::engine::program::Program;
 use crate::engine::{Done, LINE};
 
-/// What is known of rows, whose limbs are those of one variable after the other.
+/// The layout of rows, which have the limbs of one variable after another.
 pub(super) struct Rows {
-    /// What the engine knows them by.
+    /// The engine's index for them.
     index: usize,
-    /// Limbs of a row.
+    /// The number of limbs of a row.
     length: usize,
     blocks: Vec<Block>,
-    /// By variable: its first limb; and the end of the last.
+    /// For each variable its first limb, and the end of the last one.
     starts: Vec<usize>,
     /// The last row.
     last: Vec<[u64; BLOCK]>,
-    /// By block: a bit for each limb that is another than in the row before.
+    /// For each block, a bit for each limb that differs from the previous row.
     changed: Vec<u64>,
-    /// Whether the last step was one of a row.
+    /// Whether the last step came from a row.
     are_ahead: bool,
 }
 
-/// How some limbs of a row are written.
+/// The format of some limbs of a row.
 struct Block {
-    /// As lines of variables of their own.
+    /// For limbs that are variables of their own.
     shorts: [Short; BLOCK],
-    /// But for those that have a bit here: their variables have more than 32 bits, or are strings.
+    /// The exceptions, one bit each: their variables have more than 32 bits or are strings.
     others: u64,
     variables: [usize; BLOCK],
 }
 
 impl Rows {
-    /// Rows that the engine knows by that index.
+    /// The rows with this engine index.
     pub fn new(index: usize, program: &Program, shown: &Shown, variables: &[Variable]) -> Rows {
         let (mut blocks, mut starts, mut end) = (Vec::new(), vec![0], 0);
         for ((number, variable), limbs) in variables.iter().enumerate().zip(shown.limbs_of_variables()) {
@@ -59,14 +59,14 @@ impl Rows {
         Rows { index, length: end.next_multiple_of(LINE), blocks, starts, last, changed, are_ahead: false }
     }
 
-    /// Has somebody else go on from the last row.
+    /// Hands the last row over to step-by-step sampling.
     pub fn leave(&mut self, shown: &mut Shown) {
         if std::mem::take(&mut self.are_ahead) {
             shown.take_row(self.last.as_flattened());
         }
     }
 
-    /// Takes steps, up to `count`, of the only clock, and writes them; each begins with an edge.
+    /// Takes up to `count` steps of the only clock and writes them; each begins with an edge.
     pub fn take(&mut self, view: &mut View, count: u64, shown: &Shown, header: &Header, text: &mut Changes) -> Done {
         let none = Done { edges: 0, changed: view.changed };
         if count == 0 {
@@ -94,7 +94,7 @@ impl Rows {
         done
     }
 
-    /// Writes what is another value than in the row before.
+    /// Writes the values that differ from the previous row.
     fn row(&mut self, row: &[Cell<u64>], time: u64, header: &Header, text: &mut Changes) {
         let Rows { blocks, starts, last, changed, .. } = self;
         for ((row, last), changed) in row.chunks(BLOCK).zip(&mut *last).zip(&mut *changed) {
@@ -112,7 +112,7 @@ impl Rows {
                 text.shorts(rest & ((1 << place) - 1), &block.shorts, limbs);
                 rest &= (u64::MAX - 1) << place;
                 let variable = block.variables[place as usize];
-                // One of several limbs is written with the first of them that is another.
+                // A variable of several limbs is written with the first of them that differs.
                 if written.replace(variable) != Some(variable) {
                     let limbs = &last.as_flattened()[starts[variable]..starts[variable + 1]];
                     change(text, &header.variables[variable], limbs);
@@ -123,12 +123,12 @@ impl Rows {
     }
 }
 
-/// Replaces numbers, a multiple of [`LINE`]; gives a bit for each that was another.
+/// Replaces numbers, a multiple of [`LINE`]; returns a bit for each that differed.
 #[inline]
 fn replace(new: &[Cell<u64>], old: &mut [u64; BLOCK]) -> u64 {
     let mut all = 0;
     for ((new, old), line) in new.as_chunks::<LINE>().0.iter().zip(old.as_chunks_mut::<LINE>().0).zip(0..) {
-        // Whether one is another is hard to foresee, and so no branch.
+        // Whether a number differs is hard to predict, so there is no branch.
         let changed = (0..LINE).fold(0, |changed, place| changed | u64::from(new[place].get() != old[place]) << place);
         *old = std::array::from_fn(|place| new[place].get());
         all |= changed << (LINE * line);

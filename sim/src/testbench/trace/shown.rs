@@ -1,7 +1,7 @@
-//! The values that a waveform file shows, and which of its variables change from one step to the next.
+//! The values that a waveform file shows, and the variables that change from one step to the next.
 //!
-//! An engine gives a value in all lanes at a time, and is asked only for what may have changed; a file has a variable for
-//! each lane, in the order of its scopes. Between the two stands a copy of all values as they were last taken.
+//! An engine returns a value in all lanes at once, and is asked only for values that may have changed. A file has a
+//! variable for each lane, in the sequence of its scopes. A copy of all values as last taken connects the two.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -9,15 +9,15 @@ use std::ops::Range;
 use crate::engine::Engine;
 use crate::engine::program::{Program, Schedule, Triggers, ValueId};
 
-/// The values as they were last taken, and marks on the variables that have changed since those were last visited.
+/// The values as last taken, and flags for the variables that have changed since the last visit.
 pub(super) struct Shown {
     limbs: Vec<u64>,
-    /// Those with the same triggers stand together.
+    /// Values with the same triggers are adjacent.
     values: Vec<Traced>,
     groups: Vec<Group>,
-    /// Whether the values were ever taken.
+    /// Whether the values have ever been taken.
     known: bool,
-    /// The numbers of a group that are others than before; kept to save an allocation.
+    /// The numbers of a group that have changed; kept to avoid an allocation.
     renewed: Vec<u32>,
     variables: Variables,
 }
@@ -25,13 +25,13 @@ pub(super) struct Shown {
 /// Values that change together.
 struct Group {
     triggers: Triggers,
-    /// Those of one lane and up to 64 bits, which stand first; their limbs follow each other, as do their lanes.
+    /// The values of one lane and up to 64 bits, which come first; their limbs are adjacent, as are their lanes.
     numbers: Vec<ValueId>,
-    /// What the engine notes about them.
+    /// The engine's notes about them.
     note: Vec<u32>,
     /// The others, by index.
     others: Range<usize>,
-    /// Where the limbs and the lanes of the numbers begin.
+    /// The first limb and the first lane of the numbers.
     first_limb: usize,
     first_lane: usize,
 }
@@ -39,25 +39,26 @@ struct Group {
 /// A value that a variable shows.
 struct Traced {
     value: ValueId,
-    /// Where it stands among the limbs taken.
+    /// Its range among the limbs taken.
     limbs: Range<usize>,
-    /// How many of them are one lane.
+    /// The number of limbs of one lane.
     per_lane: usize,
     /// Its first lane in [`Variables::of_lane`].
     first_lane: usize,
-    /// What the engine knows it by.
+    /// The engine's notes about it.
     seen: Vec<u64>,
 }
 
 /// The variables of the file, by number.
 #[derive(Default)]
 struct Variables {
-    /// Where each variable's lane stands among the limbs taken.
+    /// The position of each variable's lane among the limbs taken.
     limbs: Vec<Range<usize>>,
-    /// By lane of all values: the variables that show it, of which there are two if it has names for its numbers. Where there
-    /// are fewer, one that is not among them stands instead, the next after the last: to mark it takes less than not to.
+    /// For each lane of all values, the variables that show it: two if it has names for its numbers. If there are
+    /// fewer, the entry is the index after the last variable: setting a spare flag takes less time than a branch.
     of_lane: Vec<[u32; 2]>,
-    /// For each, and for that one, whether it has changed: bytes, which are written without being read, in whole words.
+    /// For each variable, and for the spare one, whether it has changed: bytes, which can be written without being
+    /// read.
     changed: Vec<u8>,
 }
 
@@ -109,7 +110,7 @@ impl Shown {
         shown
     }
 
-    /// Takes the values that these triggers change; the first time, all.
+    /// Takes the values that these triggers change; the first time, all values.
     pub fn take(&mut self, engine: &mut dyn Engine, changed: Triggers) {
         let Shown { limbs, values, groups, variables, renewed, known } = self;
         for group in groups.iter_mut().filter(|group| group.triggers.meet(changed) || !*known) {
@@ -125,12 +126,12 @@ impl Shown {
         self.known = true;
     }
 
-    /// All values as they were last taken.
+    /// All values as last taken.
     pub fn limbs(&self) -> &[u64] {
         &self.limbs
     }
 
-    /// Goes to what was in [`Shown::limbs`] at another time.
+    /// Restores the values of an earlier [`Shown::limbs`].
     pub fn go_to(&mut self, limbs: &[u64]) {
         for traced in &mut self.values {
             traced.seen.clear();
@@ -138,24 +139,24 @@ impl Shown {
         }
     }
 
-    /// Of each variable, how many limbs it shows.
+    /// The number of limbs of each variable.
     pub fn limbs_of_variables(&self) -> impl Iterator<Item = usize> {
         self.variables.limbs.iter().map(Range::len)
     }
 
-    /// The limbs of one variable after the other, as they were last taken.
+    /// The limbs of one variable after another, as last taken.
     pub fn row(&self) -> impl Iterator<Item = u64> {
         self.variables.limbs.iter().flat_map(|limbs| &self.limbs[limbs.clone()]).copied()
     }
 
-    /// Takes what is in such a row, without a mark on what is another value.
+    /// Takes the values of such a row, without flagging changes.
     pub fn take_row(&mut self, row: &[u64]) {
         let places = self.variables.limbs.iter().cloned().flatten();
         places.zip(row).for_each(|(place, limb)| self.limbs[place] = *limb);
         self.values.iter_mut().for_each(|traced| traced.seen.clear());
     }
 
-    /// Marks all variables as changed.
+    /// Flags all variables as changed.
     pub fn mark_all(&mut self) {
         self.variables.mark_all();
     }
@@ -176,7 +177,7 @@ impl Shown {
 }
 
 impl Traced {
-    /// Replaces it among the limbs, and marks the variables that show a lane that is different.
+    /// Replaces the value among the limbs, and flags the variables whose lanes differ.
     fn replace(&self, limbs: &mut [u64], new: &[u64], variables: &mut Variables) {
         let old = &mut limbs[self.limbs.clone()];
         if old == new {
@@ -193,7 +194,7 @@ impl Traced {
 }
 
 impl Variables {
-    /// By variable, the value and its lane; the values have so many `lanes` together.
+    /// For each variable, the value and its lane; `lanes` is the number of lanes of all values.
     fn new<'a>(lanes: usize, variables: impl ExactSizeIterator<Item = (&'a Traced, usize)>) -> Variables {
         let nobody = variables.len() as u32;
         let mut all = Variables { of_lane: vec![[nobody; 2]; lanes], ..Variables::default() };
@@ -220,7 +221,7 @@ impl Variables {
     }
 }
 
-/// What can change each value of a program.
+/// The triggers that can change each value of a program.
 fn triggers(program: &Program) -> Vec<Triggers> {
     let Schedule { slots, segments, .. } = &program.schedule;
     let of_result = |segment: u32| segments[segment as usize].triggers;

@@ -1,4 +1,4 @@
-//! The file below a waveform, which grows by whole time steps and ends with one whatever happens.
+//! The file under a waveform. It grows by whole time steps and always ends with a whole one.
 
 use std::fs::File;
 use std::io::{self, Write};
@@ -9,50 +9,52 @@ use std::thread::{self, JoinHandle};
 
 use crate::testbench::error::Error;
 
-/// A file that takes whole time steps; after an error, which it keeps to be reported, it takes nothing more.
+/// A file of whole time steps. After an error, which it keeps for the report, it takes nothing more.
 pub(super) struct StepFile {
     path: PathBuf,
-    /// One that was open already.
+    /// A file that was open already.
     given: Option<Arc<File>>,
-    /// None before [`StepFile::create`], and after an error.
+    /// `None` before [`StepFile::create`], and after an error.
     file: Option<Grown>,
-    /// Whether something else writes it: not where there is but one processor. It takes long to find out.
+    /// Whether a separate thread writes it, as there are several processors. The query takes long, so its result is
+    /// kept.
     is_apart: Option<bool>,
-    /// What writes it meanwhile.
+    /// The thread that writes it.
     writer: Option<Writer>,
-    /// What is still to be reported.
+    /// The error to be reported.
     error: Option<Error>,
 }
 
-/// A file and how far it is written.
+/// A file and its length.
 #[derive(Clone)]
 struct Grown {
     file: Arc<File>,
-    /// Whether nothing was in it before.
+    /// Whether it was empty before.
     was_empty: bool,
-    /// How many bytes were written.
+    /// The number of bytes written.
     length: u64,
 }
 
-/// A thread that writes: the system takes about as long for a step as it takes to make its text.
+/// A thread that writes: the system takes about as long to write a step as it takes to make its text.
 struct Writer {
-    /// What is to be written, and how much of it.
+    /// The text to be written, and its length.
     full: SyncSender<(Vec<u8>, usize)>,
-    /// What it came in.
+    /// The buffers of written texts.
     written: Receiver<Vec<u8>>,
     thread: JoinHandle<io::Result<Grown>>,
 }
 
-/// How many pieces wait to be written before somebody waits for that: the system may be slow to start the thread.
+/// The number of texts that may wait to be written before the sender blocks: the system may be slow to start the
+/// thread.
 const WAITING: usize = 2;
 
 impl StepFile {
-    /// A file of that name, which is not created yet unless it is given.
+    /// A file with this name, which is not created yet unless it is given.
     pub fn new(path: PathBuf, given: Option<Arc<File>>) -> StepFile {
         StepFile { path, given, file: None, is_apart: None, writer: None, error: None }
     }
 
-    /// Creates the file, or takes the one that was given.
+    /// Creates the file, or takes the given one.
     pub fn create(&mut self) {
         let file = self.given.take().map_or_else(|| File::create(&self.path).map(Arc::new), Ok);
         match file.and_then(|file| Ok(Grown { was_empty: file.metadata()?.len() == 0, file, length: 0 })) {
@@ -61,7 +63,8 @@ impl StepFile {
         }
     }
 
-    /// Adds whole time steps after all that were handed over. If they do not fit, the file keeps those that do, so that it still opens.
+    /// Appends whole time steps after everything handed over. If they do not fit, the file keeps those that do, so
+    /// that it can still be opened.
     pub fn append(&mut self, steps: &[u8]) {
         self.settle();
         if let Some(Err(source)) = self.file.as_mut().map(|file| file.append(steps)) {
@@ -69,8 +72,8 @@ impl StepFile {
         }
     }
 
-    /// Adds whole time steps as [`StepFile::append`] does, perhaps later, and meanwhile gives room for the next ones. What goes
-    /// wrong is reported later too. The steps are the first `length` bytes.
+    /// Appends whole time steps like [`StepFile::append`], perhaps later, and returns a buffer for the next ones.
+    /// Errors are reported later too. The steps are the first `length` bytes.
     pub fn hand_over(&mut self, steps: Vec<u8>, length: usize) -> Vec<u8> {
         let Some(file) = &self.file else { return steps };
         let several = || thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
@@ -90,7 +93,7 @@ impl StepFile {
         writer.written.try_recv().unwrap_or_else(|_| vec![0; room])
     }
 
-    /// Waits until all that was handed over is written.
+    /// Waits until everything handed over is written.
     fn settle(&mut self) {
         let Some(Writer { full, thread, .. }) = self.writer.take() else { return };
         drop(full);
@@ -119,7 +122,8 @@ impl Grown {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 Ok(more) if more > 0 => written += more,
                 refused => {
-                    // What is no regular file, such as a pipe, keeps what it has got; the error is the one to report.
+                    // A file that is not regular, such as a pipe, keeps what it has received; the error to report is
+                    // the first one.
                     if self.was_empty {
                         let _ = self.file.set_len(self.length + whole_steps(&steps[..written]) as u64);
                     }
@@ -132,20 +136,20 @@ impl Grown {
     }
 }
 
-/// Up to where a text of steps, of which the last is not at its end, has whole ones: each begins with a line of its time.
+/// The end of the last whole step in a text; each step begins with a line of its time.
 fn whole_steps(text: &[u8]) -> usize {
     text.windows(2).rposition(|pair| pair == b"\n#").map_or(0, |end| end + 1)
 }
 
 impl Writer {
-    /// Nothing where no thread is to be had.
+    /// `None` if no thread is available.
     fn start(mut file: Grown) -> Option<Writer> {
         let (full, filled) = sync_channel::<(Vec<u8>, usize)>(WAITING);
         let (empty, written) = channel();
         let write = move || {
             for (steps, length) in filled {
                 file.append(&steps[..length])?;
-                // At the end, nobody takes it any more.
+                // At the end, nobody receives it.
                 let _ = empty.send(steps);
             }
             Ok(file)

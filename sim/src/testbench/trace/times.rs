@@ -2,22 +2,22 @@
 
 use super::changes::LINE;
 
-/// Writes times, of which those with the same higher digits mostly follow each other.
+/// Writes times; most of them have the same higher digits as the previous one.
 #[derive(Debug)]
 pub(super) struct Times {
-    /// The number that the last higher digits were; and the number sign with those digits, if it is not 0.
+    /// The number formed by the last higher digits, and the number sign with those digits, if the number is not 0.
     high: u64,
     text: [u8; 16],
     length: usize,
 }
 
-/// How many times have the same higher digits: those have eight digits more.
+/// The number of times with the same higher digits: eight digits follow these.
 const LOW: u64 = 100_000_000;
 
 /// Eight zeros.
 const ZEROS: u64 = u64::from_le_bytes([b'0'; 8]);
 
-/// The numbers below 100, of two digits each.
+/// The numbers below 100, as two digits each.
 const PAIRS: [[u8; 2]; 100] = {
     let mut pairs = [[0; 2]; 100];
     let mut number = 0;
@@ -37,7 +37,7 @@ impl Default for Times {
 }
 
 impl Times {
-    /// Puts the line of a time there; gives its length.
+    /// Writes the line of a time there; returns its length.
     #[inline]
     pub fn put(&mut self, line: &mut [u8; LINE], time: u64) -> usize {
         let (high, low) = (time / LOW, (time % LOW) as usize);
@@ -45,10 +45,10 @@ impl Times {
             self.renew(high);
         }
         line[..16].copy_from_slice(&self.text);
-        // None of the divisions waits for another one.
+        // No division depends on another.
         let pairs = [low / 1_000_000, low / 10_000 % 100, low / 100 % 100, low % 100];
         let digits = pairs.iter().rev().fold(0, |all, &pair| all << 16 | u64::from(u16::from_le_bytes(PAIRS[pair])));
-        // Zeros at the front are left out, but for a last one.
+        // Leading zeros are omitted, except for the last digit.
         let zeros = if high == 0 { ((digits ^ ZEROS) | 1 << 56).trailing_zeros() & !7 } else { 0 };
         let start = self.length & 15;
         line[start..start + 8].copy_from_slice(&(digits >> zeros).to_le_bytes());

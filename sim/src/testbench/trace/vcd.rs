@@ -1,14 +1,15 @@
 //! Waveform files in the Value Change Dump format of IEEE 1364-2001, section 18.
 //!
 //! Scopes and names are those of the Verilog: the top module, its instances, and for an array the scopes `u_cell[3]`
-//! with the instance `lane` in each. Lanes of a module's own are `NAME[3]`, or `NAME[1][2]` in a grid. A state machine's register has a `string` twin, `NAME_state`. Times are the
-//! clocks' own, in picoseconds; what a testbench sets after an edge shows from that edge on.
+//! with the instance `lane` in each. A module's own lanes are `NAME[3]`, or `NAME[1][2]` in a grid. A state machine's
+//! register has a `string` twin, `NAME_state`. Times are those of the clocks, in picoseconds; values that a testbench
+//! sets after an edge appear from that edge on.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What a waveform file shows. Attach it with [`Simulation::trace`](crate::Simulation::trace).
+/// The contents of a waveform file. Attach it with [`Simulation::trace`](crate::Simulation::trace).
 ///
 /// ```
 /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -26,14 +27,14 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct Vcd {
     pub(crate) path: PathBuf,
-    /// One that is open already.
+    /// A file that is open already.
     pub(crate) file: Option<Arc<File>>,
     pub(crate) patterns: Vec<String>,
     pub(crate) window: Option<Window>,
     pub(crate) last: Option<usize>,
 }
 
-/// Which part of a run is written.
+/// The part of a run that is written.
 #[derive(Debug, Clone)]
 pub(crate) enum Window {
     Time(std::ops::Range<u64>),
@@ -51,14 +52,14 @@ impl Vcd {
     /// sim.trace(Vcd::to(&path))?;
     /// sim.step();
     /// sim.finish()?;
-    /// assert!(std::fs::read_to_string(&path).unwrap().contains("late")); // registers inside too
+    /// assert!(std::fs::read_to_string(&path).unwrap().contains("late")); // includes registers inside
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     pub fn to(path: impl AsRef<Path>) -> Vcd {
         Vcd { path: path.as_ref().to_path_buf(), file: None, patterns: Vec::new(), window: None, last: None }
     }
 
-    /// As [`Vcd::to`], into a file that is open for writing, from where it stands; errors call it by that name.
+    /// Like [`Vcd::to`], for a file that is open for writing, from its present position. Errors call it by this name.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -76,8 +77,8 @@ impl Vcd {
         Vcd { file: Some(Arc::new(file)), ..Vcd::to(name) }
     }
 
-    /// Only the signals whose hierarchical name matches this pattern, or another one given: `*` stands for anything
-    /// but a dot, `**` for anything, as in `u_cell[*].value` or `u_cell[3].**`.
+    /// Only the signals whose hierarchical name matches this pattern, or another given one. `*` stands for any
+    /// characters but a dot, `**` for any characters, as in `u_cell[*].value` or `u_cell[3].**`.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -92,7 +93,7 @@ impl Vcd {
         self
     }
 
-    /// Only what happens in these picoseconds: the file begins there with the values in force.
+    /// Only the changes in this range of picoseconds; the file begins with the values at its start.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};
@@ -112,7 +113,7 @@ impl Vcd {
         self
     }
 
-    /// Only what happens in these cycles of a clock, the first being 0.
+    /// Only the changes in these cycles of a clock, the first being 0.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, Vcd, for_examples::Counter};

@@ -1,4 +1,4 @@
-//! The header of a waveform file: scopes, variables, and what they show.
+//! The header of a waveform file: its scopes and variables, and what these show.
 
 use std::collections::HashMap;
 use std::io;
@@ -12,7 +12,7 @@ use crate::engine::program::hierarchy::{Place, Replication, Role, Signal};
 use crate::engine::program::{Program, ValueId, hierarchy};
 use crate::testbench::error::UnknownName;
 
-/// The header and what the changes after it refer to.
+/// The header, and the data that the changes after it need.
 pub(crate) struct Header {
     /// From `$version` to `$enddefinitions`.
     pub text: Vec<u8>,
@@ -20,7 +20,7 @@ pub(crate) struct Header {
     pub clocks: Vec<Clock>,
 }
 
-/// A variable: what it shows, and how.
+/// A variable: the value that it shows, and its format.
 pub(crate) struct Variable {
     pub id: Id,
     pub kind: VariableKind,
@@ -31,7 +31,7 @@ pub(crate) struct Variable {
 pub(crate) enum VariableKind {
     /// One bit.
     Bit,
-    /// A number of more bits.
+    /// A number of several bits.
     Bits,
     /// The name of a code.
     Code(Names),
@@ -50,7 +50,7 @@ impl Clock {
         time >= self.period && time % self.period < self.period / 2
     }
 
-    /// When it falls, if it is high at this time.
+    /// The time at which it falls, if it is high at this time.
     pub fn fall(&self, time: u64) -> Option<u64> {
         let since = time % self.period;
         (time >= self.period && since < self.period / 2).then(|| time - since + self.period / 2)
@@ -82,8 +82,8 @@ pub(crate) fn header(program: &Program, run: u32, patterns: &[String]) -> Result
     }
 }
 
-/// A pattern as it is, and as what a path of the file or of the Verilog matches, below this top: those begin with the top's name,
-/// have a scope `lane` in each element of an array, and may end in a range of bits.
+/// A pattern as given, and in the form that matches a path of the file or of the Verilog, below this top. Such paths
+/// begin with the top's name, have a scope `lane` in each element of an array, and may end in a range of bits.
 fn readings(pattern: &str, top: &str) -> [String; 2] {
     let below = pattern.strip_prefix(top).and_then(|rest| rest.strip_prefix('.')).unwrap_or(pattern);
     let is_range = |bits: &str| bits.contains(':') && bits.chars().all(|c| c.is_ascii_digit() || c == ':');
@@ -93,8 +93,8 @@ fn readings(pattern: &str, top: &str) -> [String; 2] {
     [pattern.to_string(), instances.join(".")]
 }
 
-/// The error for a pattern that matches nothing, with the nearest one that does, a name or all names below an instance; or else
-/// with the instances that there are, those of an array together.
+/// The error for a pattern that matches nothing, with the nearest one that does: a name, or all names below an
+/// instance. If none is near, it lists the instances, with those of an array as one.
 fn unmatched(program: &Program, pattern: &str) -> UnknownName {
     let hierarchy = &program.hierarchy;
     let (mut names, mut instances) = (Vec::new(), Vec::new());
@@ -120,9 +120,9 @@ fn every_element(path: &str) -> String {
 struct Build<'a> {
     program: &'a Program,
     run: u32,
-    /// Each in all its readings.
+    /// Each in all its forms.
     patterns: Vec<[String; 2]>,
-    /// Which patterns have matched something.
+    /// The patterns that have matched something.
     used: Vec<bool>,
     writer: Writer<Vec<u8>>,
     /// One id for each lane of a value, whatever its names.
@@ -143,7 +143,7 @@ impl Build<'_> {
         self.writer.enddefinitions()
     }
 
-    /// The inside of an instance: clocks, signals, instances.
+    /// The contents of an instance: clocks, signals, instances.
     fn scope(&mut self, place: Place, path: &str) -> io::Result<()> {
         let program = self.program;
         let scope = program.hierarchy.scope(place.scope);
@@ -170,7 +170,7 @@ impl Build<'_> {
         Ok(())
     }
 
-    /// An instance, and nothing if nothing in it is shown.
+    /// An instance, unless nothing in it is shown.
     fn child(&mut self, name: &str, place: Place, path: &str) -> io::Result<()> {
         let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
         let start = self.writer.writer().len();
@@ -211,7 +211,7 @@ impl Build<'_> {
         Ok(id)
     }
 
-    /// A lane of a signal, which is `lane` of its value.
+    /// A lane of a signal; `lane` is its index in the value.
     fn signal(&mut self, signal: &Signal, own: u32, lane: u32) -> io::Result<()> {
         let name = format!("{}{}", signal.name, hierarchy::index(signal.shape, own));
         let known = self.ids.get(&(signal.value, lane)).copied();

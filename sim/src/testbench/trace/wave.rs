@@ -1,8 +1,8 @@
-//! Waves in text, for tests and terminals.
+//! Text waves, for tests and terminals.
 //!
-//! A column is the time from one instant to the next and shows the values in force there; its last character is the
-//! edge at its end. A bus shows its value where it changes: in hexadecimal, in decimal if it is signed, in the radix
-//! that is asked for, or as the name of its code.
+//! A column is the time from one instant to the next and shows the values in that time; its last character is the
+//! edge at its end. A bus shows its value where it changes: in hexadecimal, in decimal if it is signed, in the chosen
+//! radix, or as the name of its code.
 //!
 //! ```text
 //! clk    |___/~\_/~\_/~\_/
@@ -26,7 +26,7 @@ use crate::testbench::error::{Error, UnknownName};
 
 /// The narrowest column, which still shows a clock, and the widest.
 const COLUMN: std::ops::RangeInclusive<usize> = 4..=16;
-/// The longest line; a longer wave goes on in another block of lines.
+/// The longest line; a longer wave continues in another block of lines.
 const LINE: usize = 110;
 
 /// A wave that a simulation draws while it runs; [`to_string`](ToString::to_string) shows it at any time.
@@ -53,9 +53,9 @@ pub struct Wave {
 struct Data {
     clocks: Vec<(String, u64)>,
     rows: Vec<Row>,
-    /// Begin and end of every column, in picoseconds.
+    /// The start and end of every column, in picoseconds.
     columns: Vec<(u64, u64)>,
-    /// What it shows, in picoseconds.
+    /// The shown range of time, in picoseconds.
     times: Range<u64>,
     is_over: bool,
 }
@@ -64,11 +64,11 @@ struct Data {
 struct Row {
     source: Source,
     values: Vec<Bits>,
-    /// Where one was chosen.
+    /// The chosen radix, if any.
     radix: Option<WaveRadix>,
 }
 
-/// What a row shows.
+/// The source of a row.
 #[derive(Debug, Clone)]
 pub(crate) struct Source {
     pub name: String,
@@ -90,8 +90,8 @@ impl Wave {
         self.data.lock().expect("no panic while drawing")
     }
 
-    /// Shows the numbers of a port or net in that radix, told by the name that its row has; of all its lanes, if it has some. A code keeps its
-    /// name, and what is signed its sign.
+    /// Shows the numbers of a port or net, given by the name of its row, in this radix. If it has lanes, all of them
+    /// are shown so. A code keeps its name, and a signed number its sign.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, WaveRadix, for_examples::Counter};
@@ -123,7 +123,7 @@ impl Wave {
         self
     }
 
-    /// Shows all numbers in that radix, as [`radix`](Wave::radix) does those of a row.
+    /// Shows all numbers in this radix, as [`radix`](Wave::radix) does for a row.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, WaveRadix, for_examples::Counter};
@@ -142,7 +142,7 @@ impl Wave {
         self
     }
 
-    /// Shows numbers in decimal: all of them, where [`radix`](Wave::radix) chooses for one row.
+    /// Shows all numbers in decimal; [`radix`](Wave::radix) does so for one row.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -159,7 +159,7 @@ impl Wave {
         self.radix_of_all(WaveRadix::Decimal)
     }
 
-    /// Draws only what happens in these picoseconds: the columns that have a part in them.
+    /// Draws only this range of picoseconds: all columns that overlap it.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -207,7 +207,7 @@ impl Wave {
         }
     }
 
-    /// Draws no more: what was drawn so far stays.
+    /// Stops drawing, and keeps what was drawn so far.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -226,8 +226,8 @@ impl Wave {
         self.data().is_over = true;
     }
 
-    /// Panics unless the wave is `expected`, whose common indentation and surrounding blank lines do not count; the
-    /// message shows both.
+    /// Panics unless the wave is `expected`; common indentation and surrounding blank lines are ignored. The message
+    /// shows both.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -265,7 +265,7 @@ impl Observer for Draw {
             return Ok(());
         }
         data.columns.push((view.since, view.until));
-        // Lanes of one value follow each other, and are read once.
+        // Lanes of one value are adjacent, and are read once.
         for rows in data.rows.chunk_by_mut(|a, b| a.source.value == b.source.value) {
             let value = view.program.value(rows[0].source.value);
             let lanes = view.engine.read(rows[0].source.value);
@@ -307,7 +307,8 @@ impl fmt::Display for Wave {
 }
 
 impl Data {
-    /// The narrowest width at which every value can be read; a row whose radix was chosen may have twice as many digits and more.
+    /// The narrowest width at which every value can be read. A row with a chosen radix may need more than twice as
+    /// many digits.
     fn column_width(&self) -> usize {
         let buses = self.rows.iter().filter(|row| !row.is_bit());
         let needed = buses.flat_map(|row| {
@@ -356,7 +357,8 @@ impl Row {
     }
 }
 
-/// A bus value in `width` characters, the last of which is the border. What has no room ends in dots, or is dots alone.
+/// A bus value in `width` characters, the last of which is the border. A value that is too long ends in dots, or is
+/// dots only.
 fn cell(text: &str, width: usize) -> String {
     let room = width - 3;
     let dots = room.min(2);

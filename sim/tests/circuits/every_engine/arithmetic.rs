@@ -76,7 +76,7 @@ fn number(bits: &Bits) -> BigUint {
     BigUint::new(digits)
 }
 
-/// The width and two values of it, with a liking for the corners.
+/// The width and two values of it, with a preference for the corners.
 fn operands() -> impl Strategy<Value = (u32, Bits, Bits, u32)> {
     let width = prop_oneof![1..=70u32, Just(63), Just(64), Just(65), Just(127), Just(128), Just(129), 70..=400u32];
     width.prop_flat_map(|width| {
@@ -102,7 +102,7 @@ proptest! {
         let one = BigUint::from(1u8);
         let modulus = &one << width;
         let wide = &one << (2 * width);
-        // Two's complement: the value less `2 ^ width` if the sign is set, kept positive modulo a larger power.
+        // Two's complement: the value minus `2 ^ width` if the sign is set, kept positive modulo a larger power.
         let extend = |x: &BigUint, to: u32| if x.bit(u64::from(width) - 1) { x + (&one << to) - &modulus } else { x.clone() };
         let order = |x: &BigUint| (x + (&one << (width - 1))) % &modulus;
         let kept = by.min(width);

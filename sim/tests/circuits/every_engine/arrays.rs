@@ -1,4 +1,5 @@
-//! Instance arrays as lanes: against the same circuit as single instances, nested, and unrolled where they must be.
+//! Instance arrays as lanes, compared with the same circuit as single instances, nested, and unrolled where
+//! necessary.
 
 use crate::circuits::engine::{engine, of};
 use proptest::prelude::*;
@@ -11,7 +12,7 @@ bundle! {
     pub struct CellOut<T> { pub value: T, pub at_once: T }
 }
 
-/// A cell with a memory, a register and a path from its left neighbour at once.
+/// A cell with a memory, a register and a combinational path from its left neighbour.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Cell {
     width: u32,
@@ -75,7 +76,7 @@ impl Block for Row {
     }
 }
 
-/// The same design with every array as single instances, lane by lane: the definition of what an array means.
+/// The same design with every array as single instances, lane by lane: the definition of an array.
 fn without_arrays(design: &Design) -> Design {
     Design::new(design.modules().iter().map(single_instances).collect()).unwrap()
 }

@@ -1,4 +1,4 @@
-//! Several clocks: the order of edges, what crosses, and memories between two clocks against a plain model.
+//! Several clocks: the sequence of edges, crossings, and memories between two clocks, compared with a plain model.
 
 use crate::circuits::engine::of;
 use crate::circuits::store::{FAST, SLOW, Store, StoreIn, StoreOut};
@@ -47,7 +47,7 @@ fn clocks_that_rise_together_sample_together() {
     assert_eq!(sim.time(), 14_000);
 }
 
-/// A count on the clock that its width names, and one on that of the module.
+/// A count on the clock that its width names, and one on the module's clock.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct ByWidth;
 
@@ -94,7 +94,7 @@ fn a_wave_of_two_clocks_shows_both() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Inputs often stay as they are, so that edges that change nothing are met as well.
+    /// Inputs often stay the same, so that edges without changes occur too.
     #[test]
     fn a_memory_between_two_clocks_follows_its_policy(
         any_policy: bool,
@@ -141,7 +141,7 @@ fn an_edge_evaluates_nothing_that_depends_on_another_clock_alone() {
     }
 }
 
-/// A word that two clocks write again and again.
+/// A word that two clocks write repeatedly.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Contested;
 

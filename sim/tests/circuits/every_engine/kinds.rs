@@ -1,4 +1,4 @@
-//! Signed values and codes of enums, stored, sent and chosen by.
+//! Signed values and codes of enums: stored, sent, and as the subject of a choice.
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;
@@ -6,7 +6,7 @@ use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Vcd};
 
 codes! {
-    /// What is done.
+    /// The operation.
     enum Operation { Add, Subtract, Smaller }
 }
 
@@ -17,7 +17,7 @@ bundle! {
     }
 }
 
-/// An arithmetic unit that computes with signed numbers what a code says.
+/// An arithmetic unit on signed numbers, controlled by a code.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Unit;
 
@@ -99,7 +99,7 @@ bundle! {
 }
 
 block! {
-    /// Holds a step, and remembers it.
+    /// Stores a step.
     struct Steps;
     in StepsIn { steps: stream(Step { operation: one_of::<Operation>(), least: bits(6).signed(), amount: bits(8) }) }
     out StepsOut { sent: stream(Step = _) }

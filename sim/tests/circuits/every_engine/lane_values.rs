@@ -1,4 +1,4 @@
-//! Rows and grids as the language says them, against plain loops.
+//! Rows and grids in the language, compared with plain loops.
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;

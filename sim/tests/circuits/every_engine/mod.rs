@@ -1,4 +1,4 @@
-//! What holds on every engine.
+//! Tests that run on every engine.
 
 mod arithmetic;
 mod arrays;

@@ -1,4 +1,4 @@
-//! Several processes in one test: what they see, in which order, and how their mistakes read.
+//! Several processes in one test: what they see, their sequence, and the messages for their mistakes.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -15,7 +15,7 @@ bundle! {
 }
 
 block! {
-    /// Holds an item; a word comes out increased by the step.
+    /// Stores an item; the word comes out increased by the step.
     struct Held;
     in HeldIn { items: stream(Item { number: bits(8), word: bits(70) }), step: bits(4) }
     out HeldOut { sums: stream(Item = _) }
@@ -60,7 +60,7 @@ fn items(numbers: std::ops::Range<u64>) -> Vec<Item<u64>> {
     numbers.map(|number| Item { number, word: 10 * number }).collect()
 }
 
-/// What a panic says.
+/// The message of a panic.
 fn message(run: impl FnOnce()) -> String {
     let payload = catch_unwind(AssertUnwindSafe(run)).expect_err("it panics");
     payload
@@ -70,7 +70,7 @@ fn message(run: impl FnOnce()) -> String {
         .unwrap()
 }
 
-/// The number of the line of this file that ends so.
+/// The number of the line of this file with this end.
 fn line(end: &str) -> String {
     let number = include_str!("processes.rs").lines().position(|line| line.ends_with(end)).unwrap() + 1;
     format!("sim/tests/circuits/every_engine/processes.rs:{number}:")
@@ -233,8 +233,8 @@ fn a_run_that_does_not_end_says_what_each_waits_for() {
     });
     let expected = [
         ("the processes of the run at ", "// runs", " have not ended after 50 instants:"),
-        ("one waits since 20000 ps for `items_ready` to be 1\n  --> ", "// nobody receives", ""),
-        ("one waits since 10000 ps for `sums_number` to be other than 0\n  --> ", "// it is 0", ""),
+        ("one has waited since 20000 ps for `items_ready` to be 1\n  --> ", "// nobody receives", ""),
+        ("one has waited since 10000 ps for `sums_number` to be other than 0\n  --> ", "// it is 0", ""),
         ("if they need longer, say so with `.limit(instants)`", "", ""),
     ];
     let mut lines = String::new();
@@ -295,8 +295,7 @@ fn a_wrong_word_is_told_at_its_line() {
         let receive = t.expect_all(out, expected, Pauses::NONE); // expects
         t.run((t.send_all(into, items(0..5), Pauses::NONE), receive));
     });
-    let expected =
-        "word 3 of `sums`, at 60000 ps, is Item { number: 3, word: 30 }, and not Item { number: 3, word: 31 }";
+    let expected = "word 3 of `sums`, at 60000 ps, is Item { number: 3, word: 30 }, not Item { number: 3, word: 31 }";
     assert_eq!(without_columns(&text), format!("{expected}\n  --> {}", line("// expects")));
 }
 

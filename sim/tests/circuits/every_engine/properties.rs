@@ -7,7 +7,7 @@ const ENGINES: [EngineKind; 4] =
     [EngineKind::Reference, EngineKind::Interpreter, EngineKind::Compiled, EngineKind::Both];
 
 block! {
-    /// Looks at what it is given, plain and in lanes.
+    /// Reads its inputs, plain and in lanes.
     pub struct Looker;
     in LookerIn {
         /// A number.
@@ -57,7 +57,7 @@ impl Lookers {
     }
 }
 
-/// What is covered of these numbers, by every engine.
+/// The covers hit by these numbers, on every engine.
 fn covered(x: &[u64], flags: &[u64], seed: u64) -> Vec<u64> {
     let [first, others @ ..] = ENGINES.map(|kind| {
         let mut sim = Simulation::of(&Looker).unwrap().on(kind).seeded(seed);
@@ -75,7 +75,7 @@ fn covered(x: &[u64], flags: &[u64], seed: u64) -> Vec<u64> {
 
 #[test]
 fn covers_are_counted_in_all_lanes_and_wait_for_the_past() {
-    // The seed gives the registers of past values a past that never was.
+    // The seed gives the registers of past values a past that never happened.
     for seed in [0, 1, 2, 3] {
         //                       three, flag, two edges, stays, falls
         assert_eq!(covered(&[3], &[7], seed), [1, 0, 0, 0, 0]);
@@ -157,9 +157,9 @@ block! {
         again: bit(),
     }
     out PowerOnOut {
-        /// What is left.
+        /// The remaining count.
         left: bits(4),
-        /// The same in lanes, each more.
+        /// The same in lanes, each with a larger start.
         lanes: bits(4).of(row(2)),
     }
 }

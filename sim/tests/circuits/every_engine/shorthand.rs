@@ -1,4 +1,4 @@
-//! Operations that are made of others, against Rust's own.
+//! Operations that are combinations of others, compared with Rust's own.
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Streams of signed words and of wide ones: what is sent and received, and what messages say to call.
+//! Streams of signed and of wide words: the values sent and received, and the methods that messages suggest.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -12,7 +12,7 @@ bundle! {
 }
 
 block! {
-    /// Holds a place and gives it with the height reversed.
+    /// Stores a place and returns it with the height negated.
     struct Mirror;
     in MirrorIn { places: stream(Place { number: bits(8), height: bits(12).signed() }), lift: bits(4).signed() }
     out MirrorOut { mirrored: stream(Place = _) }
@@ -31,7 +31,7 @@ impl Mirror {
 }
 
 block! {
-    /// Passes wide words on.
+    /// Passes on wide words.
     struct Wide;
     in WideIn { words: stream(bits(100)) }
     out WideOut { passed: stream(bits(100)) }
@@ -82,7 +82,7 @@ fn a_wrong_word_is_told_with_its_sign() {
         let receives = t.expect_all(mirrored, word(-4), Pauses::NONE);
         t.run((t.send_all(places, word(3), Pauses::NONE), receives));
     });
-    let words = "is Place { number: 9, height: -3 }, and not Place { number: 9, height: -4 }";
+    let words = "is Place { number: 9, height: -3 }, not Place { number: 9, height: -4 }";
     assert!(text.contains(words), "{text}");
 }
 
@@ -119,7 +119,7 @@ fn what_is_too_wide_for_a_call_names_one_that_takes_it() {
     ];
     for (instead, run) in cases {
         let text = panic_of(run);
-        assert!(text.starts_with("`passed.payload` does not fit 64 bits"), "{text}");
+        assert!(text.starts_with("`passed.payload` does not fit in 64 bits"), "{text}");
         assert!(text.ends_with(&format!(": use `{instead}`")), "{text}");
     }
 }
@@ -138,7 +138,7 @@ fn time_ends_with_an_error() {
     assert_eq!(sim.time(), all << 50);
 }
 
-/// What it panics with.
+/// The message of its panic.
 fn panic_of(run: impl FnOnce()) -> String {
     let panic = catch_unwind(AssertUnwindSafe(run)).expect_err("it panics");
     *panic.downcast::<String>().expect("a panic with a text")

@@ -1,4 +1,4 @@
-//! The testbench interface: setting, reading, stepping, looking inside, and every error.
+//! The testbench interface: setting, reading, stepping, peeking, and every error.
 
 use crate::circuits::engine::of;
 use tilewright_hdl::{Bits, Block, Module, ReadUnderWrite, Width, bit, bits, bundle, codes, def, mux, when};
@@ -273,7 +273,7 @@ bundle! {
     pub struct StoreIn<T> { pub write: T, pub to: T, pub from: T, pub data: T }
 }
 
-/// A memory with one port each way, of a policy.
+/// A memory with one port in each direction, with a policy.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Store {
     policy: ReadUnderWrite,
@@ -294,7 +294,7 @@ impl Block for Store {
     }
 }
 
-/// What a read gives that collides with the write of 5 over `old`.
+/// The result of a read that collides with the write of 5 over `old`.
 fn collision(policy: ReadUnderWrite) -> Bits {
     let mut sim = of(&Store { policy });
     sim.poke_memory("store", 2, 9).unwrap();

@@ -1,4 +1,4 @@
-//! Runs that end where a condition holds.
+//! Runs that end when a condition is true.
 
 use crate::circuits::engine::of;
 use tilewright_hdl::{Block, Clock, Module, Period, Width, bit, bits, bundle};
@@ -9,7 +9,7 @@ bundle! {
     pub struct Out<T> { pub count: T, pub wide: T, pub reached: T, pub flag: T }
 }
 
-/// Counts in steps; an output follows from the count and an input.
+/// Counts in steps; an output depends on the count and an input.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Counter;
 
@@ -108,7 +108,7 @@ fn an_assertion_comes_first() {
     assert_eq!(sim.run_until(sim.o.count.is(5), 9), Some(5));
 }
 
-/// Long enough for code that has the inputs in it.
+/// Long enough for code with constant inputs.
 #[test]
 fn inputs_may_change_after_a_long_run() {
     let mut sim = counter();
@@ -143,7 +143,7 @@ fn a_trace_shows_every_instant_of_the_run() {
 }
 
 #[test]
-#[should_panic(expected = "`count` has 32 bits: say what it is to be, as in `sim.o.count.is(5)`")]
+#[should_panic(expected = "`count` has 32 bits: compare it with a number, as in `sim.o.count.is(5)`")]
 fn a_port_of_several_bits_is_no_condition() {
     let mut sim = counter();
     sim.run_until(sim.o.count, 9);

@@ -1,4 +1,4 @@
-//! What a register takes by priority, against a plain model.
+//! The priority of a register's updates, compared with a plain model.
 
 use crate::circuits::engine::of;
 use proptest::prelude::*;
@@ -9,7 +9,7 @@ bundle! {
     struct Out<T> { holds: T, ends: T, enabled: T }
 }
 
-/// A register that keeps what it holds, one that has a last word, and one with an enable.
+/// A register that keeps its value, one with `otherwise`, and one with an enable.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Registers;
 

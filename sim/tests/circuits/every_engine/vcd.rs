@@ -1,4 +1,4 @@
-//! Waveform files: the whole text of a small one, filters, the flight recorder, and what happens on errors.
+//! Waveform files: the whole text of a small one, filters, the flight recorder, and errors.
 
 use std::fs;
 use std::path::PathBuf;
@@ -64,7 +64,7 @@ fn path(name: &str) -> PathBuf {
     PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{:?}_{name}", engine()))
 }
 
-/// The text of what two steps leave, the second with both lamps toggled.
+/// The text after two steps, the second with both lamps toggled.
 fn two_steps(vcd: Vcd, name: &str) -> String {
     let mut sim = of(&Lamps);
     sim.trace(vcd).unwrap();

@@ -1,5 +1,5 @@
-//! A waveform file against the circuit: at each instant it shows what a look at every signal gives, whatever did or did
-//! not change, and a flight recorder writes what a file from the start would have.
+//! A waveform file compared with the circuit. At each instant it shows the value of every signal, whatever changed or
+//! did not. A flight recorder writes what a file from the start would have contained.
 
 use std::collections::HashMap;
 use std::fs;
@@ -54,7 +54,7 @@ impl Block for Cell {
     }
 }
 
-/// Five of them on a fast clock; on a slow one a shelf that is read at once, and a count that stops.
+/// Five of them on a fast clock; on a slow clock, a shelf that is read asynchronously, and a count that stops.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct House;
 
@@ -85,7 +85,7 @@ impl Block for House {
     }
 }
 
-/// What is done before an instant.
+/// An action before an instant.
 #[derive(Debug, Clone)]
 enum Action {
     Nothing,
@@ -116,7 +116,7 @@ fn apply(sim: &mut Simulation<HouseIn, HouseOut>, action: &Action) {
     }
 }
 
-/// The signals that are looked at, beside the states of `u_cell[..].door`.
+/// The signals that are compared, besides the states of `u_cell[..].door`.
 fn signals() -> Vec<String> {
     let top = ["push", "seed", "shelf", "fail", "widest", "open", "word", "slow_count", "count"];
     let inside = ["push", "seed", "total", "open", "door"];
@@ -124,7 +124,7 @@ fn signals() -> Vec<String> {
     top.into_iter().map(str::to_string).chain(cells).collect()
 }
 
-/// The values of the signals, by name, in force since a time.
+/// The values of the signals, by name, from a time on.
 type Look = (u64, Vec<(String, Bits)>);
 
 fn look(sim: &mut Simulation<HouseIn, HouseOut>) -> Look {
@@ -144,7 +144,7 @@ fn identifiers(items: &[ScopeItem], path: &str, all: &mut HashMap<String, IdCode
     }
 }
 
-/// Panics unless the file shows what was seen at each of these times, from its first one on, which must be `from`.
+/// Panics unless the file shows these values at each of these times. Its first time must be `from`.
 fn expect_shown(file: &Path, from: u64, seen: &[Look]) {
     let bytes = fs::read(file).unwrap();
     let mut parser = Parser::new(&bytes[..]);
@@ -179,7 +179,7 @@ fn expect_shown(file: &Path, from: u64, seen: &[Look]) {
     }
 }
 
-/// Panics unless the file, which shows a run from its start, has a clock's edges where they are.
+/// Panics unless the file of a run from the start has all edges of a clock.
 fn expect_clock(file: &Path, name: &str, period: u64) {
     let bytes = fs::read(file).unwrap();
     let mut parser = Parser::new(&bytes[..]);
@@ -204,7 +204,7 @@ fn path(name: &str) -> PathBuf {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Many instants change nothing or one clock's values alone, so that leaving them out is met as well.
+    /// Many instants change nothing, or only one clock's values, so that skipping is tested too.
     #[test]
     fn a_file_shows_what_every_signal_is(actions in prop::collection::vec((action(), 1..4_usize), 8..60)) {
         let [whole, long, short] = ["whole_values.vcd", "long_flight.vcd", "short_flight.vcd"].map(path);

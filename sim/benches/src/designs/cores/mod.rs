@@ -1,7 +1,7 @@
 //! Processors of the RISC-V kind, each with a program and memories of its own.
 //!
-//! What it asks of a simulator: one long chain from a register through a table, two reads and a choice of many results, with
-//! nothing that is alike beside it.
+//! It tests one long chain from a register through a table, two reads and a choice of many results, with nothing
+//! similar beside it.
 
 mod processor;
 mod program;
@@ -13,9 +13,9 @@ use crate::word::seed;
 pub use processor::{Processor, ProcessorIn, ProcessorOut};
 
 block! {
-    /// Processors that sort and mix words, and a checksum of all that they write.
+    /// Processors that sort and mix words, and a checksum of everything that they write.
     pub struct Core {
-        /// How many, at least 1.
+        /// The number of processors, at least 1.
         pub processors: u32,
     }
     in = BenchIn { rst: bit() };

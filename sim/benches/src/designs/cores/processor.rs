@@ -13,7 +13,7 @@ block! {
     in ProcessorIn {
         /// It starts at address 0 when this goes low.
         rst: bit(),
-        /// What it reads at addresses from 2^31 on.
+        /// The word read at addresses from 2^31 on.
         word: bits(32),
     }
     out ProcessorOut {
@@ -21,15 +21,15 @@ block! {
         pc: bits(32),
         /// The instruction.
         instruction: bits(32),
-        /// What a register takes.
+        /// The new value of a register.
         result: bits(32),
-        /// Of a load or store.
+        /// The address of a load or store.
         address: bits(32),
-        /// Which bytes are stored.
+        /// The bytes that are stored.
         stores: bits(4),
-        /// What is stored.
+        /// The word to store.
         data: bits(32),
-        /// Of all results and addresses.
+        /// The sum of all results and addresses.
         sum: bits(32),
     }
 }
@@ -48,7 +48,7 @@ impl Processor {
         let [left, right] = from.map(|from| registers.read_async(from));
         let (left, right) = (left.named("left"), right.named("right"));
 
-        // Arithmetic: of two registers, or of one and a constant.
+        // Arithmetic: on two registers, or on one and a constant.
         def!(operand = mux(is(0b01100), right, immediate));
         def!(places = operand.trunc(5));
         def!(subtracts = is(0b01100) & alternative);
@@ -82,7 +82,7 @@ impl Processor {
         let narrow = |width: u32| mux(function.bit(2), moved.trunc(width).zext(32), moved.trunc(width).sext(32));
         def!(loaded = case(size, [(0, narrow(8)), (1, narrow(16))], fetched));
 
-        // Where it goes on.
+        // The next address.
         def!(following = *pc + 4);
         let (less, less_unsigned) = (left.signed().lt(right.signed()), left.lt(right));
         let holds = case(function.slice(1..3), [(0, left.eq(right)), (2, less)], less_unsigned);
@@ -107,11 +107,11 @@ impl Processor {
 struct Decoded {
     /// The kind of instruction, without the two bits that are always set.
     opcode: Signal,
-    /// What it does among those of its kind.
+    /// The operation among those of its kind.
     function: Signal,
     /// Whether it subtracts, or shifts with the sign.
     alternative: Signal,
-    /// The constant in it, as it is for this kind.
+    /// The constant in it, decoded for its kind.
     immediate: Signal,
     /// The register that takes the result.
     to: Signal,
@@ -129,7 +129,7 @@ fn decode(word: Signal) -> Decoded {
     let jump = cat![word.bit(31), word.slice(12..20), word.bit(20), word.slice(21..31), lit(1, 0)].sext(32);
     let forms = [(0b00101, upper), (0b01101, upper), (0b01000, store), (0b11000, branch), (0b11011, jump)];
     let immediate = case(opcode, forms, short).named("immediate");
-    // An addition of a constant has part of it where other operations say what they do.
+    // In an addition of a constant, part of the constant is where other operations have this flag.
     let alternative = (word.bit(30) & (opcode.eq(0b01100) | function.eq(5))).named("alternative");
     Decoded {
         opcode,

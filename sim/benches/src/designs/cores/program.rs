@@ -1,8 +1,8 @@
-//! What the processors run, in instructions of RV32I.
+//! The program of the processors, in instructions of RV32I.
 
 use std::collections::BTreeMap;
 
-/// Registers, by what the program has in them.
+/// Registers, by their contents in the program.
 const ZERO: u32 = 0;
 const RETURN: u32 = 1;
 const RANDOM: u32 = 5;
@@ -15,15 +15,15 @@ const BELOW: u32 = 11;
 
 /// The address from which a processor reads its input.
 const INPUT: u32 = 0x8000_0000;
-/// How many words are sorted.
+/// The number of sorted words.
 const WORDS: i32 = 32;
 
-/// Instructions, and where the places are that they jump to.
+/// Instructions, and the targets of jumps.
 #[derive(Default)]
 struct Text {
     words: Vec<u32>,
     places: BTreeMap<&'static str, usize>,
-    /// Jumps and branches, and the places that they lead to.
+    /// Jumps and branches, and their targets.
     jumps: Vec<(usize, &'static str)>,
 }
 
@@ -101,7 +101,7 @@ impl Text {
     }
 }
 
-/// Functions of loads, stores, branches and operations.
+/// Function codes of loads, stores, branches and operations.
 const BYTE: u32 = 0;
 const HALF: u32 = 1;
 const WORD: u32 = 2;
@@ -113,7 +113,7 @@ const ADD: u32 = 0;
 const LESS_UNSIGNED: u32 = 3;
 const XOR: u32 = 4;
 
-/// Fills an array with random words, sorts it, and mixes its bytes into a hash that it leaves behind; over and over.
+/// Fills an array with random words, sorts it, and mixes its bytes into a hash that it stores; repeatedly.
 pub fn program() -> Vec<u32> {
     let mut text = Text::default();
     text.upper(0x37, RANDOM, INPUT);
@@ -129,7 +129,7 @@ pub fn program() -> Vec<u32> {
     text.add(AT, AT, 4);
     text.branch(NOT_EQUAL, AT, END, "next word");
 
-    // Each word goes down to where the one below is not larger.
+    // Each word moves down until the one below is not larger.
     text.add(AT, ZERO, 4);
     text.place("insert");
     text.add(BELOW, AT, 0);

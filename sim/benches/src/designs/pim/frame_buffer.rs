@@ -9,12 +9,12 @@ use crate::word::{below, xorshift};
 
 /// The edge of a patch in pixels.
 const EDGE: u32 = 4;
-/// The width of a patch's page number; page 0 is none.
+/// The width of a patch's page number; page 0 means none.
 const PAGE: u32 = 13;
 
 block! {
-    /// A patch table, which gives patches their pages as they are drawn into, and the image memory of those pages: a quarter as many
-    /// as patches.
+    /// A patch table, which gives patches their pages when they are first drawn into, and the image memory of those
+    /// pages: a quarter as many as there are patches.
     pub struct FrameBuffer {
         /// Patches in a row of the screen, from 5.
         pub columns: u32,
@@ -27,7 +27,7 @@ block! {
         start_x: bits(self.x_width()),
     }
     out FrameBufferOut {
-        /// What the scan finds, a pixel every clock.
+        /// The pixel found by the scan, one every clock.
         pixel: Pixel = _,
     }
 }
@@ -65,7 +65,7 @@ impl FrameBuffer {
         before.trunc(width) + column.zext(width)
     }
 
-    /// Goes over the screen in raster order; 2 clocks from a position to its pixel.
+    /// Scans the screen in raster order; 2 clocks from a position to its pixel.
     fn scan(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) -> Pixel {
         let height = EDGE * self.rows;
         let (x, y) = (m.reg("x", self.x_width()), m.reg("y", index_width(height.into())));
@@ -80,12 +80,13 @@ impl FrameBuffer {
         Pixel { valid, rgb: word.slice(24..48), z: word.slice(0..24) }
     }
 
-    /// Of a page's pixel in the image memory.
+    /// The address of a page's pixel in the image memory.
     fn address(&self, page: Signal, pixel: Signal) -> Signal {
         cat![page, pixel].trunc(index_width(u64::from(self.pages() * EDGE * EDGE)))
     }
 
-    /// Draws all pixels of a random patch, then of another. One that has no page gets the next one while there are any.
+    /// Draws all pixels of a random patch, then of another. A patch without a page gets the next one while there are
+    /// any.
     fn draw(&self, m: Module, i: &FrameBufferIn, table: Mem, image: Mem) {
         def!(random = m.reg(32));
         random.next(mux(i.rst, i.seed, xorshift(*random)));
@@ -94,13 +95,13 @@ impl FrameBuffer {
         let column = below(column, self.columns, (1 << column.width()) - self.columns);
         let row = below(row, self.rows, 1 << (row.width() - 1));
 
-        // Which pixel of which patch; the table is looked up.
+        // The pixel of the patch; the table is being read.
         def!(pixel = m.reg(4));
         pixel.next(mux(i.rst, 0, pixel + 1));
         def!(target = m.reg(index_width(self.patches().into())));
         target.enable(i.rst | pixel.all_ones()).next(mux(i.rst, 0, self.patch(column, row)));
 
-        // The page is known, or taken with the patch's first pixel.
+        // The page is known, or is taken with the patch's first pixel.
         def!(looked_up = m.pipe(*target));
         def!(entry = table.read(target));
         def!(drawn = m.reg(4));

@@ -1,11 +1,12 @@
-//! Of two pixels the nearer, in four stages.
+//! Selects the nearer of two pixels, in four stages.
 
 use tilewright_hdl::{Module, block, def, mux};
 
 use super::{Pixel, pixel};
 
 block! {
-    /// Takes the pixels, compares the halves of their depths, decides, chooses. Of two that are equally deep the right one.
+    /// Takes the pixels, compares the halves of their depths, decides, and selects. Of equally deep pixels it selects
+    /// the right one.
     pub struct Merger;
     in MergerIn {
         left: Pixel = pixel(),

@@ -1,4 +1,4 @@
-//! A chain of merging units, each with a local frame buffer that draws at random: the frame path of a VC-1 in small.
+//! A chain of merging units, each with a local frame buffer that draws at random: the frame path of a small VC-1.
 //!
 //! ```text
 //!       [ frame buffer 0 ]  [ frame buffer 1 ]     [ frame buffer n-1 ]
@@ -6,8 +6,8 @@
 //! nothing -->[ merger 0 ]------>[ merger 1 ]--> .. -->[ merger n-1 ]--> checksum
 //! ```
 //!
-//! What it asks of a simulator: pipelines that are all alike and linked to their neighbours, and large memories read at
-//! addresses that differ from lane to lane.
+//! It tests pipelines that are all alike and linked to their neighbours, and large memories read at addresses that
+//! differ from lane to lane.
 
 mod frame_buffer;
 mod merger;
@@ -23,7 +23,7 @@ use super::{BenchIn, BenchOut};
 bundle! {
     /// A pixel on its way through the chain.
     struct Pixel<T> {
-        /// Something was drawn there.
+        /// The pixel has been drawn.
         valid: T,
         /// Colour, 24 bits.
         rgb: T,
@@ -53,13 +53,13 @@ block! {
 }
 
 impl Pim {
-    /// A chain of so many units for 640x480 pixels.
+    /// A chain of `stages` units for 640x480 pixels.
     pub fn new(stages: u32) -> Pim {
         Pim { stages, columns: 160, rows: 120 }
     }
 
     fn build(&self, m: Module, i: BenchIn) -> BenchOut {
-        // A merger takes 4 clocks, so each scan runs 4 pixels ahead of the succeeding one.
+        // A merger takes 4 clocks, so each scan runs 4 pixels ahead of the next one.
         let frame_buffer = FrameBuffer { columns: self.columns, rows: self.rows };
         let (width, x_width) = (frame_buffer.width(), frame_buffer.x_width());
         let lead = |stage: u32| u64::from(4 * (self.stages - 1 - stage) % width);
@@ -84,11 +84,11 @@ block! {
     }
     in(self) StageIn {
         rst: bit(),
-        /// Of the random generator.
+        /// The seed of the random generator.
         seed: bits(32),
-        /// Where the scan starts.
+        /// The start of the scan.
         start_x: bits(self.frame_buffer.x_width()),
-        /// From the preceding stage.
+        /// The pixel from the preceding stage.
         left: Pixel = pixel(),
     }
     out StageOut {

@@ -1,4 +1,5 @@
-//! One axis of the tree: at place i the base plus i times the coefficient, a bit a clock, the least significant first.
+//! One axis of the tree: at place i, the base plus i times the coefficient, one bit a clock, the least significant
+//! first.
 
 use tilewright_hdl::{Module, Signal, bit, bits, block, interleave, row};
 
@@ -30,7 +31,8 @@ impl Axis {
         };
         let (mut values, mut coefficient, mut first) = (i.base.of(row(1)), i.coefficient, i.first);
         for level in 0..levels {
-            // A right child adds the coefficient times half its parent's span: so many bits later, with zeros before.
+            // A right child adds the coefficient times half its parent's span: shifted by that many bits, with zeros
+            // before.
             let later = levels - 1 - level;
             let weighted = match later {
                 0 => coefficient,

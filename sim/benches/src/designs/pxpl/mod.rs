@@ -1,4 +1,4 @@
-//! A square of processors of one bit, under one instruction, fed by a tree that adds bit by bit.
+//! A square of one-bit processors under one instruction, fed by a tree that adds bit by bit.
 //!
 //! ```text
 //!      sequencer ---- instruction, addresses ----.
@@ -7,7 +7,7 @@
 //!          '-----> axis y --- a column -------->[  n x n   ]
 //! ```
 //!
-//! What it asks of a simulator: logic of one bit, thousands of times the same, and a memory of bits that all have one address.
+//! It tests one-bit logic, replicated thousands of times, and a memory of bits with one address for all.
 
 mod axis;
 mod pixel;
@@ -20,7 +20,7 @@ use axis::{Axis, AxisIn};
 use pixel::{BITS, Operation, Pixel, PixelIn};
 
 block! {
-    /// A square of processors of one bit, fed by a serial tree.
+    /// A square of one-bit processors, fed by a serial tree.
     pub struct Pxpl {
         /// Processors in a row, and rows; a power of two from 8 to 256.
         pub edge: u32,
@@ -29,7 +29,7 @@ block! {
     out = BenchOut { csum: bits(32) };
 }
 
-/// What is done one after another, for 32 clocks each.
+/// The operations in sequence, for 32 clocks each.
 const PROGRAM: [Operation; 8] = [
     Operation::Store,
     Operation::Add,
@@ -52,7 +52,7 @@ impl Pxpl {
         step.when(rst, 0).when(is_last, step + 1);
         base.when(rst, 0).when(is_last, random.slice(8..16));
 
-        // Where flags are kept, that is done with the last bit alone.
+        // Operations that set flags work on the last bit only.
         let operation = |operation: Operation| match operation {
             Operation::KeepLess | Operation::KeepPositive => mux(is_last, operation, Operation::Nothing),
             other => mux(lit(1, 1), other, Operation::Nothing),
@@ -86,7 +86,7 @@ impl Pxpl {
             y: y.to_columns(edge),
         });
 
-        // The first and the last 32 bits, and whether an odd number is enabled.
+        // The first and the last 32 bits, and whether an odd number of processors is enabled.
         let ends = 32_u32.div_ceil(edge);
         let row = |number: u32| pixels.result.rows().lane(number).pack();
         let side_by_side = |rows: Vec<Signal>| tilewright_hdl::concat(&rows);

@@ -1,4 +1,4 @@
-//! A processor of one bit, with 208 bits of memory.
+//! A one-bit processor, with 208 bits of memory.
 
 use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, codes, def, mux, one_of};
 
@@ -6,7 +6,7 @@ use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, codes, def,
 pub const BITS: u32 = 208;
 
 codes! {
-    /// What all processors do in a clock; S is the bit of x + y, M the one that is read.
+    /// The operation of all processors in a clock; S is the bit of x + y, M the bit that is read.
     pub enum Operation {
         /// Nothing.
         Nothing,
@@ -14,13 +14,13 @@ codes! {
         Store,
         /// Writes the sum of S and M, with a carry.
         Add,
-        /// Those where S, a sign, is 0 stay enabled.
+        /// Disables those where S, a sign, is 1.
         KeepPositive,
-        /// All are enabled.
+        /// Enables all.
         Everybody,
         /// Compares S with M.
         Compare,
-        /// Those where S was the less stay enabled.
+        /// Disables those where S was not less.
         KeepLess,
         /// Writes M.
         Copy,
@@ -43,7 +43,7 @@ block! {
         y: bit(),
     }
     out PixelOut {
-        /// What it computed, or 0 if it is not enabled.
+        /// Its result, or 0 if it is disabled.
         result: bit(),
         enable: bit(),
     }

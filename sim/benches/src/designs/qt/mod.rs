@@ -1,6 +1,6 @@
 //! Units that walk down quadtrees of triangles, each on its own.
 //!
-//! What it asks of a simulator: wide arithmetic with much that is computed in vain, and control that differs from lane to lane.
+//! It tests wide arithmetic, much of whose results is discarded, and control that differs from lane to lane.
 
 mod unit;
 
@@ -11,9 +11,9 @@ use crate::word::seed;
 use unit::{Unit, UnitIn, UnitOut};
 
 block! {
-    /// Units that find the pixels of random triangles by quadtree, and a checksum of what they find.
+    /// Units that find the pixels of random triangles by quadtree, and a checksum of the pixels.
     pub struct Qt {
-        /// How many, at least 1.
+        /// The number of units, at least 1.
         pub units: u32,
         /// Whether each is a module of its own, so that nothing is replicated.
         pub apart: bool,

@@ -1,7 +1,8 @@
-//! A quadtree unit: which windows of the screen a triangle covers.
+//! A quadtree unit: finds the windows of the screen that a triangle covers.
 //!
-//! A window is a square of `2^level` pixels. Every clock its four quarters are tested against the three edges: each is outside,
-//! covered, or to be divided again. The unit goes down into the first of the latter; the others wait on a stack.
+//! A window is a square of `2^level` pixels. Every clock, its four quarters are tested against the three edges: each
+//! is outside, covered, or to be divided again. The unit descends into the first of the latter; the others wait on a
+//! stack.
 
 use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, concat, def, lit, mux, select};
 
@@ -21,7 +22,7 @@ block! {
         seed: bits(32),
     }
     out UnitOut {
-        /// Of all that was found so far.
+        /// A hash of everything found so far.
         hash: bits(32),
     }
 }
@@ -41,13 +42,14 @@ impl Edge {
         Edge { value: reg("value", VALUE), a: reg("a", 8), b: reg("b", 8) }
     }
 
-    /// What the value grows by over 2^level pixels, to the right and downwards.
+    /// The growth of the value over 2^level pixels, to the right and downwards.
     fn steps(&self, level: Signal) -> [Signal; 2] {
         [self.a, self.b].map(|slope| slope.sext(VALUE) << level)
     }
 
-    /// The signs of the values at the nearest and the farthest corner of each quarter of a window: the farthest ones are negative
-    /// if all of it is outside, the nearest ones if some of it is. A quarter of one pixel has one corner.
+    /// The signs of the values at the nearest and the farthest corner of each quarter of a window. The farthest one
+    /// is negative if the whole quarter is outside, the nearest one if some of it is. A quarter of one pixel has one
+    /// corner.
     fn test(&self, half: Signal, single: Signal) -> [[Signal; 2]; 4] {
         let [right, down] = self.steps(half);
         let least = mux(self.a.msb(), right, 0) + mux(self.b.msb(), down, 0);
@@ -81,7 +83,7 @@ impl Unit {
         def!(found = inside & whole);
         def!(divided = inside & !whole);
 
-        // The stack: what is left to do of each window above, and its edges' values.
+        // The stack: the remaining quarters of each window above, and its edges' values.
         def!(depth = m.reg(4));
         let windows = m.memory("stack", 16, 28, ReadUnderWrite::Old).fill(Bits::zero(28));
         let values = m.memory("stack_values", 16, 3 * VALUE, ReadUnderWrite::Old).fill(Bits::zero(3 * VALUE));
@@ -89,7 +91,7 @@ impl Unit {
         def!(waiting = windows.read_async(top));
         def!(waiting_values = values.read_async(top));
 
-        // The next window is a quarter of this one, or of one that waits.
+        // The next window is a quarter of this one, or of a waiting one.
         def!(down = divided.ne(0));
         def!(back = !down & depth.ne(0));
         def!(todo = mux(down, divided, waiting.slice(24..28)));

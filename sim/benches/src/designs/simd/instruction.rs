@@ -1,13 +1,13 @@
-//! What the processors are told.
+//! The instructions of the processors.
 
 use tilewright_hdl::{Width, bits, bundle};
 
 bundle! {
     /// An instruction, in its two clocks.
     pub struct Instruction<T> {
-        /// A clock ahead of the rest: the operand's address.
+        /// The operand's address, a clock ahead of the rest.
         pub read_address: T,
-        /// What to do: an [`Opcode`].
+        /// The operation: an [`Opcode`].
         pub opcode: T,
         /// The address of a result.
         pub write_address: T,
@@ -23,7 +23,7 @@ impl Instruction<Width> {
     }
 }
 
-/// What to do with the accumulator A, the operand M, the constant K and the plane's value P; only processors that are active
+/// The operations on the accumulator A, the operand M, the constant K and the plane's value P. Only active processors
 /// change their accumulator.
 #[derive(Debug, Clone, Copy)]
 pub enum Opcode {
@@ -37,7 +37,7 @@ pub enum Opcode {
     Add,
     /// A = A - M
     Subtract,
-    /// Goes on if A < M
+    /// Stays active if A < M
     IfLess,
     /// All are active
     Everybody,
@@ -51,12 +51,12 @@ pub enum Opcode {
     Xor,
     /// A = A / 2
     Halve,
-    /// Goes on if A >= K
+    /// Stays active if A >= K
     IfAtLeast,
     /// A = A + P
     AddPlane,
     /// A = A ^ K
     XorConstant,
-    /// The others are active
+    /// The others become active
     Else,
 }

@@ -1,4 +1,4 @@
-//! A square of small processors that all do the same instruction on data of their own.
+//! A square of small processors that all execute the same instruction on their own data.
 //!
 //! ```text
 //!                    sequencer                column terms a x + c, one for each column
@@ -11,7 +11,7 @@
 //!                 [  row n - 1  ]
 //! ```
 //!
-//! What it asks of a simulator: thousands of small state machines under one select, and reductions of them.
+//! It tests thousands of small state machines under one select, and reductions of them.
 
 mod instruction;
 mod processor;

@@ -1,4 +1,4 @@
-//! A processor of the array: an accumulator, 256 bytes, and a flag that says whether it takes part.
+//! A processor of the array: an accumulator, 256 bytes, and a flag that says whether it is active.
 
 use tilewright_hdl::{Bits, Module, ReadUnderWrite, bit, bits, block, case, def, lit, mux};
 
@@ -16,7 +16,7 @@ block! {
         row: bits(8),
     }
     out ProcessorOut {
-        /// The accumulator, or 0 if it does not take part.
+        /// The accumulator, or 0 if it is inactive.
         contribution: bits(8),
     }
 }

@@ -15,13 +15,13 @@ block! {
         instruction: Instruction = Instruction::widths(),
         /// The term of the plane for each column.
         columns: [bits(8); self.processors],
-        /// What the plane grows by from a row to the next.
+        /// The growth of the plane from one row to the next.
         b: bits(8),
         /// The number of the row.
         y: bits(8),
     }
     out RowOut {
-        /// Of the clock before.
+        /// The exclusive or, one clock later.
         sum: bits(8),
     }
 }

@@ -1,4 +1,4 @@
-//! Where the instructions come from: opcodes from a short program, operands from a random generator.
+//! The source of the instructions: opcodes from a short program, operands from a random generator.
 
 use tilewright_hdl::{Module, bit, bits, block, case, mux};
 

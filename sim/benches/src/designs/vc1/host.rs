@@ -1,4 +1,4 @@
-//! Stands for the host: reads each frame that is shown, for a checksum.
+//! Represents the host: reads each frame that is shown, for a checksum.
 
 use tilewright_hdl::{Module, below, bit, bits, block, def, lit, mux};
 use tilewright_rtl::gfb::{Access, Host as GfbHost};
@@ -6,22 +6,22 @@ use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::word::WORD;
 
 block! {
-    /// The host of a machine with that screen.
+    /// The host of a machine with this screen.
     pub struct Host {
         pub screen: Screen,
     }
     in HostIn {
-        /// Turns with each frame that is shown.
+        /// Toggles with each frame that is shown.
         shown: bit(),
-        /// Of all painters, for the frame that is shown; steady while it is read.
+        /// The hash of all painters, for the frame that is shown; stable while it is read.
         hash: bits(32),
-        /// The pixel that the host has asked for, 1 clock later.
+        /// The pixel that the host has requested, 1 clock later.
         read_word: bits(WORD),
     }
     out HostOut {
         /// To the global frame buffer.
         gfb: GfbHost = _,
-        /// Of all frames that were read, and of the painters.
+        /// A checksum of all frames that were read, and of the painters.
         csum: bits(32),
     }
 }

@@ -1,4 +1,4 @@
-//! The VC-1's frame path at work: its whole hardware, with processors and a host that need nobody outside.
+//! The VC-1's frame path at work: its whole hardware, with processors and a host that need no outside input.
 //!
 //! ```text
 //!  [ painter 0 ]   [ painter 1 ]  ..  [ painter n-1 ]        PE clock
@@ -10,10 +10,11 @@
 //!                      [ host ]--> checksum
 //! ```
 //!
-//! Frame after frame, the painters clear their patch tables and draw, while the frame before is merged, and the host reads the one
-//! before that. As in a frame of the teapot, most of the time goes into merging: a frame comes every two refreshes of the display.
+//! Frame after frame, the painters clear their patch tables and draw, while the previous frame is merged, and the
+//! host reads the one before that. As in a frame of the teapot, most of the time goes into merging: a frame comes
+//! every two refreshes of the display.
 //!
-//! What it asks of a simulator: three clocks, large memories, and units that are alike inside of a machine that is not.
+//! It tests three clocks, large memories, and identical units inside an irregular machine.
 
 mod host;
 mod painter;
@@ -38,7 +39,7 @@ block! {
         vc1: Vc1,
         patches: Patches,
         processors: u32,
-        /// Patches that a painter draws for a frame.
+        /// The patches that a painter draws for a frame.
         painted: u32,
     }
     source = "VC-1, section 3.3 (VC1-FLOW, VC1-LFB, VC1-PIM, VC1-GFB)";
@@ -46,12 +47,12 @@ block! {
 }
 
 impl Vc1Frames {
-    /// A VC-1 with patches of 4x4 pixels, pages for a quarter of them, 4096 at most, in each buffer, and painters that fill a quarter
-    /// of those for a frame.
+    /// A VC-1 with patches of 4x4 pixels. Each buffer has pages for a quarter of them, 4096 at most, and painters
+    /// fill a quarter of those for a frame.
     ///
     /// # Errors
     ///
-    /// There is no such VC-1, or a side of the screen is no multiple of 4.
+    /// There is no such VC-1, or a side of the screen is not a multiple of 4.
     pub fn new(screen: Screen, processors: u32) -> Result<Vc1Frames, ParameterError> {
         let patches = Patches::new(screen, 4)?;
         if !(screen.width.is_multiple_of(4) && screen.height.is_multiple_of(4)) {
@@ -76,7 +77,7 @@ impl Vc1Frames {
         Ok(Vc1Frames { vc1, patches, processors, painted: pages.div_ceil(4) })
     }
 
-    /// How many instants there are, about, at which a clock rises, from a frame to the next: two refreshes.
+    /// The approximate number of instants at which a clock rises, from a frame to the next: two refreshes.
     pub fn frame_cycles(&self) -> u64 {
         let refresh = self.vc1.gfb().read_out().refresh_clocks() * self.vc1.display.period.picoseconds();
         let clocks =

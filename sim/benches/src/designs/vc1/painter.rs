@@ -1,4 +1,4 @@
-//! Stands for a processing element and its program: draws patches at random places, a pixel now and then.
+//! Represents a processing element and its program: draws patches at random places, a pixel now and then.
 
 use tilewright_hdl::{Module, Reg, bits, block, cat, codes, def, index_width, lit, mux, one_of, when};
 use tilewright_rtl::bus::BusWord;
@@ -10,7 +10,7 @@ use tilewright_rtl::word::WORD;
 use crate::word::{below, xorshift};
 
 codes! {
-    /// What a painter does.
+    /// The state of a painter.
     enum Phase {
         /// Clears the patch table, entry by entry.
         Clear,
@@ -25,19 +25,19 @@ block! {
     /// A painter on a screen of these patches, of 4x4 pixels.
     pub struct Painter {
         pub patches: Patches,
-        /// Patches for a frame.
+        /// The patches for a frame.
         pub painted: u32,
     }
     in PainterIn {
-        /// Of the random generator.
+        /// The seed of the random generator.
         seed: bits(32),
-        /// What it may do.
+        /// The state of the buffer swap: whether it may clear or draw.
         state: one_of::<SwapState>(),
     }
     out PainterOut {
         /// To the local frame buffer.
         vc1: ProcessorIn = _,
-        /// Of what was drawn, and when.
+        /// A hash of the drawn pixels and their times.
         hash: bits(32),
     }
 }
@@ -55,7 +55,7 @@ impl Painter {
         def!(last_entry = entry.eq(self.patches.count() - 1));
         entry.enable(cleared).next(mux(last_entry, 0, entry + 1));
 
-        // A pixel is computed in 16 clocks on average, and then asks until it is taken.
+        // A pixel is computed in 16 clocks on average, and then requested until it is taken.
         def!(asks = m.reg(1).reset(0));
         def!(word = m.reg(WORD));
         def!(pixel = m.reg(4).reset(0));

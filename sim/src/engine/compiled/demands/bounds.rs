@@ -1,4 +1,4 @@
-//! The greatest number that a value can be, as far as operations on small numbers say so: code takes lanes by number.
+//! The largest number that a value can be, as far as small operations show it: code selects lanes by number.
 
 use rustc_hash::FxHashMap;
 use tilewright_hdl::ir::{Binary, Relation};
@@ -6,11 +6,11 @@ use tilewright_hdl::top_mask;
 
 use crate::engine::program::{Circuit, Kind, Lowered, ValueId};
 
-/// How many operations are looked through, one behind the other.
+/// The longest chain of operations that is followed.
 const DEPTH: u32 = 24;
 
-/// Finds the greatest numbers of values, each once. What holds in each lane by operations on that lane alone holds in lanes that
-/// pad the last strip, too.
+/// Finds the largest numbers of values, each once. A bound that follows from elementwise operations is also true in
+/// the padding lanes of the last strip.
 pub(super) struct Bounds<'a> {
     circuit: &'a Circuit,
     found: FxHashMap<ValueId, u64>,
@@ -21,7 +21,7 @@ impl<'a> Bounds<'a> {
         Bounds { circuit, found: FxHashMap::default() }
     }
 
-    /// No lane of a value is greater.
+    /// No lane of a value is larger.
     pub fn most(&mut self, id: ValueId) -> u64 {
         self.within(id, DEPTH)
     }
@@ -40,9 +40,9 @@ impl<'a> Bounds<'a> {
         most
     }
 
-    /// What an operation gives at most, of a width at which `all` is the most; none if it may be that.
+    /// The largest result of an operation whose width allows `all`; `None` if it may reach that.
     fn operation(&mut self, kind: &Kind, all: u64, depth: u32) -> Option<u64> {
-        // What goes beyond begins again at 0.
+        // A larger number wraps to 0.
         let whole = |most: Option<u64>| most.filter(|&most| most <= all);
         match kind {
             Kind::Const(bits) => bits.to_u64(),
@@ -70,7 +70,7 @@ impl<'a> Bounds<'a> {
         values.map(|id| self.within(id, depth)).max()
     }
 
-    /// The most that a value is where a flag is 1, which may be that it is less than a constant.
+    /// The largest number of a value where a flag is 1; the flag may say that the value is less than a constant.
     fn where_below(&mut self, flag: ValueId, value: ValueId, depth: u32) -> u64 {
         let most = self.within(value, depth);
         let limit = match self.circuit[flag].kind {

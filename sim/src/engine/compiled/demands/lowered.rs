@@ -1,5 +1,5 @@
-//! What code relies on in a function that has been lowered: no operation is left that code does not know, each takes what is
-//! there, and lanes that pad the last strip change nothing.
+//! The requirements of code generation on a lowered function: every operation has code, every operand exists, and the
+//! padding lanes of the last strip change nothing.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Reduction};
@@ -12,7 +12,7 @@ use crate::engine::compiled::layout::storage;
 use crate::engine::compiled::strips::Strips;
 use crate::engine::program::{Axis, Cell, Kind, Lowered, ValueId};
 
-/// Checks a function from which code is about to be made, for strips and memories as they are.
+/// Checks a function before code generation, for these strips and memories.
 ///
 /// # Panics
 ///
@@ -41,7 +41,7 @@ struct Demands<'a> {
     strips: &'a Strips,
     memories: &'a [MemoryAt],
     shapes: Shapes<'a>,
-    /// Per memory.
+    /// For each memory.
     written: Vec<bool>,
     bounds: Bounds<'a>,
 }
@@ -58,14 +58,14 @@ impl Demands<'_> {
         assert!(self.is_known(cell), "a lowered operation is none that there is code for: {cell:?}");
     }
 
-    /// Whether there is code for an operation whose operands have the right shapes.
+    /// Whether an operation whose operands have the right shapes has code.
     fn is_known(&mut self, cell: &Cell) -> bool {
         let Cell { ref kind, lanes, width } = *cell;
         let lanes_of = |id: ValueId| self.function.cell(id).lanes;
         let width_of = |id: ValueId| self.function.cell(id).width;
         match *kind {
             Kind::Read { .. } | Kind::Map { .. } | Kind::Interleave { .. } | Kind::Pick { .. } => false,
-            // Each lane so many times, or a row.
+            // Each lane repeated, or a row repeated.
             Kind::Broadcast { axis, .. } => axis.inner == 1 || axis.lanes() == lanes,
             Kind::Stack { ref parts, inner } => inner == 1 || self.are_rows(parts, inner, cell),
             Kind::Lane { axis, .. } => axis.inner == 1,
@@ -94,7 +94,7 @@ impl Demands<'_> {
         }
     }
 
-    /// Whether rows that are put together are copied by vectors.
+    /// Whether joined rows can be copied by vectors.
     fn are_rows(&self, parts: &[ValueId], inner: u32, cell: &Cell) -> bool {
         let element = storage(self.strips, cell.lanes, cell.width);
         parts.len() as u32 * inner == cell.lanes
@@ -102,13 +102,13 @@ impl Demands<'_> {
             && element == storage(self.strips, inner, cell.width)
     }
 
-    /// Whether lanes of so many bits stand as the limbs of the value that they are parts of.
+    /// Whether lanes of this width have the layout of the limbs of the value that they are parts of.
     fn are_limbs(&self, axis: Axis, width: u32) -> bool {
         let all = axis.count * width;
         axis.inner == 1 && storage(self.strips, axis.count, width) == width && all.is_multiple_of(64)
     }
 
-    /// Whether lanes that pad the last strip add nothing to a reduction of all lanes.
+    /// Whether the padding lanes of the last strip add nothing to a reduction of all lanes.
     fn is_masked(&self, by: Reduction, of: ValueId) -> bool {
         let Cell { ref kind, lanes, .. } = *self.function.cell(of);
         lanes == 1
@@ -126,15 +126,15 @@ impl Demands<'_> {
             }
     }
 
-    /// Whether there are lanes for all of each strip.
+    /// Whether the lanes fill every strip.
     fn is_whole(&self, lanes: u32) -> bool {
         lanes.is_multiple_of(self.strips.strip(lanes))
     }
 
-    /// Whether a memory whose words stand together has the same address in all lanes, of which code takes one.
+    /// Whether a memory whose words are together has the same address in all lanes; code uses one of them.
     fn is_one_address(&self, memory: u32, address: ValueId) -> bool {
         let is_one = match self.function.cell(address).kind {
-            // What crosses into a unit is state there, and was the same in all lanes where it was computed.
+            // A value that crosses into a unit is state there, and was the same in all lanes where it was computed.
             Kind::Const(_) | Kind::State => true,
             Kind::Broadcast { of, .. } => self.function.cell(of).lanes == 1,
             _ => false,
@@ -154,7 +154,7 @@ impl Demands<'_> {
                     && self.is_one_address(memory, address)
                     && self.is_existing(enable)
             }
-            // What is shown is stored where it is computed.
+            // A shown value is stored where it is computed.
             Sink::Show(value) => self.function.circuit().constant(value).is_none(),
             Sink::Hold(value) => is(value, 1),
             Sink::Row { row, value, .. } => is(row, 64) && self.function.cell(value).lanes == 1,
@@ -162,7 +162,7 @@ impl Demands<'_> {
         assert!(fits, "a lowered function does what there is no code for: {sink:?}");
     }
 
-    /// Whether a flag is 0 in lanes that pad the last strip.
+    /// Whether a flag is 0 in the padding lanes of the last strip.
     fn is_existing(&self, flag: ValueId) -> bool {
         let Cell { ref kind, lanes, .. } = *self.function.cell(flag);
         let is_table = |id: ValueId| self.function.is_table(id);

@@ -1,7 +1,7 @@
-//! What generated code relies on, as it checks nothing itself: shapes that agree, lanes and memories that are there,
-//! addresses that are no wider than a memory needs, numbers of lanes that there are. A [`tilewright_hdl::ir::Design`] is
-//! validated, and [`crate::engine::program::compile`] makes no other programs of it; this is a second look, at what is run. Each
-//! function is looked at again when it has been lowered.
+//! The requirements of generated code, which checks nothing itself: shapes agree, lanes and memories exist, addresses
+//! are no wider than their memories need, and lane numbers are in range. A [`tilewright_hdl::ir::Design`] is
+//! validated, and [`crate::engine::program::compile`] makes only such programs of it; this is a second check. Each
+//! function is checked again when it has been lowered.
 
 mod bounds;
 mod lowered;
@@ -17,7 +17,7 @@ use shapes::{MemoryShape, Shapes};
 ///
 /// # Panics
 ///
-/// It is not one that [`crate::engine::program::compile`] makes of a valid circuit.
+/// The program is not one that [`crate::engine::program::compile`] makes of a valid circuit.
 pub(super) fn check(program: &Program) {
     check_order(program);
     let shape = |memory: &Memory| MemoryShape { lanes: memory.lanes, depth: memory.depth, width: memory.width };
@@ -49,7 +49,7 @@ pub(super) fn check(program: &Program) {
     }
 }
 
-/// Checks that no value is computed of itself.
+/// Checks that no value depends on itself.
 fn check_order(program: &Program) {
     let circuit = &program.circuit;
     let mut order = vec![0; circuit.len()];
@@ -121,7 +121,7 @@ mod tests {
         compile(&elaborate(&Top).unwrap(), &Passes::none())
     }
 
-    /// Edits the first operation that is taken.
+    /// Edits the first operation for which `edit` returns true.
     fn operation(program: &mut Program, edit: impl Fn(&mut Kind) -> bool) {
         let mut edited = program.circuit.cells().filter_map(|(id, cell)| {
             let mut kind = cell.kind.clone();
@@ -132,7 +132,7 @@ mod tests {
         program.circuit.set_kind(id, kind);
     }
 
-    /// Edits the program, which is then refused.
+    /// Edits the program, which must then be rejected; returns the message.
     fn refused(edit: impl FnOnce(&mut Program)) -> String {
         let mut program = program();
         edit(&mut program);

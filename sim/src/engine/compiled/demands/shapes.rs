@@ -1,4 +1,4 @@
-//! What shapes operations have, and those of their operands.
+//! The shapes of operations and of their operands.
 
 use tilewright_hdl::index_width;
 use tilewright_hdl::ir::{Binary, Unary};
@@ -32,13 +32,13 @@ impl Shapes<'_> {
         (cell.lanes, cell.width) == (lanes, width)
     }
 
-    /// Whether a register, or the data of a read, can take that.
+    /// Whether a register, or the data of a read, can take this value.
     pub fn can_take(&self, state: ValueId, next: ValueId, enable: Option<ValueId>) -> bool {
         let Cell { lanes, width, .. } = self.circuit[state];
         self.is(next, lanes, width) && enable.is_none_or(|enable| self.is(enable, lanes, 1))
     }
 
-    /// Whether a write port of a memory can take that.
+    /// Whether a write port of a memory can take these values.
     pub fn can_write(&self, memory: u32, enable: ValueId, address: ValueId, data: ValueId) -> bool {
         self.memories.get(memory as usize).is_some_and(|memory| {
             self.is(data, memory.lanes, memory.width)
@@ -47,14 +47,14 @@ impl Shapes<'_> {
         })
     }
 
-    /// Whether an operation has the operands that it takes.
+    /// Whether the operands of an operation fit.
     pub fn fit(&self, cell: &Cell) -> bool {
         let Cell { ref kind, lanes, width } = *cell;
         let (lanes_of, width_of) = (|id: ValueId| self.circuit[id].lanes, |id: ValueId| self.circuit[id].width);
         let same = |id: ValueId| self.is(id, lanes, width);
         let flag = |id: ValueId| self.is(id, lanes, 1);
         let in_lanes = |id: ValueId| lanes_of(id) == lanes;
-        // Without an axis, and with one, which groups of the lanes are.
+        // The shape without an axis; with one, the groups of lanes.
         let less = |id: ValueId, axis: Axis| {
             lanes_of(id).checked_mul(axis.count) == Some(lanes) && lanes_of(id).is_multiple_of(axis.inner)
         };

@@ -1,7 +1,8 @@
-//! What must stay as it is for an edge to change nothing but some registers.
+//! The values that must stay the same for an edge to change nothing but some registers.
 //!
-//! Registers that *count* change at nearly every edge, and most of what others see of them is whether they have come to a number: a
-//! value of 1 bit. As long as these *flags* stay, with all else that the edge looks at, registers that do not look at more stay too.
+//! Registers that *count* change at nearly every edge, and other logic mostly sees only whether they have reached a
+//! number: a value of 1 bit. As long as these *flags* and everything else that the edge reads stay the same, all
+//! registers that see no more stay the same too.
 
 use std::collections::BTreeSet;
 
@@ -12,17 +13,18 @@ use crate::engine::program::{Kind, Program, ReadPort, Register, ValueId};
 
 /// Registers of a clock that may count while nothing else happens at its edges.
 pub(super) struct Counting {
-    /// By value: those that were asked for, and those that see more of them than flags.
+    /// By value: the requested registers, and those that see more of them than flags.
     pub registers: BTreeSet<ValueId>,
-    /// The flags by which others see them.
+    /// The flags through which others see them.
     pub flags: Vec<ValueId>,
-    /// What must be 0 in all lanes, so that no memory is written, and no word taken that another clock may write.
+    /// The values that must be 0 in all lanes, so that no memory is written and no word read that another clock may
+    /// write.
     pub off: Vec<ValueId>,
 }
 
 impl Counting {
-    /// For these registers of a clock, of 2 bits or more; nothing if more than `most` count then, or if a word is read that cannot be left
-    /// unread.
+    /// For these registers of a clock, of 2 bits or more. `None` if more than `most` would count, or if a word is
+    /// read that must not be skipped.
     pub fn of(program: &Program, clock: usize, asked: &[ValueId], most: usize) -> Option<Counting> {
         let order = program.circuit.needed(program.sampled(clock, true));
         let mut registers: BTreeSet<ValueId> = asked.iter().copied().collect();
@@ -44,7 +46,7 @@ impl Counting {
     }
 }
 
-/// What is made of registers that count.
+/// The values computed from counting registers.
 #[derive(Default)]
 struct Seen {
     /// More than a flag.
@@ -73,7 +75,7 @@ impl Seen {
     }
 }
 
-/// What must be 0: nothing, if something cannot be.
+/// The values that must be 0; `None` if one of them cannot be.
 fn off(program: &Program, clock: usize, seen: &Seen) -> Option<Vec<ValueId>> {
     let mut off = Vec::new();
     for &(memory, port) in &program.clocks[clock].writes {
@@ -88,7 +90,7 @@ fn off(program: &Program, clock: usize, seen: &Seen) -> Option<Vec<ValueId>> {
     Some(off)
 }
 
-/// The flags that something sees besides those registers themselves.
+/// The flags that are seen outside of those registers themselves.
 fn flags(program: &Program, clock: usize, registers: &BTreeSet<ValueId>, seen: &Seen) -> Vec<ValueId> {
     let mut open = program.sampled_but_by(clock, true, |register| registers.contains(&register.value));
     let (mut flags, mut known) = (BTreeSet::new(), FxHashSet::default());
@@ -104,7 +106,8 @@ fn flags(program: &Program, clock: usize, registers: &BTreeSet<ValueId>, seen: &
     flags.into_iter().collect()
 }
 
-/// The registers of a clock that take a sum or a difference with what they have; none of 1 bit, which would be a flag itself.
+/// The registers of a clock that take a sum or a difference with their own value; none of 1 bit, which would be flags
+/// themselves.
 pub(super) fn counters(program: &Program, clock: usize) -> BTreeSet<ValueId> {
     let circuit = &program.circuit;
     let counts = |register: &&Register| {
@@ -126,7 +129,7 @@ pub(super) fn counters(program: &Program, clock: usize) -> BTreeSet<ValueId> {
     own.filter(|it| circuit[it.value].width > 1).filter(counts).map(|register| register.value).collect()
 }
 
-/// The clocks that change what registers look at to count.
+/// The clocks that change what these registers read to count.
 pub(super) fn looks_at(program: &Program, counts: &[&Register]) -> Vec<usize> {
     let roots = counts.iter().flat_map(|it| [Some(it.next), it.enable].into_iter().flatten());
     let needed: FxHashSet<ValueId> = program.circuit.needed(roots).into_iter().collect();
@@ -139,8 +142,8 @@ fn is_shared(program: &Program, memory: u32, clock: usize) -> bool {
     program.memories[memory as usize].writes.iter().any(|write| write.clock as usize != clock)
 }
 
-/// What edges of a clock look at that others change, besides inputs; nothing, if that may be a word of a memory, not taken into a
-/// register.
+/// The values changed by others that edges of a clock read, besides inputs; `None` if one may be a word of a memory
+/// that is not in a register.
 pub(super) fn others(program: &Program, clock: usize) -> Option<Vec<ValueId>> {
     let inputs: FxHashSet<ValueId> = program.inputs.iter().map(|port| port.value).collect();
     let own: FxHashSet<ValueId> = states(program, clock).collect();
@@ -157,7 +160,7 @@ pub(super) fn others(program: &Program, clock: usize) -> Option<Vec<ValueId>> {
     Some(others)
 }
 
-/// What edges of a clock change: its registers, and words that were read.
+/// The state that edges of a clock change: its registers and read data.
 pub(super) fn states(program: &Program, clock: usize) -> impl Iterator<Item = ValueId> {
     let clock = &program.clocks[clock];
     let registers = clock.registers.iter().map(|&index| program.registers[index as usize].value);

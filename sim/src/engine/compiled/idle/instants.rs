@@ -1,7 +1,8 @@
 //! Many instants of several clocks, while nobody sets or sees anything.
 //!
-//! At most of them one clock rises, of which it is known what to call: what an edge does, or what is left of it while the clock rests. Then
-//! only what may have changed since its last edge is asked for. All other instants are left to who asks.
+//! At most instants one clock rises, and its function is known: a whole edge, or the remaining work while the clock
+//! rests. Then only values that may have changed since its last edge are checked. The caller handles all other
+//! instants.
 
 use super::Clocks;
 use crate::engine::Ticks;
@@ -9,7 +10,7 @@ use crate::engine::compiled::Compiled;
 use crate::engine::program::Triggers;
 
 impl Compiled {
-    /// Goes through the next instants up to a time, as long as they are plain.
+    /// Executes the next instants up to a time, as long as they are plain.
     pub(in crate::engine::compiled) fn plain_instants(&mut self, ticks: &mut [Ticks], until: u64) {
         if ticks.len() > Clocks::BITS as usize || self.parked.is_empty() || self.any_reset || !self.versions.is_empty()
         {
@@ -20,7 +21,7 @@ impl Compiled {
         }
         self.renew_ready();
         self.looked = false;
-        // Those of which it is not known whether what others have changed is as it was.
+        // The clocks for which it is not known whether the state of others is unchanged.
         let mut unseen = Clocks::MAX;
         while let Some((clock, most)) = alone(ticks, until) {
             let edges = match self.idle.get(clock) {
@@ -36,7 +37,7 @@ impl Compiled {
         }
     }
 
-    /// At most so many edges of a clock that rests; none if it is to wake. Gives how many there were.
+    /// Executes at most `most` edges of a resting clock, none if it must wake; returns the number.
     #[inline]
     fn resting_edges(&mut self, clock: usize, most: u64, is_unseen: bool) -> u64 {
         let Some(idle) = &self.idle[clock] else { return 0 };
@@ -49,8 +50,8 @@ impl Compiled {
         edges
     }
 
-    /// At most so many edges of a clock with something to do; none if something is to be looked at before, or does not hold. Gives how many
-    /// there were.
+    /// Executes at most `most` edges of a working clock, none if something must be checked before or fails; returns
+    /// the number.
     #[inline]
     fn working_edges(&mut self, clock: usize, most: u64) -> u64 {
         let Some((ready, left)) = &self.parked[clock] else { return 0 };
@@ -72,7 +73,8 @@ impl Compiled {
     }
 }
 
-/// The clock that rises alone at the next instant, if that comes by then, and how often it does before another one.
+/// The clock that rises alone at the next instant, if that comes by `until`, and the number of its edges before
+/// another clock's.
 #[inline]
 fn alone(ticks: &[Ticks], until: u64) -> Option<(usize, u64)> {
     let (mut first, mut at, mut others) = (0, u64::MAX, u64::MAX);

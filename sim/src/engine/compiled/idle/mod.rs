@@ -1,9 +1,10 @@
-//! Edges of a clock at which nothing happens are left out.
+//! Skips edges of clocks at which nothing happens.
 //!
-//! In a circuit of several clocks, one often has nothing to do while the others go on. Its edges change nothing then, or only registers
-//! that count ([`counting`]). An edge is compared with the state before it from time to time. If it has changed nothing else, the clock
-//! *rests*: as long as its edges look at the same, each does only what is left of it. Nobody has set an input then. What other clocks
-//! change is compared with what it was, and so are the flags of what counts.
+//! In a circuit of several clocks, one often has nothing to do while the others run. Its edges then change nothing,
+//! or only registers that count ([`counting`]). An edge is compared with the state before it from time to time. If
+//! nothing else has changed, the clock *rests*: as long as its edges read the same values, each does only the
+//! remaining work. No input may be set meanwhile. State of other clocks is compared with its earlier value, and so
+//! are the flags of counters.
 
 mod counting;
 mod instants;
@@ -26,24 +27,25 @@ const MOST: u64 = 4096;
 const EAGER: u32 = 8;
 /// The most registers that count while a clock rests.
 const COUNTING: usize = 8;
-/// After how many comparisons that find the same registers counting there is code for them; for how many such sets at most.
+/// The number of comparisons that must find the same registers counting before code is made for them, and the most
+/// such sets.
 const SEEN: u32 = 4;
 const WAYS: usize = 8;
 
-/// Clocks, the first 64, one in each bit.
+/// The first 64 clocks, one in each bit.
 pub(super) type Clocks = u64;
 
-/// What is known of the edges of a clock.
+/// Data about the edges of a clock.
 pub(super) struct Idle {
-    /// Its registers and the words that were read.
+    /// Its registers and read data.
     own: Vec<(ValueId, Span)>,
     /// Those that count by themselves.
     counters: BTreeSet<ValueId>,
-    /// What others change.
+    /// The state of others that it reads.
     others: Vec<Span>,
-    /// Which clocks they are.
+    /// The clocks of that state.
     looks_at: Clocks,
-    /// Both as they were.
+    /// Both, with their earlier values.
     before: Vec<u64>,
     seen: Vec<u64>,
     rests: bool,
@@ -51,15 +53,15 @@ pub(super) struct Idle {
     left: u64,
     patience: u64,
     eager: u32,
-    /// How it may rest, and how it did last.
+    /// The ways in which it may rest, and the last one.
     ways: Vec<Way>,
     latest: usize,
-    /// Registers that were alone in changing, and how often.
+    /// Sets of registers that were the only changes, with their counts.
     alone: Vec<(Vec<ValueId>, u32)>,
 }
 
 impl Idle {
-    /// For each clock: nothing if its edges are so short, or so made, that they are not looked at.
+    /// For each clock; `None` if its edges are too short, or not suited, for checking.
     pub fn of(program: &Program, places: &[Option<Place>]) -> Vec<Option<Idle>> {
         let span_of = |id: ValueId| places[id.index()].map(span).expect("it is state");
         let of = |clock: usize| {
@@ -68,7 +70,7 @@ impl Idle {
             let others = counting::others(program, clock).filter(|_| work >= program.passes.idle_from)?;
             let counters = counting::counters(program, clock);
             let mut own: Vec<_> = counting::states(program, clock).map(|id| (id, span_of(id))).collect();
-            // What changes only where something happens tells so at once.
+            // State that changes only when something happens comes first: a difference there settles it.
             own.sort_by_key(|(id, _)| counters.contains(id));
             let is_looked_at = |of: &usize| counting::states(program, *of).any(|id| others.contains(&id));
             let looks_at = (0..program.clocks.len().min(Clocks::BITS as usize)).filter(is_looked_at);
@@ -91,14 +93,14 @@ impl Idle {
         (0..program.clocks.len()).map(of).collect()
     }
 
-    /// By clock: those whose edges look at what it changes.
+    /// For each clock, those whose edges read its state.
     pub fn seen_by(clocks: &[Option<Idle>]) -> Vec<Clocks> {
         let looks = |idle: &Option<Idle>, at: usize| idle.as_ref().is_some_and(|idle| idle.looks_at >> at & 1 == 1);
         let seen_by = |at| (0..clocks.len()).filter(|&it| looks(&clocks[it], at)).fold(0, |all, it| all | 1 << it);
         (0..clocks.len().min(Clocks::BITS as usize)).map(seen_by).collect()
     }
 
-    /// Whether a register counts by itself, or as others do.
+    /// Whether a register counts by itself, or with others.
     fn may_count(&self, register: ValueId) -> bool {
         self.counters.contains(&register) || self.ways.iter().any(|way| way.registers.contains(&register))
     }
@@ -110,7 +112,7 @@ impl Idle {
         }
     }
 
-    /// An edge was compared, and the next one is to be some edges later.
+    /// An edge was compared; the next comparison comes some edges later.
     fn wait(&mut self) {
         match self.eager.checked_sub(1) {
             Some(eager) => self.eager = eager,
@@ -121,8 +123,8 @@ impl Idle {
 }
 
 impl Compiled {
-    /// An edge of these clocks, if one of them rests or is to be compared; nothing, if all is to be done as usual. Wakes clocks that have
-    /// something to do.
+    /// An edge of these clocks, if one of them rests or must be compared; `None` if the edge is to be executed as
+    /// usual. Wakes clocks that have something to do.
     pub(super) fn idle_edge(&mut self, rising: &[usize], count: u64) -> Option<Done> {
         if std::mem::take(&mut self.stirred) {
             self.wake_clocks();
@@ -145,8 +147,8 @@ impl Compiled {
         self.idle.iter_mut().flatten().for_each(Idle::wake);
     }
 
-    /// An edge of several clocks. Of one that rests, what is left is done after the edge of the others, if that looks at nothing that they
-    /// change.
+    /// An edge of several clocks. The remaining work of a resting clock follows the edge of the others, if it reads
+    /// no state that they change.
     fn edge_together(&mut self, rising: &[usize]) -> Option<Done> {
         let mut resting = None;
         for &clock in rising {
@@ -166,13 +168,13 @@ impl Compiled {
         Some(Done { changed: done.changed.with(self.go(clock)), ..done })
     }
 
-    /// How a clock rests, or did last.
+    /// The way in which a clock rests, or last rested.
     fn way(&self, clock: usize) -> Option<&Way> {
         let idle = self.idle[clock].as_ref()?;
         idle.ways.get(idle.latest)
     }
 
-    /// Whether a clock rests, and its coming edge looks at the same; it wakes if not.
+    /// Whether a clock rests and its coming edge reads the same values; otherwise it wakes.
     fn rests_on(&mut self, clock: usize) -> bool {
         let Some(idle) = self.idle[clock].as_ref().filter(|idle| idle.rests) else { return false };
         let rests_on = self.sees_same(idle) && self.call_or_true(self.way(clock).and_then(|way| way.same));
@@ -182,7 +184,7 @@ impl Compiled {
         rests_on
     }
 
-    /// Does what is left of an edge of a clock that rests; gives what it changes.
+    /// Does the remaining work of an edge of a resting clock; returns what it changes.
     fn go(&mut self, clock: usize) -> Triggers {
         self.idle_edges += 1;
         let Some(go) = self.way(clock).and_then(|way| way.go) else { return Triggers::NONE };
@@ -191,7 +193,7 @@ impl Compiled {
         Triggers::state(clock)
     }
 
-    /// Whether what others change is as it was when a clock began to rest.
+    /// Whether the state of others is the same as when a clock began to rest.
     fn sees_same(&self, idle: &Idle) -> bool {
         let mut seen = idle.seen.as_slice();
         idle.others.iter().all(|span| {
@@ -201,12 +203,12 @@ impl Compiled {
         })
     }
 
-    /// Whether code, if there is some, goes on to its end.
+    /// Runs code, if there is any; returns whether it ran to its end.
     fn call_or_true(&mut self, code: Option<Code>) -> bool {
         code.is_none_or(|code| self.call(code, 1) == 0)
     }
 
-    /// An edge as usual; if it changes nothing but what counts, the clock rests from there on.
+    /// An edge as usual; if it changes only counters, the clock rests from then on.
     fn compared_edge(&mut self, clock: usize) -> Done {
         let mut idle = self.idle[clock].take().expect("it is there");
         if idle.ways.is_empty() {
@@ -223,7 +225,7 @@ impl Compiled {
         done
     }
 
-    /// What follows from an edge for the next ones.
+    /// Draws the conclusions from an edge for the next ones.
     fn conclude(&mut self, clock: usize, idle: &mut Idle, may_rest: bool) {
         idle.wait();
         let Some(changed) = self.changed_registers(idle) else { return };

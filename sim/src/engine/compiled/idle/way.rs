@@ -1,4 +1,4 @@
-//! A way for a clock to rest: which registers count, and the code for that.
+//! A way for a clock to rest: the counting registers, and their code.
 
 use std::collections::BTreeSet;
 
@@ -15,22 +15,22 @@ use crate::engine::program::{Kind, Register, ValueId};
 
 /// A way to rest. Where there is no code, there is nothing to do.
 pub(super) struct Way {
-    /// What counts.
+    /// The counting registers.
     pub registers: BTreeSet<ValueId>,
-    /// Leaves the flags; ends with an edge left if a memory may change then, or be seen to.
+    /// Stores the flags; ends with an edge left if a memory may be changed or read then.
     pub leave: Option<Code>,
-    /// Ends with an edge left if the flags are others.
+    /// Ends with an edge left if the flags differ.
     pub same: Option<Code>,
-    /// An edge for what counts.
+    /// An edge of the counters.
     pub go: Option<Code>,
-    /// So many edges for what counts, each if the flags are the same before it.
+    /// Several edges of the counters, each after a check that the flags are the same.
     pub steps: Option<Code>,
-    /// The clocks that change what registers look at to count.
+    /// The clocks that change what registers read to count.
     pub looks_at: Vec<usize>,
 }
 
 impl Compiled {
-    /// Makes code for what is left of the edges of a clock where these registers count.
+    /// Makes code for the remaining work of a clock's edges if these registers count.
     #[cold]
     pub(super) fn make_way(&mut self, clock: usize, counters: &[ValueId]) -> Option<Way> {
         let program = self.program.clone();
@@ -61,7 +61,7 @@ impl Compiled {
         Some(Way { registers: counting, leave, same: same_alone, go: go_alone, steps, looks_at })
     }
 
-    /// Prepares a function with state at these places; nothing, if it does nothing.
+    /// Prepares a function with state at these places; `None` if it has no effect.
     fn prepare_way(&mut self, maker: Maker, places: &[Place]) -> Option<Prepared> {
         let (function, _) = maker.finish();
         if function.sinks.is_empty() {
@@ -85,7 +85,7 @@ impl Maker<'_> {
         self.add(Kind::Unary(Unary::Not, flag), lanes, 1)
     }
 
-    /// Whether a flag of the program is what was left of it, lane by lane.
+    /// Whether a flag of the program equals its stored value, lane by lane.
     fn is_same(&mut self, flag: ValueId, left: ValueId) -> ValueId {
         let flag = self.take(flag);
         let lanes = self.lanes(flag);

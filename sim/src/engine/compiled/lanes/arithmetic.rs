@@ -47,7 +47,8 @@ impl Lanes {
         }
     }
 
-    /// Operands of one width in one element, so that equal numbers have equal bits; whether with their sign above.
+    /// Operands of one width in one element, so that equal numbers have equal bits; returns whether the sign fills
+    /// the upper bits.
     pub(super) fn exact(&mut self, b: &mut FunctionBuilder, operands: &[ValueId]) -> (Vec<Vector>, bool) {
         let least = self.element(self.width(operands[0]));
         let ways = super::ELEMENTS.into_iter().filter(|&element| element >= least);
@@ -65,7 +66,7 @@ impl Lanes {
         Vector { width: 1, element, form: Form::Mask, parts, inverse: None }
     }
 
-    /// The opposite of a mask; what it was remains known.
+    /// The inverse of a mask; the original is remembered.
     pub(super) fn not(&mut self, b: &mut FunctionBuilder, mask: Vector) -> Vector {
         if let Some(inverse) = mask.inverse {
             return Vector { parts: inverse, inverse: None, ..mask };
@@ -74,8 +75,8 @@ impl Lanes {
         Vector { parts, inverse: Some(mask.parts), ..mask }
     }
 
-    /// Bits fold onto the topmost by shifts to the left, as then nothing needs a mask; bytes, which shift through
-    /// their neighbours, onto the lowest.
+    /// Bits are folded onto the topmost one by left shifts, which needs no mask. Bytes, whose shifts cross into
+    /// neighbours, are folded onto the lowest one.
     fn parity(&mut self, b: &mut FunctionBuilder, a: ValueId) -> Vector {
         let width = self.width(a);
         let folds: Vec<u32> = (0..).map(|i| 1 << i).take_while(|&by| by < width).collect();
@@ -127,7 +128,7 @@ impl Lanes {
         self.combined(b, op, &x, &y)
     }
 
-    /// Two vectors of one width and element, masks for 1 bit.
+    /// Combines two vectors of one width and element, masks for 1 bit.
     pub(super) fn combined(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
         let (width, element) = (x.width, x.element);
         if width == 1 {
@@ -151,7 +152,7 @@ impl Lanes {
         Vector { width, element, form, parts, inverse: None }
     }
 
-    /// On masks. Where both are opposites, the result is computed from what they are opposites of.
+    /// Combines masks. If both are inverses, the result is computed from the originals.
     fn logic(&mut self, b: &mut FunctionBuilder, op: Binary, x: &Vector, y: &Vector) -> Vector {
         let element = x.element;
         let opposite = match op {
@@ -170,7 +171,7 @@ impl Lanes {
             (Some(p), Some(q)) => (emit(opposite, p, q), opposite != Binary::Xor),
             (Some(p), None) if opposite == Binary::Xor => (emit(op, p, &y.parts), true),
             (None, Some(q)) if opposite == Binary::Xor => (emit(op, &x.parts, q), true),
-            // The opposite of an or with an opposite is one instruction, `pandn`.
+            // The inverse of an or with an inverse is one instruction, `pandn`.
             (Some(p), None) if op == Binary::Or => {
                 let not: Vec<Value> = emit::map(&y.parts, |part| b.ins().bnot(part));
                 (emit::map2(p, &not, |p, q| b.ins().band(p, q)), true)
@@ -216,7 +217,7 @@ impl Lanes {
     ) -> Vec<Value> {
         let mut parts = Vec::new();
         for (&x, &y) in x.iter().zip(y) {
-            // These pairs are one pattern; the widened values do not come into being.
+            // These pairs are one pattern; the widened values are never materialised.
             let low = match signed {
                 true => [b.ins().swiden_low(x), b.ins().swiden_low(y)],
                 false => [b.ins().uwiden_low(x), b.ins().uwiden_low(y)],
@@ -231,13 +232,13 @@ impl Lanes {
         parts
     }
 
-    /// Products modulo the element.
+    /// Products modulo the element size.
     pub(super) fn multiplied(&mut self, b: &mut FunctionBuilder, x: &Vector, y: &Vector) -> Vec<Value> {
         let element = x.element;
         if element != 8 {
             return emit::map2(&x.parts, &y.parts, |x, y| b.ins().imul(x, y));
         }
-        // Even and odd bytes apart, in 16-bit lanes.
+        // Even and odd bytes separately, in 16-bit lanes.
         let (even, odd) = (self.bits(b, 16, 0x00ff), self.bits(b, 16, 0xff00));
         emit::map2(&x.parts, &y.parts, |x, y| {
             let [x, y] = [x, y].map(|part| cast(b, part, types::I16X8));
@@ -252,7 +253,7 @@ impl Lanes {
     }
 }
 
-/// What is known of a product, as numbers of the operands' elements or with `signed` in two's complement.
+/// What is known of a product, as numbers of the operands' elements or, if `signed`, in two's complement.
 fn product_form(signed: bool, x: &Vector, y: &Vector, element: u32) -> Form {
     let unsigned = |vector: &Vector| match vector.form {
         Form::Bits(bits) if !signed || bits < vector.element => Some(bits),

@@ -1,4 +1,4 @@
-//! Comparisons, which give masks.
+//! Comparisons, which result in masks.
 
 use crate::engine::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::InstBuilder;
@@ -34,7 +34,7 @@ impl Lanes {
         if inverted { self.not(b, mask) } else { mask }
     }
 
-    /// As numbers, masks are 0 and -1; unsigned, 1 is the larger.
+    /// As signed numbers, masks are 0 and -1; as unsigned ones, 1 is the larger.
     fn compare_bits(
         &mut self,
         b: &mut FunctionBuilder,
@@ -64,7 +64,7 @@ impl Lanes {
         self.mask_of(vectors[0].element, parts)
     }
 
-    /// Where `x > y`: one instruction if it can be a signed comparison.
+    /// `x > y`: one instruction if it can be a signed comparison.
     fn greater(&mut self, b: &mut FunctionBuilder, signed: bool, x: ValueId, y: ValueId) -> Vector {
         let width = self.width(x);
         let least = self.element(width);
@@ -97,13 +97,13 @@ impl Lanes {
             let parts = emit::map2(p, q, |x, y| b.ins().icmp(IntCC::UnsignedGreaterThan, x, y));
             return self.mask_of(element, parts);
         }
-        // A minimum and a comparison; the other way round it would be an inversion more.
+        // A minimum and a comparison; the other way round would need an inversion too.
         let parts = emit::map2(p, q, |x, y| b.ins().icmp(IntCC::UnsignedLessThanOrEqual, x, y));
         let less = self.mask_of(element, parts);
         self.not(b, less)
     }
 
-    /// Where a bit is 1.
+    /// The lanes in which a bit is 1.
     pub(super) fn bit(&mut self, b: &mut FunctionBuilder, of: ValueId, index: u32) -> Vector {
         let entry = &self.values[&of];
         let (width, smallest) = (entry.width, self.element(1));

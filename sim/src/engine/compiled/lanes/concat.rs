@@ -1,4 +1,4 @@
-//! Bits taken apart and put together.
+//! Slices and concatenations.
 
 use crate::engine::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, types};
@@ -43,7 +43,7 @@ impl Lanes {
         self.shifted_right(b, &Vector { width, ..from }, low)
     }
 
-    /// Zeros come in, but in bytes.
+    /// Zeros are shifted in, except in bytes.
     pub(super) fn shifted_right(&mut self, b: &mut FunctionBuilder, from: &Vector, by: u32) -> Vector {
         let Vector { width, element, .. } = *from;
         if by == 0 {
@@ -62,7 +62,7 @@ impl Lanes {
         if by == 0 {
             return Vector { inverse: None, ..from.clone() };
         }
-        // Nothing may get into the neighbour.
+        // Nothing may cross into the neighbour.
         let crossing = element == 8 && form.bits(8) + by > 8;
         let kept = if crossing { Some(self.bits(b, 8, 0xff >> by)) } else { None };
         let parts = emit::map(&from.parts, |part| {
@@ -119,7 +119,7 @@ impl Lanes {
         self.pieces_at(b, pieces, width, element)
     }
 
-    /// How a piece is wanted: single bits as masks, of which a constant takes the bit in its place.
+    /// The form in which a piece is needed: single bits as masks, but a constant's bit is in its final position.
     fn piece_need(&self, pieces: &[Piece], at: usize, element: u32) -> Need {
         match pieces[at] {
             Piece { id, width: 1, .. } if self.cost(id, element, Need::Clean) > 0 => Need::Signed,

@@ -1,4 +1,4 @@
-//! The forms of values: what a conversion costs, and its instructions.
+//! The forms of values: the cost of conversions, and their instructions.
 
 use crate::engine::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::{InstBuilder, Value, types};
@@ -9,7 +9,7 @@ use super::{Done, ELEMENTS, Lanes};
 use crate::engine::program::ValueId;
 
 impl Lanes {
-    /// The instructions that it takes to have a value in an element as needed.
+    /// The number of instructions that convert a value to an element as needed.
     pub(super) fn cost(&self, id: ValueId, element: u32, need: Need) -> u32 {
         let entry = &self.values[&id];
         if entry.constant.is_some() {
@@ -28,7 +28,8 @@ impl Lanes {
         cost
     }
 
-    /// The element, not below `least`, in which operands are had and `each` instructions a part done at the least cost.
+    /// The element, not below `least`, with the lowest total cost, if the operands must be converted and each part
+    /// takes `each` instructions.
     pub(super) fn pick(&self, least: u32, operands: &[(ValueId, Need)], each: u32) -> u32 {
         let least = least.max(128 / self.strip);
         let cost = |element: u32| {

@@ -6,7 +6,7 @@ use cranelift_codegen::ir::{ConstantData, Endianness, InstBuilder, MemFlagsData,
 
 use super::form::Step;
 
-/// The vector with this element.
+/// The vector type with this element.
 pub(super) fn ty(element: u32) -> Type {
     match element {
         8 => types::I8X16,
@@ -16,12 +16,12 @@ pub(super) fn ty(element: u32) -> Type {
     }
 }
 
-/// So many ones.
+/// A number with this many ones.
 pub(super) fn low_mask(bits: u32) -> u64 {
     u64::MAX >> (64 - bits)
 }
 
-/// A clean number with its sign in all bits above.
+/// A clean number, sign-extended to all bits.
 pub(super) fn signed_constant(constant: u64, width: u32) -> u64 {
     ((constant << (64 - width)) as i64 >> (64 - width)) as u64
 }
@@ -42,7 +42,7 @@ pub(super) fn cast(b: &mut FunctionBuilder, value: Value, to: Type) -> Value {
     }
 }
 
-/// For each part; equal parts, as of what is the same in all lanes, once.
+/// For each part; equal parts, as of a value that is the same in all lanes, once.
 pub(super) fn map(parts: &[Value], mut emit: impl FnMut(Value) -> Value) -> Vec<Value> {
     let mut out: Vec<Value> = Vec::with_capacity(parts.len());
     for (i, part) in parts.iter().enumerate() {
@@ -65,7 +65,7 @@ pub(super) fn equal(b: &mut FunctionBuilder, x: Value, y: Value) -> Value {
     b.ins().icmp(IntCC::Equal, x, y)
 }
 
-/// Bytes of two vectors by number; the result has the type of `x`.
+/// Selects bytes of two vectors by number; the result has the type of `x`.
 pub(super) fn shuffle(b: &mut FunctionBuilder, x: Value, y: Value, bytes: [u8; 16]) -> Value {
     let of = b.func.dfg.value_type(x);
     let same = x == y;
@@ -76,7 +76,7 @@ pub(super) fn shuffle(b: &mut FunctionBuilder, x: Value, y: Value, bytes: [u8; 1
     cast(b, out, of)
 }
 
-/// The elements of the lower, or the upper, halves of two vectors in turn.
+/// The elements of the lower, or the upper, halves of two vectors, alternating.
 pub(super) fn interleave(b: &mut FunctionBuilder, x: Value, y: Value, element: u32, upper: bool) -> Value {
     let size = element as usize / 8;
     let start = if upper { 8 } else { 0 };
@@ -88,7 +88,7 @@ pub(super) fn interleave(b: &mut FunctionBuilder, x: Value, y: Value, element: u
     shuffle(b, x, y, bytes)
 }
 
-/// The lower, or the upper, 32 bits of 64-bit elements, of two vectors one after the other.
+/// The lower, or the upper, 32 bits of the 64-bit elements of two vectors, one after another.
 pub(super) fn halves(b: &mut FunctionBuilder, x: Value, y: Value, upper: bool) -> Value {
     let start = if upper { 4 } else { 0 };
     let bytes = std::array::from_fn(|i| (i / 4 * 8 + i % 4 + start) as u8);
@@ -125,19 +125,19 @@ pub(super) fn narrowed(b: &mut FunctionBuilder, step: Step, low: Value, high: Va
     }
 }
 
-/// Each bit of `x` where the mask is 1, else of `y`.
+/// Each bit of `x` where the mask is 1, otherwise of `y`.
 pub(super) fn blend(b: &mut FunctionBuilder, mask: Value, x: Value, y: Value) -> Value {
     if !cfg!(target_arch = "x86_64") {
         return b.ins().bitselect(mask, x, y);
     }
-    // This is always one instruction, of SSE4.1; `bitselect` is one only where Cranelift sees that the mask is one.
+    // This is always one instruction, of SSE4.1; `bitselect` is one only if Cranelift recognises the mask.
     let of = b.func.dfg.value_type(x);
     let [mask, x, y] = [mask, x, y].map(|value| cast(b, value, types::I8X16));
     let out = b.ins().blendv(mask, x, y);
     cast(b, out, of)
 }
 
-/// Logical shift by a constant, in 16-bit lanes for bytes: bits of neighbours come in.
+/// Logical shift by a constant; for bytes in 16-bit lanes, so that bits of neighbours come in.
 pub(super) fn shift_dirty(b: &mut FunctionBuilder, value: Value, element: u32, left: bool, by: u32) -> Value {
     let wide = cast(b, value, if element == 8 { types::I16X8 } else { ty(element) });
     let by = b.ins().iconst(types::I64, i64::from(by));
@@ -145,16 +145,16 @@ pub(super) fn shift_dirty(b: &mut FunctionBuilder, value: Value, element: u32, l
     cast(b, out, ty(element))
 }
 
-/// To integers, of floats that are powers of two up to 2^31, or below 2^31.
+/// Converts floats that are powers of two up to 2^31, or below 2^31, to integers.
 pub(super) fn truncate(b: &mut FunctionBuilder, floats: Value) -> Value {
     match cfg!(target_arch = "x86_64") {
-        // Gives 0x8000_0000 for what is too large.
+        // Gives 0x8000_0000 for numbers that are too large.
         true => b.ins().x86_cvtt2dq(types::I32X4, floats),
         false => b.ins().fcvt_to_uint_sat(types::I32X4, floats),
     }
 }
 
-/// Bytes of a table by number, all below 16.
+/// Selects bytes of a table by numbers, all below 16.
 pub(super) fn lookup(b: &mut FunctionBuilder, table: Value, numbers: Value) -> Value {
     match cfg!(target_arch = "x86_64") {
         true => b.ins().x86_pshufb(table, numbers),

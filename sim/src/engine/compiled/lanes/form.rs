@@ -1,4 +1,4 @@
-//! The forms of a value, and the way from one to another.
+//! The forms of a value, and the steps from one to another.
 
 use cranelift_codegen::ir::Value;
 
@@ -7,14 +7,14 @@ use cranelift_codegen::ir::Value;
 pub(in crate::engine::compiled) enum Form {
     /// All bits are equal.
     Mask,
-    /// A number of so many bits in two's complement: the bits above are as its sign.
+    /// A number of this many bits in two's complement: the bits above equal its sign.
     Signed(u32),
     /// The bits from this one up are zero.
     Bits(u32),
 }
 
 impl Form {
-    /// A two's complement number, where this says more than nothing.
+    /// The form of a two's complement number, if it says anything.
     pub(super) fn signed(bits: u32, element: u32) -> Form {
         match bits {
             1 => Form::Mask,
@@ -57,7 +57,7 @@ impl Form {
         }
     }
 
-    /// The same bits further up.
+    /// The same bits, shifted up.
     pub(super) fn up(self, by: u32, element: u32) -> Form {
         match self {
             Form::Bits(0) => self,
@@ -70,15 +70,15 @@ impl Form {
 /// A value in all lanes of a strip.
 #[derive(Debug, Clone)]
 pub(in crate::engine::compiled) struct Vector {
-    /// Bits that count.
+    /// The significant bits.
     pub width: u32,
     /// Bits of a lane: 8, 16, 32 or 64.
     pub element: u32,
-    /// What is known of them.
+    /// What is known of their bits.
     pub form: Form,
-    /// The lowest lanes first.
+    /// The vectors, the lowest lanes first.
     pub parts: Vec<Value>,
-    /// Of a mask: `parts` are `bnot` of these.
+    /// For a mask: `parts` are `bnot` of these.
     pub inverse: Option<Vec<Value>>,
 }
 
@@ -89,19 +89,19 @@ impl Vector {
     }
 }
 
-/// What an operation wants to know of the bits above the width.
+/// The requirement of an operation on the bits above the width.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Need {
-    /// Nothing.
+    /// None.
     Any,
     /// They are zero.
     Clean,
-    /// They are as the sign; makes masks of 1-bit values.
+    /// They equal the sign; 1-bit values become masks.
     Signed,
 }
 
 impl Need {
-    /// What operations on bits want: masks for 1 bit.
+    /// The requirement of bitwise operations: masks for 1 bit.
     pub(super) fn of(width: u32) -> Need {
         if width == 1 { Need::Signed } else { Need::Any }
     }
@@ -115,7 +115,7 @@ impl Need {
     }
 }
 
-/// A part of the way between forms.
+/// A step of a conversion between forms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Step {
     /// To the element of twice the size: each element doubled.
@@ -124,7 +124,7 @@ pub(super) enum Step {
     Widen,
     /// With the sign above.
     WidenSigned,
-    /// From 64 to 32 bits, whatever stands above.
+    /// From 64 to 32 bits, whatever the upper bits are.
     Cut,
     /// To half the size; zeros above.
     Narrow,
@@ -137,7 +137,7 @@ pub(super) enum Step {
 }
 
 impl Step {
-    /// Instructions, for so many parts of the larger element.
+    /// The number of instructions for this number of parts of the larger element.
     pub(super) fn cost(self, parts: u32, element: u32) -> u32 {
         match self {
             Step::Double | Step::Widen | Step::Clean => parts,
@@ -149,7 +149,7 @@ impl Step {
     }
 }
 
-/// The next step to an element and a need, and what one has then.
+/// The next step to an element and a need, and the form after it.
 pub(super) fn next(form: Form, width: u32, at: u32, to: u32, need: Need) -> Option<(Step, Form, u32)> {
     let clean = (Step::Clean, Form::Bits(width.min(form.bits(at))), at);
     let extend = (Step::SignExtend, Form::signed(width, at), at);
@@ -159,7 +159,7 @@ pub(super) fn next(form: Form, width: u32, at: u32, to: u32, need: Need) -> Opti
             (Need::Signed, _) if !need.met(form, width, at) => extend,
             (Need::Any | Need::Signed, Form::Mask) => (Step::Double, form, at * 2),
             (Need::Signed, Form::Signed(_)) => (Step::WidenSigned, form, at * 2),
-            // Of the width of the element it was both clean and signed; it cannot be both in the next.
+            // At the full width of the element it was both clean and signed; it cannot be both in the next.
             (Need::Signed, Form::Bits(bits)) if bits >= width => {
                 (Step::WidenSigned, Form::signed(width, at * 2), at * 2)
             }

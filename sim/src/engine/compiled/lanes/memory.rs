@@ -1,4 +1,4 @@
-//! Lanes from and to memory, and one by one.
+//! Loads and stores of lanes, together and one by one.
 
 use std::cmp::Ordering;
 
@@ -10,15 +10,15 @@ use super::form::{Form, Need, Step, Vector};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
 
-/// Where the lanes of a strip are side by side: clean numbers, of 1 bit masks.
+/// A place with the lanes of a strip side by side: clean numbers; masks if they have 1 bit.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::engine::compiled) struct Span {
     /// Bits of a lane: 8, 16, 32 or 64, at least the width.
     pub storage: u32,
-    /// With the offset, where the first lane is.
+    /// The address of the first lane, together with the offset.
     pub address: Value,
     pub offset: i32,
-    /// To 16 bytes.
+    /// Aligned to 16 bytes.
     pub aligned: bool,
 }
 
@@ -58,7 +58,7 @@ impl Lanes {
         self.define(id, Vector { width, element, form, parts, inverse: None });
     }
 
-    /// Loads the vectors of a strip from anywhere, in which numbers stand in the smallest elements.
+    /// Loads the vectors of a strip from any address, with numbers in the smallest elements.
     pub fn load_parts(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, address: Value, offsets: &[i32]) {
         let (element, flags) = (self.element(width), MemFlagsData::new().with_notrap());
         let form = if width == 1 { Form::Mask } else { Form::Bits(width) };
@@ -73,7 +73,7 @@ impl Lanes {
         self.store_vector(b, &vector, to);
     }
 
-    /// Stores the lanes where the 1-bit value `select` is 1, and in the others `old`, which is what is there.
+    /// Stores the lanes where the 1-bit value `select` is 1, and elsewhere `old`, the present contents.
     pub fn store_where(&mut self, b: &mut FunctionBuilder, select: ValueId, id: ValueId, old: ValueId, to: Span) {
         let need = stored(self.width(id));
         let element = to.storage.max(128 / self.strip);
@@ -100,7 +100,7 @@ impl Lanes {
             element /= 2;
         }
         let bits = self.strip * storage;
-        // Floats are stored by one instruction, integers would be extracted.
+        // A float is stored by one instruction; an integer would have to be extracted.
         let lanes = cast(b, lanes, if bits == 32 { types::F32X4 } else { types::F64X2 });
         let lanes = b.ins().extractlane(lanes, 0);
         b.ins().store(flags, lanes, address, offset);
@@ -122,7 +122,7 @@ impl Lanes {
         self.lane(b, &vector, lane, false)
     }
 
-    /// One lane, clean, or else with its sign; by halves of vectors, as an extraction of each lane takes longer.
+    /// One lane, clean or sign-extended. It uses halves of vectors, because extracting each lane takes longer.
     pub(super) fn lane(&mut self, b: &mut FunctionBuilder, vector: &Vector, lane: u32, signed: bool) -> Value {
         let Vector { width, element, .. } = *vector;
         let (part, at) = (vector.parts[(lane * element / 128) as usize], lane * element % 128);
@@ -160,8 +160,9 @@ impl Lanes {
         half
     }
 
-    /// A value of clean numbers, one a lane, of any integer type. A load of the type of the value's element with no
-    /// other use becomes part of the insertion; of narrower elements, one that extends to I64 needs no more.
+    /// A value of clean numbers, one a lane, of any integer type. A load with the type of the value's element and no
+    /// other use becomes part of the insertion. A load of a narrower element that extends to I64 needs no further
+    /// instruction.
     pub fn gather(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, lanes: &[Value]) {
         let element = self.element(width);
         let parts = self.gathered(b, element, lanes);
@@ -187,7 +188,7 @@ impl Lanes {
                         None if element == 64 || are_equal => b.ins().splat(ty(element), number),
                         None if element == 32 => b.ins().scalar_to_vector(ty(element), number),
                         None => {
-                            // What is above it is overwritten.
+                            // The bits above are overwritten.
                             let wide = match b.func.dfg.value_type(lane) {
                                 types::I64 => b.ins().ireduce(types::I32, lane),
                                 types::I32 => lane,
@@ -212,7 +213,7 @@ impl Lanes {
         parts.collect()
     }
 
-    /// Whether a 1-bit value is 1 in some lane, as an I8.
+    /// Whether a 1-bit value is 1 in any lane, as an I8.
     pub fn any(&mut self, b: &mut FunctionBuilder, id: ValueId) -> Value {
         let element = self.pick(8, &[(id, Need::Signed)], 1);
         let mask = self.number(b, id, element, Need::Signed);
@@ -224,7 +225,7 @@ impl Lanes {
     }
 }
 
-/// What state is stored as.
+/// The form in which state is stored.
 fn stored(width: u32) -> Need {
     if width == 1 { Need::Signed } else { Need::Clean }
 }

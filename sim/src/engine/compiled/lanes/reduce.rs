@@ -14,20 +14,20 @@ pub(in crate::engine::compiled) fn operator(by: Reduction) -> Binary {
 }
 
 impl Lanes {
-    /// Lane by lane, both as [`Lanes::carried`] gives them; so is the result.
+    /// Combines lane by lane; both operands and the result have the form of [`Lanes::carried`].
     pub fn combine(&mut self, b: &mut FunctionBuilder, by: Reduction, x: &Vector, y: &Vector) -> Vector {
         let both = self.combined(b, operator(by), x, y);
         self.shape(x.width, both.parts)
     }
 
-    /// What [`Lanes::combine`] starts with.
+    /// The start value of [`Lanes::combine`].
     pub fn neutral(&mut self, b: &mut FunctionBuilder, by: Reduction, width: u32) -> Vector {
         let element = self.element(width);
         let part = emit::vector_constant(b, element, |_| if by == Reduction::And { low_mask(element) } else { 0 });
         self.shape(width, vec![part; self.parts(element)])
     }
 
-    /// All lanes of a vector as [`Lanes::carried`] gives it, combined into a clean I64.
+    /// All lanes of a vector in the form of [`Lanes::carried`], combined into a clean I64.
     pub fn reduce(&mut self, b: &mut FunctionBuilder, by: Reduction, vector: &Vector) -> Value {
         let (width, element, op) = (vector.width, vector.element, operator(by));
         let op = if width == 1 && op == Binary::Add { Binary::Xor } else { op };
@@ -39,13 +39,13 @@ impl Lanes {
         };
         let all = vector.parts.iter().copied().reduce(|x, y| combine(b, x, y)).expect("a strip has a vector");
         if width == 1 {
-            // One bit a byte is enough.
+            // One bit of each byte is enough.
             let bytes = cast(b, all, types::I8X16);
             let bits = b.ins().vhigh_bits(types::I32, bytes);
             let flag = match op {
                 Binary::Xor => {
                     let count = b.ins().popcnt(bits);
-                    // Each lane has as many bytes, a power of two.
+                    // Each lane has this many bytes, a power of two.
                     let by = b.ins().iconst(types::I32, i64::from((element / 8).trailing_zeros()));
                     let one = b.ins().iconst(types::I32, 1);
                     let count = b.ins().ushr(count, by);
@@ -65,7 +65,7 @@ impl Lanes {
         let mut all = all;
         let mut bytes = 8;
         while bytes >= element as usize / 8 {
-            // Turned by half of what is left; one `palignr`.
+            // Rotated by half of what remains; one `palignr`.
             let turned = emit::shuffle(b, all, all, std::array::from_fn(|i| ((i + bytes) % 16) as u8));
             all = combine(b, all, turned);
             bytes /= 2;

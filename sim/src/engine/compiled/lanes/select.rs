@@ -10,7 +10,7 @@ use super::form::{Form, Need, Vector};
 use crate::engine::program::ValueId;
 
 impl Lanes {
-    /// The value of the first arm whose condition holds, else the default.
+    /// The value of the first arm whose condition is true, else the default.
     pub(super) fn select(&mut self, b: &mut FunctionBuilder, arms: &[(ValueId, ValueId)], default: ValueId) -> Vector {
         let width = self.width(default);
         let need = Need::of(width);
@@ -26,7 +26,7 @@ impl Lanes {
         taken
     }
 
-    /// All of one element.
+    /// All have one element.
     pub(super) fn mux(&mut self, b: &mut FunctionBuilder, select: &Vector, x: &Vector, y: &Vector) -> Vector {
         if let Some(inverse) = &select.inverse {
             let select = self.mask_of(select.element, inverse.clone());
@@ -85,7 +85,7 @@ impl Lanes {
             }
             return taken;
         }
-        // Compared where the values are, so that masks need no conversion; one of the subject is cheaper.
+        // Compared in the element of the values, so that masks need no conversion; one of the subject is cheaper.
         let mut operands = vec![(default, need)];
         operands.extend(arms.iter().map(|(_, value)| (*value, need)));
         let element = self.pick(self.element(width), &operands, 2 * arms.len() as u32);
@@ -132,7 +132,7 @@ impl Lanes {
             let found = emit::lookup(b, table, part);
             cast(b, found, ty(element))
         });
-        // Above the lowest byte stands what zero gives.
+        // Above the lowest byte is the entry of zero.
         Some(Vector { width, element, form: Form::Bits(element), parts, inverse: None })
     }
 }

@@ -1,4 +1,4 @@
-//! Shifts by an amount that is a value. There are none by an amount per lane in Cranelift.
+//! Shifts by a variable amount. Cranelift has none with an amount for each lane.
 
 use crate::engine::compiled::builder::FunctionBuilder;
 use cranelift_codegen::ir::condcodes::IntCC;
@@ -10,7 +10,7 @@ use super::form::{Form, Need, Vector};
 use super::{Done, Lanes};
 use crate::engine::program::ValueId;
 
-/// The largest number of so many bits.
+/// The largest number with this many bits.
 fn most(bits: u32) -> u64 {
     low_mask(bits)
 }
@@ -54,7 +54,7 @@ impl Lanes {
             }
             Shift::Right => self.shifted_down(b, &value, by),
             Shift::RightSigned => {
-                // As without a sign, with negative numbers inverted before and after.
+                // Shifted without a sign, with negative numbers inverted before and after.
                 let signs = match element {
                     8 => {
                         let zero = self.bits(b, 8, 0);
@@ -128,7 +128,7 @@ impl Lanes {
         }
     }
 
-    /// One bit remains where the amount is zero, or with its sign in any case.
+    /// One bit remains if the amount is zero; with a sign it always remains.
     fn shift_bit(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: ValueId) -> Vector {
         let element = self.pick(8, &[(a, Need::Signed)], 0);
         if op == Shift::RightSigned {
@@ -149,7 +149,7 @@ impl Lanes {
         self.combined(b, Binary::And, &value, &kept)
     }
 
-    /// All lanes by one amount.
+    /// Shifts all lanes by one amount.
     fn shift_uniform(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: Value, bits: u32) -> Vector {
         let width = self.width(a);
         let need = match op {
@@ -167,7 +167,8 @@ impl Lanes {
             false => by,
         };
         let amounts = match op {
-            // Below the element all is as wanted; an element as wide as the value takes its width as an amount.
+            // If the value is narrower than the element, the result is correct; an element as wide as the value
+            // interprets the amount modulo its width.
             _ if op == Shift::RightSigned || width < element || most(bits) < u64::from(element) => {
                 vec![at_most(b, element - 1)]
             }
@@ -194,11 +195,11 @@ impl Lanes {
         Vector { width, element, form, parts, inverse: None }
     }
 
-    /// Lane by lane.
+    /// Shifts lane by lane.
     fn shift_lanes(&mut self, b: &mut FunctionBuilder, op: Shift, a: ValueId, by: ValueId) -> Vector {
         let (width, bits) = (self.width(a), self.width(by));
         let need = if op == Shift::RightSigned { Need::Signed } else { Need::Clean };
-        // Both at once from the vectors: conversions are then made of whole vectors.
+        // Both from the vectors at once, so that conversions are made of whole vectors.
         let element = self.element(width);
         let value = self.number(b, a, element, need);
         let mut lanes = Vec::new();
@@ -231,7 +232,7 @@ impl Lanes {
         Vector { width, element, form, parts, inverse: None }
     }
 
-    /// Bit by bit of the amount.
+    /// Shifts by each bit of the amount in turn.
     fn shift_steps(&mut self, b: &mut FunctionBuilder, op: Shift, value: Vector, by: ValueId) -> Vector {
         let Vector { width, element, .. } = value;
         let mut value = value;
@@ -268,8 +269,8 @@ impl Lanes {
         value
     }
 
-    /// Two to the amount, or with `falling` two to the element's highest bit less the amount; zero where the amount
-    /// is that of the element or more.
+    /// Two to the power of the amount or, if `falling`, of the element's highest bit minus the amount; zero if the
+    /// amount is the element's width or more.
     fn powers(&mut self, b: &mut FunctionBuilder, by: ValueId, element: u32, falling: bool) -> Vec<Value> {
         if let Some(powers) = self.powers.get(&(by, element, falling)) {
             return powers.clone();
@@ -330,7 +331,7 @@ impl Lanes {
         parts
     }
 
-    /// Clean numbers, zeros coming in.
+    /// Clean numbers, with zeros shifted in.
     fn shifted_down(&mut self, b: &mut FunctionBuilder, value: &Vector, by: ValueId) -> Vector {
         let Vector { width, element, form, .. } = *value;
         if element == 32 && form.bits(32) <= 24 {
@@ -369,7 +370,7 @@ impl Lanes {
         Vector { width, element, form: Form::Bits(form.bits(element)), parts, inverse: None }
     }
 
-    /// Times a negative power of two, which is exact, and truncated.
+    /// Multiplied by a negative power of two, which is exact, and truncated.
     fn shifted_down_float(&mut self, b: &mut FunctionBuilder, value: &Vector, by: ValueId) -> Vector {
         let amount = self.number(b, by, 32, Need::Clean);
         let largest = most(self.width(by));

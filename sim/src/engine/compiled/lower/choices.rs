@@ -1,18 +1,18 @@
-//! Choices between constants become tables, and the two parts of a value in the other order a rotation.
+//! Makes tables of choices between constants, and rotations of the two exchanged parts of a value.
 
 use tilewright_hdl::Bits;
 
 use crate::engine::program::{Cell, Circuit, Kind, Lowered, ValueId};
 use crate::engine::rewrite::Rewriter;
 
-/// The widest number that constants are looked up by, however few they are.
+/// The widest number by which constants are looked up, however few they are.
 const LOOKED_UP_BY: u32 = 8;
-/// The words of a table for each constant, where the number is wider.
+/// The table words for each constant, if the number is wider.
 const WORDS: usize = 4;
-/// From how many arms on a choice between constants is looked up.
+/// From this number of arms on, a choice between constants is looked up.
 const ARMS: usize = 4;
 
-/// A choice between constants, in one lane, as a look-up in a table.
+/// A choice between constants, in one lane, as a table look-up.
 pub(super) fn lookup(
     rewriter: &mut Rewriter,
     cell: &Cell,
@@ -34,8 +34,8 @@ pub(super) fn lookup(
     Some(rewriter.add(Kind::Lowered(Lowered::Gather { of, at: subject }), 1, cell.width))
 }
 
-/// What a concatenation of the two parts of a value rotates, and by how much to the left, if the machine has integers
-/// of its width.
+/// The value that a concatenation of two parts rotates, and the distance to the left, if the machine has integers of
+/// its width.
 pub(super) fn rotation(circuit: &Circuit, parts: &[ValueId]) -> Option<Kind> {
     let &[upper, lower] = parts else { return None };
     match (&circuit[upper].kind, &circuit[lower].kind) {
@@ -56,7 +56,7 @@ mod tests {
     use crate::{EngineKind, Simulation};
 
     block! {
-        /// Parts of two values side by side, of which one is narrower than the part begins at.
+        /// Parts of two values side by side; one value is narrower than the offset of its part.
         struct Beside;
         in BesideIn { narrow: bits(5), wide: bits(32) }
         out BesideOut { both: bits(8) }

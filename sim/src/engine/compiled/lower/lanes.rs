@@ -1,4 +1,4 @@
-//! Axes that code does not know: which lane each lane is, in a table.
+//! Axes that code does not support: a table has the number of each lane's source.
 
 use std::ops::RangeInclusive;
 
@@ -14,7 +14,7 @@ use crate::engine::rewrite::Rewriter;
 /// Bits of a lane's number.
 const NUMBER: u32 = 32;
 
-/// Each lane of a value is the lane of `of` that `from` says.
+/// Each lane takes the lane of `of` given by `from`.
 pub(super) fn gather(
     rewriter: &mut Rewriter,
     of: ValueId,
@@ -22,7 +22,7 @@ pub(super) fn gather(
     width: u32,
     from: impl Fn(u32) -> u32,
 ) -> ValueId {
-    // A single value is looked up nowhere: it need not be in memory.
+    // A scalar is looked up nowhere: it need not be in memory.
     if rewriter.circuit()[of].lanes == 1 {
         return rewriter.add(Kind::Broadcast { of, axis: Axis::last(lanes) }, lanes, width);
     }
@@ -30,7 +30,7 @@ pub(super) fn gather(
     rewriter.add(Kind::Lowered(Lowered::Gather { of, at }), lanes, width)
 }
 
-/// A lane over and over, or a row, or what lies between two axes.
+/// A repeated lane, a repeated row, or a repetition between two axes.
 pub(super) fn broadcast(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
     match axis.inner == 1 || axis.lanes() == lanes {
         true => rewriter.add(Kind::Broadcast { of, axis }, lanes, width),
@@ -38,10 +38,10 @@ pub(super) fn broadcast(rewriter: &mut Rewriter, of: ValueId, axis: Axis, lanes:
     }
 }
 
-/// From how many rows on code copies them, one behind the other, instead of choosing one of them in each lane.
+/// From this number of rows on, code copies them one after another instead of selecting one in each lane.
 const COPIED: usize = 4;
 
-/// Lanes put together along an axis that is not the last.
+/// Lanes stacked along an axis that is not the last.
 pub(super) fn stack(
     rewriter: &mut Rewriter,
     strips: &Strips,
@@ -62,7 +62,7 @@ pub(super) fn stack(
     choose(rewriter, parts, lanes, width, spread, |lane| axis.split(lane).0)
 }
 
-/// Lanes of parts in turn.
+/// The lanes of the parts, alternating.
 pub(super) fn interleave(rewriter: &mut Rewriter, parts: &[ValueId], axis: Axis, lanes: u32, width: u32) -> ValueId {
     let k = parts.len() as u32;
     let to = Axis { count: axis.count * k, ..axis };
@@ -75,7 +75,7 @@ pub(super) fn interleave(rewriter: &mut Rewriter, parts: &[ValueId], axis: Axis,
     choose(rewriter, parts, lanes, width, spread, |lane| to.split(lane).0 % k)
 }
 
-/// Each lane of a value is that of the part whose number it is, spread over all lanes.
+/// Each lane takes that lane of the part with its number; the parts are spread over all lanes.
 fn choose(
     rewriter: &mut Rewriter,
     parts: &[ValueId],
@@ -102,7 +102,7 @@ pub(super) fn lane(rewriter: &mut Rewriter, of: ValueId, axis: Axis, index: u32,
     }
 }
 
-/// The lane along an axis that a number says, if there is one.
+/// The lane along an axis with a given number, if it exists.
 pub(super) fn pick(
     rewriter: &mut Rewriter,
     target: &Target,
@@ -148,7 +148,7 @@ pub(super) fn pack(
         return rewriter.add(Kind::Pack { of, axis }, lanes, width);
     }
     if part == 1 && lanes == 1 && TOGETHER.contains(&width) {
-        // Each lane has a bit of its own, and none but that.
+        // Each lane has one bit of its own, and no other.
         let wide = rewriter.add(Kind::Extend(of, true), width, width);
         let own = own_bits(rewriter, width, axis, width);
         let bits = rewriter.add(Kind::Binary(Binary::And, wide, own), width, width);
@@ -173,7 +173,7 @@ pub(super) fn unpack(
         return rewriter.add(Kind::Unpack { of, axis }, lanes, width);
     }
     if width == 1 && axis.inner == 1 && TOGETHER.contains(&whole) {
-        // Each lane looks at a bit of its own.
+        // Each lane reads a bit of its own.
         let word = broadcast(rewriter, of, axis, lanes, whole);
         let own = own_bits(rewriter, lanes, axis, whole);
         let bit = rewriter.add(Kind::Binary(Binary::And, word, own), lanes, whole);
@@ -184,16 +184,17 @@ pub(super) fn unpack(
     stack(rewriter, strips, &parts, axis.inner, lanes, width)
 }
 
-/// Whether all lanes along an axis, each of so many bits, stand in memory as the limbs of the value that they are the parts of.
+/// Whether all lanes along an axis, with this many bits each, have the layout of the limbs of the value that they are
+/// parts of.
 fn are_limbs(strips: &Strips, axis: Axis, width: u32) -> bool {
     let Axis { count, inner } = axis;
     inner == 1 && count > 1 && storage(strips, count, width) == width && (count * width).is_multiple_of(64)
 }
 
-/// The bits of a word of which each lane takes, or gives, one of its own.
+/// The width of a word if each lane takes, or gives, one of its bits.
 const TOGETHER: RangeInclusive<u32> = 8..=64;
 
-/// In each lane along the last axis the bit of the same number.
+/// In each lane along the last axis, the bit with the lane's number.
 fn own_bits(rewriter: &mut Rewriter, lanes: u32, axis: Axis, width: u32) -> ValueId {
     let row = table(rewriter, axis.count, axis.count, width, |lane| 1 << lane);
     match lanes / axis.count {

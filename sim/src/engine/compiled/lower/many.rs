@@ -1,5 +1,5 @@
-//! Operations of very many operands become several of fewer, so that no step of a function is long, and functions can be cut
-//! between them.
+//! Operations with very many operands become several with fewer, so that no step of a function is long, and functions
+//! can be cut between them.
 
 use rustc_hash::FxHashMap;
 use tilewright_hdl::Bits;
@@ -7,14 +7,14 @@ use tilewright_hdl::Bits;
 use crate::engine::program::{Cell, Kind, Lowered, Piece, ValueId};
 use crate::engine::rewrite::Rewriter;
 
-/// How many arms or parts an operation has at the most.
+/// The most arms or parts of an operation.
 const MOST: usize = 64;
-/// From how many parts on it is seen that many are pieces of few values.
+/// From this number of parts on, a concatenation is checked for pieces of a few values.
 const MANY: usize = 1024;
-/// Bits of a register of the machine.
+/// Bits of a machine register.
 const REGISTER: u32 = 64;
 
-/// An operation of fewer operands that gives the same as a choice among many, or as many parts side by side.
+/// An operation with fewer operands that is equivalent to a large choice or concatenation.
 pub(super) fn fewer(rewriter: &mut Rewriter, cell: &Cell) -> Option<Kind> {
     let Cell { lanes, width, .. } = *cell;
     match &cell.kind {
@@ -36,7 +36,7 @@ pub(super) fn fewer(rewriter: &mut Rewriter, cell: &Cell) -> Option<Kind> {
     }
 }
 
-/// A choice among the first arms, whose default is that among the others.
+/// A choice among the first arms, whose default is the choice among the others.
 fn chain<A>(
     rewriter: &mut Rewriter,
     arms: &[A],
@@ -55,7 +55,7 @@ fn concat(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32) -> Kind {
     Kind::Concat(grouped(rewriter, parts, lanes))
 }
 
-/// Parts, the most significant first, of which those that follow each other and are pieces of the same few values are put together.
+/// Parts, the most significant first; successive pieces of the same few values are assembled.
 fn assembled(rewriter: &mut Rewriter, parts: &[ValueId]) -> Vec<ValueId> {
     let (mut groups, mut open) = (Vec::new(), Open::default());
     for &part in parts.iter().rev() {
@@ -71,12 +71,12 @@ fn assembled(rewriter: &mut Rewriter, parts: &[ValueId]) -> Vec<ValueId> {
     groups
 }
 
-/// Parts that are put together, the least significant first.
+/// Parts that are being assembled, the least significant first.
 #[derive(Default)]
 struct Open {
     parts: Vec<ValueId>,
     of: Vec<ValueId>,
-    /// The place of each value among them.
+    /// The index of each value among them.
     numbers: FxHashMap<ValueId, u32>,
     pieces: Vec<Piece>,
 }
@@ -91,7 +91,7 @@ impl Open {
         self.pieces.push(Piece { of: number, low, width });
     }
 
-    /// One value, if the pieces are many; else the parts as they are.
+    /// One value, if there are many pieces; otherwise the parts as they are.
     fn close(self, rewriter: &mut Rewriter) -> Vec<ValueId> {
         if self.pieces.len() <= 4 * MOST {
             return self.parts;
@@ -102,7 +102,7 @@ impl Open {
     }
 }
 
-/// Parts, the most significant first, put together: those that fit a register first, and then so many at a time that few are left.
+/// Concatenates parts, the most significant first: first into registers, and then in groups until few remain.
 fn grouped(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32) -> Vec<ValueId> {
     let mut parts = group(rewriter, parts, lanes, |width, _| width <= REGISTER);
     while parts.len() > MOST {
@@ -111,7 +111,7 @@ fn grouped(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32) -> Vec<ValueI
     parts
 }
 
-/// Parts that follow each other, put together as long as their width and their number may be so.
+/// Groups successive parts as long as their width and number are allowed.
 fn group(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32, may_be: impl Fn(u32, usize) -> bool) -> Vec<ValueId> {
     let (mut groups, mut open, mut width) = (Vec::new(), Vec::new(), 0);
     let mut close = |rewriter: &mut Rewriter, open: &mut Vec<ValueId>, width: u32| match std::mem::take(open).as_slice()
@@ -120,7 +120,7 @@ fn group(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32, may_be: impl Fn
         &[one] => groups.push(one),
         several => groups.push(rewriter.add(Kind::Concat(several.to_vec()), lanes, width)),
     };
-    // From the lowest on, so that most groups are whole limbs of what they come to.
+    // From the lowest on, so that most groups are whole limbs of the result.
     for &part in parts.iter().rev() {
         let more = rewriter.circuit()[part].width;
         if !may_be(width + more, open.len() + 1) {
@@ -142,7 +142,7 @@ mod tests {
     use super::*;
     use crate::engine::Passes;
 
-    /// How many operands the operations have that a circuit is made of, at the most, and what the last of them is.
+    /// The largest number of operands of a circuit's operations, and the kind of the last one.
     fn made(operands: u32, make: impl Fn(&mut Rewriter, &[ValueId]) -> Cell) -> (usize, Kind) {
         let mut rewriter = Rewriter::new(&Passes::default());
         let states: Vec<ValueId> = (0..operands).map(|number| rewriter.state(1, 1 + number % 3)).collect();

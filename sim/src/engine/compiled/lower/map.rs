@@ -1,4 +1,4 @@
-//! Neighbours are loaded from anywhere, and replaced at the edges of their groups; other maps look up which lane it is.
+//! Neighbours are loaded from any address, and replaced at the edges of their groups; other maps look up the lane.
 
 use tilewright_hdl::ir::Affine;
 

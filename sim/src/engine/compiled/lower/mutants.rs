@@ -1,4 +1,4 @@
-//! Lowered functions with a mistake in them: each is refused, or does something else.
+//! Lowered functions with one mistake each: each is rejected or behaves differently.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -23,7 +23,7 @@ use crate::engine::program::{Cell, Kind, Lowered, ValueId, compile};
 use crate::engine::rewrite::Rewriter;
 
 block! {
-    /// Whatever is lowered, on 5 lanes, which fill no strip.
+    /// Every kind of operation that is lowered, on 5 lanes, which fill no strip.
     struct Everything;
     in EverythingIn { x: bits(32), at: bits(3), write: bit() }
     out EverythingOut { y: bits(32), z: bits(8) }
@@ -41,7 +41,7 @@ impl Everything {
         other.next(other.reversed() ^ pairs.take_or(5, |lane| lane + 1, picked));
         index.next(index ^ key ^ lanes.part(2, 3));
 
-        // Words of which one address is taken in all lanes, and words at addresses of the lanes' own.
+        // Words at one address for all lanes, and words at addresses of the lanes' own.
         let filled = Bits::new(8, 0xa5);
         def!(together = m.memory(8, bits(8).of(row(5)), ReadUnderWrite::Old).fill(filled));
         def!(still = m.memory(8, bits(8).of(row(5)), ReadUnderWrite::Old));
@@ -65,7 +65,7 @@ impl Everything {
     }
 }
 
-/// A lowered edge with all that it stands in.
+/// A lowered edge with its complete environment.
 struct Lowering {
     function: Function,
     strips: Strips,
@@ -83,12 +83,12 @@ impl Lowering {
         let (memories, banks) = bank::banks(&program, &layout.strips);
         let function = Maker::new(&program).edge(&[0]).0;
         let (function, _) = lower(&function, &layout.strips, &memories, passes);
-        // State comes first, in the order of the program.
+        // State comes first, in the sequence of the program.
         let places = places.into_iter().flatten().map(Some).collect();
         Lowering { function, strips: layout.strips, memories, banks, places, size: layout.size }
     }
 
-    /// All that an edge leaves, from a state that the seed says.
+    /// The results of an edge, from a state given by the seed.
     fn run(&mut self, function: &Function, seed: u64) -> Vec<u64> {
         let mut number = seed | 1;
         let mut random = move || {
@@ -117,7 +117,7 @@ impl Lowering {
         state.limbs().iter().chain(banks).map(std::cell::Cell::get).collect()
     }
 
-    /// Whether a function that has been edited is refused, breaks, or does something else.
+    /// Whether an edited function is rejected, breaks, or behaves differently.
     fn finds(&mut self, edited: &Function) -> bool {
         let refused = catch_unwind(AssertUnwindSafe(|| check_lowered(edited, &self.strips, &self.memories))).is_err();
         let differs = |lowering: &mut Lowering, seed: u64| {
@@ -129,7 +129,7 @@ impl Lowering {
     }
 }
 
-/// What the operation may be by mistake.
+/// Possible mistakes in the operation.
 fn mistakes(function: &Function, cell: &Cell) -> Vec<Kind> {
     let circuit = function.circuit();
     let like = |id: ValueId| {
@@ -181,14 +181,14 @@ fn mistakes(function: &Function, cell: &Cell) -> Vec<Kind> {
     }
 }
 
-/// The function with another kind in place of that of one of its values.
+/// The function with another kind for one of its values.
 fn edited(function: &Function, id: ValueId, kind: &Kind) -> Function {
     let mut circuit = function.circuit().clone();
     circuit.set_kind(id, kind.clone());
     Function { rewriter: Rewriter::of(circuit), sinks: function.sinks.clone() }
 }
 
-/// What sinks may be by mistake.
+/// Possible mistakes in a sink.
 fn mistaken_sinks(function: &Function, sink: &Sink) -> Vec<Sink> {
     let Sink::Write { memory, enable, address, data } = *sink else { return Vec::new() };
     let write = |memory| Sink::Write { memory, enable, address, data };
@@ -212,7 +212,7 @@ fn check(passes: &Passes) -> usize {
                 .map(|kind| (format!("{:?} in place of {:?}", kind, cell.kind), edited(&function, id, &kind))),
         );
     }
-    // A number too large, in each table that says which lanes are taken.
+    // A number that is too large, in each table of lane numbers.
     for (id, cell) in function.circuit().cells() {
         if let Kind::Lowered(Lowered::Gather { at, .. } | Lowered::WordOf { at, .. }) = cell.kind
             && let Kind::Stack { parts, .. } = &function.cell(at).kind
@@ -241,7 +241,7 @@ fn check(passes: &Passes) -> usize {
 
 #[test]
 fn mistakes_of_lowering_are_found() {
-    // Without constants being folded, some operations are there that change nothing.
+    // Without constant folding, some operations change nothing.
     let folding = Passes { fold: true, ..Passes::none() };
     for passes in [Passes::default(), Passes { uniform: false, ..Passes::default() }, folding] {
         let count = check(&passes);

@@ -1,4 +1,4 @@
-//! Reductions, along the last axis, of lanes that exist.
+//! Reductions, along the last axis, of existing lanes.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Reduction, Relation};
@@ -8,7 +8,7 @@ use super::{flags, lanes};
 use crate::engine::program::{Axis, Kind, ValueId};
 use crate::engine::rewrite::Rewriter;
 
-/// Lowers a reduction to one of a last axis, to which the lanes that pad the last strip add nothing.
+/// Lowers a reduction to one along the last axis, to which the padding lanes of the last strip add nothing.
 pub(super) fn reduce(
     rewriter: &mut Rewriter,
     strips: &Strips,
@@ -39,7 +39,7 @@ pub(super) fn reduce(
     rewriter.add(Kind::Reduce { by, of, axis: Axis::last(axis.count) }, lanes, width)
 }
 
-/// The smallest or the largest lane along an axis, of two at a time.
+/// The smallest or largest lane along an axis, two at a time.
 fn least(rewriter: &mut Rewriter, by: Reduction, of: ValueId, axis: Axis, lanes: u32, width: u32) -> ValueId {
     let relation = if by == Reduction::Min { Relation::Lt } else { Relation::Gt };
     let (mut of, mut count) = (of, axis.count);

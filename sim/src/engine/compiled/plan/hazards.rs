@@ -1,4 +1,5 @@
-//! Registers with lanes that are read after they would change, and the order of loops and lanes that leaves few of them.
+//! Registers with lanes that are read after they would change, and the sequence of loops and lanes that leaves few of
+//! them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,24 +7,25 @@ use super::{Plan, Planner, Position, Role};
 use crate::engine::compiled::function::Sink;
 use crate::engine::program::{Kind, Lowered, ValueId};
 
-/// The neighbours that a loop looks at of a register that it changes.
+/// The neighbours in a register that a loop reads and changes.
 #[derive(Debug, Clone, Copy, Default)]
 struct Neighbours {
-    /// Some stand before the lane, which has them as they were if the loop descends.
+    /// Some are before the lane; they have their old values if the loop descends.
     before: bool,
-    /// Some stand behind it, which has them if the loop ascends.
+    /// Some are after it; they have their old values if the loop ascends.
     behind: bool,
 }
 
-/// The registers with lanes that other loops of the stage look at.
+/// The registers with lanes that other loops of the stage read.
 #[derive(Debug, Clone, Default)]
 struct Others {
     by_wider: BTreeSet<ValueId>,
     by_narrower: BTreeSet<ValueId>,
 }
 
-/// Finds the registers that cannot change where their kernel runs, in which order the kernels of a stage run, and in which each kernel takes
-/// its lanes: a register that another kernel of the stage looks at can change if that runs before, and one whose neighbours are looked at on one side only can change in one of both orders.
+/// Finds the registers that cannot change where their kernel runs. It also chooses the sequence of a stage's kernels
+/// and the direction of each. A register that another kernel of the stage reads can change if that kernel runs
+/// before; one whose neighbours are read on one side only can change in one of both directions.
 pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     let function = planner.function;
     let mut written: BTreeMap<ValueId, Position> = BTreeMap::new();
@@ -61,7 +63,7 @@ pub(super) fn find(planner: &Planner, plan: &mut Plan, needed: &[ValueId]) {
     };
     for &id in needed {
         let reader = match planner.role(id) {
-            // A row is read where it is used, any time later.
+            // A row is read where it is used, at any later time.
             Role::Rematerialised => Position { stage: usize::MAX, place: 0 },
             _ => planner.positions[id.index()],
         };

@@ -1,11 +1,10 @@
 //! Elementwise operations on one lane, in general registers.
 //!
-//! A value of up to 64 bits is one integer whose upper bits may be anything until somebody needs them zero; `bound`
-//! says how many bits may be set, so that they are cut only where they have to be. Comparisons give flags, and choices
-//! and branches take flags.
+//! A value of up to 64 bits is one integer with undefined upper bits, which are cleared only when needed. `bound` is
+//! the number of bits that may be set. Comparisons result in flags, and choices and branches take flags.
 //!
-//! A value of more than 64 bits is its limbs; above [`LONGEST`] bits these stand in the engine's scratch memory, not in
-//! registers, which would spill to a stack that may be small.
+//! A value of more than 64 bits is its limbs. Above [`LONGEST`] bits these are in the engine's scratch memory; in
+//! registers they would spill to a stack that may be small.
 
 mod narrow;
 mod wide;
@@ -21,19 +20,19 @@ use crate::engine::program::{Kind, ValueId};
 pub(super) use wide::Call;
 use wide::emit_copy;
 
-/// The widest value whose limbs are kept in registers.
+/// The widest value whose limbs are in registers.
 pub(super) const LONGEST: u32 = 256;
 
-/// A value of one lane in general registers, in the forms that somebody has asked for.
+/// A value of one lane in general registers, in the forms that have been needed.
 #[derive(Debug, Clone)]
 pub(super) struct Scalar {
     pub width: u32,
     /// Up to 64 bits: an integer below 2 to the `bound`.
     integer: Option<Value>,
     bound: u32,
-    /// 1 bit: 0 or 1, of 8 bits.
+    /// 1 bit: 0 or 1, as 8 bits.
     flag: Option<Value>,
-    /// Above 64 bits, and for one who has asked: limbs, with zeros above the width.
+    /// Above 64 bits, or on request: limbs, with zeros above the width.
     limbs: Option<Vec<Value>>,
     /// Above [`LONGEST`] bits: the first of its limbs in the scratch memory, with zeros above the width.
     scratch: Option<usize>,
@@ -93,7 +92,7 @@ pub(super) struct Scalars {
 }
 
 impl Scalars {
-    /// A value that is there already.
+    /// Defines a value that exists already.
     pub fn define(&mut self, id: ValueId, scalar: Scalar) {
         self.values.insert(id, scalar);
     }
@@ -200,7 +199,8 @@ impl Scalars {
         flag
     }
 
-    /// Loads a value that stands as integers of `element` bits, zero above its width; 1 bit in less than 64 as a mask.
+    /// Loads a value stored as integers of `element` bits, with zeros above its width; 1 bit in fewer than 64 is a
+    /// mask.
     pub fn load(&mut self, b: &mut FunctionBuilder, id: ValueId, width: u32, element: u32, at: Value, offset: i32) {
         let flags = MemFlagsData::trusted();
         let kind = Type::int(element as u16).expect("an element is an integer");
@@ -218,7 +218,7 @@ impl Scalars {
         self.define(id, Scalar::clean(width, limb));
     }
 
-    /// Stores a value as [`Scalars::load`] takes it.
+    /// Stores a value in the form that [`Scalars::load`] reads.
     pub fn store(&mut self, b: &mut FunctionBuilder, id: ValueId, element: u32, at: Value, offset: i32) {
         let flags = MemFlagsData::trusted();
         if is_mask(element as usize / 8, self.width(id)) {
@@ -248,7 +248,7 @@ impl Scalars {
         }
     }
 
-    /// 1 where two numbers are in a relation.
+    /// 1 if two numbers are in a relation.
     fn test(b: &mut FunctionBuilder, relation: IntCC, left: Value, right: Value) -> Scalar {
         Scalar::flag(b.ins().icmp(relation, left, right))
     }

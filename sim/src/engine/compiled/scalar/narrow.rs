@@ -118,7 +118,7 @@ impl Scalars {
         let width = self.width(x);
         let by_order = signed && !matches!(relation, Relation::Eq | Relation::Ne);
         let (left, right) = match width {
-            // The machine compares these without looking above them.
+            // The machine compares these without their upper bits.
             8 | 16 | 32 => {
                 let kind = Type::int(width as u16).expect("a machine's integer");
                 let (left, right) = (self.integer(b, x), self.integer(b, y));
@@ -159,7 +159,7 @@ impl Scalars {
         Scalar::integer(width, b.ins().select(fits, shifted, zero), bound)
     }
 
-    /// `value` where the flag is 1.
+    /// `value` if the flag is 1.
     fn choose(
         &mut self,
         b: &mut FunctionBuilder,
@@ -247,7 +247,7 @@ impl Scalars {
         Scalar::integer(width, b.ins().imul(value, ones), width)
     }
 
-    /// A value in two's complement, in all 64 bits.
+    /// A value in two's complement, sign-extended to 64 bits.
     fn signed(&mut self, b: &mut FunctionBuilder, of: ValueId) -> Value {
         let (integer, width) = (self.integer(b, of), self.width(of));
         match width {

@@ -1,5 +1,5 @@
-//! Operations on values of more than 64 bits: bits and choices limb by limb, the rest, and all on values of more than
-//! [`LONGEST`] bits, by calls of the general path.
+//! Operations on values of more than 64 bits: bitwise operations and choices limb by limb; everything else, and all
+//! operations above [`LONGEST`] bits, by calls of the semantics.
 
 use std::sync::Arc;
 
@@ -14,11 +14,11 @@ use crate::engine::compiled::emitter::offset;
 use crate::engine::program::{Cell, Kind, ValueId};
 use crate::engine::semantics::{self, Number};
 
-/// What a call computes, in scratch memory.
+/// An operation computed by a call, in scratch memory.
 #[derive(Debug)]
 pub(in crate::engine::compiled) struct Call {
     cell: Cell,
-    /// Each operand once, in the order of ids, its width, and its first limb.
+    /// Each operand once, sorted by id, with its width and its first limb.
     operands: Vec<(ValueId, u32, usize)>,
     /// The first limb of the result.
     out: usize,
@@ -26,8 +26,8 @@ pub(in crate::engine::compiled) struct Call {
 
 #[allow(unsafe_code, reason = "called by generated code")]
 unsafe extern "C" fn run(call: *const Call, scratch: *mut u64) {
-    // SAFETY: generated code passes what `Scalars::call` laid out: the `Jit` that owns the code keeps the call, and the
-    // scratch memory has all limbs that the call names. The result is apart from the operands.
+    // SAFETY: generated code passes what `Scalars::call` laid out: the `Jit` that owns the code keeps the call, and
+    // the scratch memory has all limbs that the call names. The result does not overlap the operands.
     let (call, out) = unsafe {
         let call = &*call;
         (call, std::slice::from_raw_parts_mut(scratch.add(call.out), limbs_for(call.cell.width)))
@@ -42,12 +42,12 @@ unsafe extern "C" fn run(call: *const Call, scratch: *mut u64) {
 
 #[allow(unsafe_code, reason = "called by generated code")]
 unsafe extern "C" fn copy(from: *const u64, to: *mut u64, limbs: usize) {
-    // SAFETY: generated code passes the limbs of one value, and a place for them; one of them is scratch memory, and the
-    // other is not.
+    // SAFETY: generated code passes the limbs of one value, and a place for them; exactly one of them is scratch
+    // memory.
     unsafe { std::ptr::copy_nonoverlapping(from, to, limbs) }
 }
 
-/// Emits a copy of so many limbs from or to the scratch memory.
+/// Emits a copy of limbs from or to the scratch memory.
 pub(super) fn emit_copy(b: &mut FunctionBuilder, from: Value, to: Value, limbs: usize) {
     let limbs = b.ins().iconst(types::I64, limbs as i64);
     b.call(copy as *const () as usize, &[from, to, limbs], false);
@@ -143,12 +143,12 @@ impl Scalars {
         }
     }
 
-    /// Calls the general path, with operands and result in scratch memory; for constants as well.
+    /// Calls the semantics, with operands and result in scratch memory; for constants too.
     pub(super) fn call(&mut self, b: &mut FunctionBuilder, kind: &Kind, width: u32) -> Scalar {
         let out = b.take(limbs_for(width));
         let taken = b.taken();
         let mut operands: Vec<(ValueId, u32, usize)> = Vec::new();
-        // A concatenation may have a million.
+        // A concatenation may have a million operands.
         let mut seen = FxHashSet::default();
         kind.for_each_operand(|id| {
             if seen.insert(id) {
@@ -175,7 +175,7 @@ impl Scalars {
         }
     }
 
-    /// Where a value is in scratch memory; it is brought there if it is elsewhere.
+    /// The place of a value in scratch memory; it is copied there if necessary.
     fn in_scratch(&mut self, b: &mut FunctionBuilder, id: ValueId) -> usize {
         if let Some(first) = self.values[&id].scratch {
             return first;

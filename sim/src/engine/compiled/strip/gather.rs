@@ -1,4 +1,4 @@
-//! Lanes that a strip takes from other places than its own.
+//! Lanes that a strip takes from other lanes.
 
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 
@@ -7,12 +7,12 @@ use crate::engine::compiled::emitter::{Emitter, offset};
 use crate::engine::program::{Cell, Kind, ValueId};
 
 impl Emitter<'_, '_, '_> {
-    /// Loads the lanes that each stand so many times in the strip.
+    /// Loads the lanes that are each repeated in the strip.
     pub(super) fn repeat_lanes(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, times: u32) {
         let (first, _) = self.divided(strip.first.expect("it has begun"), strip.total, times);
         let mut single = std::mem::take(&mut self.scalars);
         for group in 0..strip.size / times {
-            // What stands behind the last lane may be loaded for lanes that do not exist.
+            // Padding lanes may load what follows the last lane.
             let lane = self.builder.ins().iadd_imm_s(first, i64::from(group));
             self.load_lane(id, of, lane);
             let loaded = self.scalars.get(id).expect("it was loaded").clone();
@@ -25,7 +25,7 @@ impl Emitter<'_, '_, '_> {
         }
     }
 
-    /// Loads the strip of a row of which it has several.
+    /// Loads the strip of a row that has several strips.
     pub(in crate::engine::compiled) fn tile_whole(&mut self, strip: &mut Strip, id: ValueId, of: ValueId) {
         let Cell { lanes, width, .. } = *self.function.cell(of);
         let row: Vec<Value> = (0..lanes)
@@ -39,7 +39,7 @@ impl Emitter<'_, '_, '_> {
         strip.lanes.gather(self.builder, id, width, &all);
     }
 
-    /// Loads, for each lane of the strip, the lane of `of` whose number it has in `at`.
+    /// Loads, for each lane of the strip, the lane of `of` with the number in `at`.
     pub(super) fn gather(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, at: ValueId) {
         if self.addresses.has(of)
             && let Some((lanes, step)) = self.regular(strip, at)
@@ -51,8 +51,7 @@ impl Emitter<'_, '_, '_> {
         self.collect(strip, id, of, |_, _| numbers.next().expect("a number for each lane"));
     }
 
-    /// The numbers that a table has for the first strip, and by how much those of each strip are greater than those of the one before, if
-    /// that is the same for all.
+    /// The numbers of a table for the first strip, and the step from each strip to the next, if it is constant.
     fn regular(&self, strip: &Strip, at: ValueId) -> Option<(Vec<u32>, u32)> {
         let Kind::Stack { parts, inner: 1 } = &self.function.cell(at).kind else { return None };
         let number = |part: &ValueId| Some(self.function.circuit().constant(*part)?.limbs()[0] as u32);
@@ -64,7 +63,7 @@ impl Emitter<'_, '_, '_> {
         (is_regular && is_whole).then(|| (first.to_vec(), step))
     }
 
-    /// Loads these lanes for the first strip, and lanes further on by so many for each that follows.
+    /// Loads these lanes for the first strip, and lanes `step` further on for each following one.
     fn gather_regular(&mut self, strip: &mut Strip, id: ValueId, of: ValueId, lanes: &[u32], step: u32) {
         let (number, _) = self.divided(strip.first.expect("it has begun"), strip.total, strip.size);
         let (place, before) = (self.addresses.of(of), self.scaled(number, step as usize));

@@ -1,10 +1,10 @@
-//! Units that have nothing to do are left out.
+//! Skips units that have nothing to do.
 //!
 //! The instances of an array that are arrays themselves run one by one, as *units*
-//! ([`Passes::apart_from`](crate::engine::Passes::apart_from)). The function of an edge does what no unit does, and leaves what
-//! crosses into each. Then it runs those for which something else crosses than at the last edge, and those that changed
-//! something then: a comparison of a few limbs and a branch for each of the others. Units that do the same share code, which finds
-//! the state of each at the same distance from that of the first.
+//! ([`Passes::apart_from`](crate::engine::Passes::apart_from)). The function of an edge does the work outside of
+//! units and stores what crosses into each. Then it runs the units whose crossing values differ from the last edge,
+//! and those that changed something then. Each other unit costs a comparison of a few limbs and a branch. Identical
+//! units share code, which finds the state of each at a fixed distance from that of the first.
 
 mod run;
 mod split;
@@ -27,40 +27,41 @@ pub(super) use run::Span;
 use run::{Changes, Crossing, Running, Task};
 pub(super) use split::{From, Part, Split, Units, split};
 
-/// Limbs that are compared at most to see whether a unit takes the same as before.
+/// The most limbs that are compared to see whether a unit's crossing values are unchanged.
 const COMPARED: usize = 64;
 
 /// The units of a running circuit.
 pub(super) struct Apart {
-    /// Which they are.
+    /// The units.
     units: Units,
-    /// Where the addresses of the memories of each stand, and how often each was run.
+    /// For each unit, the places of its memories' addresses and of the count of its runs.
     tables: BTreeMap<UnitId, (Place, Place)>,
-    /// Where the number of the function stands that the last edge was done by: each knows of units what it has seen itself.
+    /// The place of the number of the function that executed the last edge: each function knows only what it has seen
+    /// of the units itself.
     latest: Place,
-    /// Where code notes that it has written to a memory.
+    /// The place where code notes a write to a memory.
     wrote: Place,
-    /// Where it is counted how many edges all units have had, and at how many they were run.
+    /// The place of two counts: edges of all units, and edges at which they were run.
     edges: Place,
     runs: Place,
-    /// How many functions there are.
+    /// The number of functions.
     functions: u64,
     #[expect(clippy::vec_box, reason = "code has the address of each, which stays as more are added")]
     running: Vec<Box<Running>>,
 }
 
-/// A unit in a function: what code looks at to see whether there is something to do.
+/// A unit in a function: the data that code checks to decide whether it has something to do.
 pub(super) struct Guard {
-    /// Where what crosses stands, and where it stands as it was.
+    /// The places of the crossing values and of their earlier copies.
     crossing: Vec<(Span, usize)>,
     busy: usize,
-    /// Where it stands whether all holds that must.
+    /// The place of the result of its assertions.
     pub holds: Option<usize>,
-    /// Where its edges are counted, if it is for them.
+    /// The place where its edges are counted, if the function is for them.
     edges: Option<usize>,
-    /// The address of what runs it.
+    /// The address of the data that runs it.
     running: usize,
-    /// The code, for the stack that it takes.
+    /// The code, for its stack size.
     code: Vec<Code>,
 }
 
@@ -73,7 +74,7 @@ struct Shared {
     code: Vec<Code>,
 }
 
-/// Gives places to the state of a program: that of each unit behind that of the one before, in the same order.
+/// Gives places to the state of a program: each unit's after that of the previous one, in the same sequence.
 pub(super) fn places(program: &Program, layout: &mut Layout) -> (Vec<Option<Place>>, Option<Apart>) {
     let units = Units::of(program);
     let all = units.all();
@@ -103,7 +104,7 @@ pub(super) fn places(program: &Program, layout: &mut Layout) -> (Vec<Option<Plac
 }
 
 impl Compiled {
-    /// Writes where the memories of units are.
+    /// Writes the addresses of the units' memories.
     pub(super) fn tell_memories(&mut self) {
         let Some(apart) = &self.apart else { return };
         for (&unit, &(table, _)) in &apart.tables {
@@ -115,7 +116,7 @@ impl Compiled {
         }
     }
 
-    /// At how many edges units were left out.
+    /// The number of edges at which units were skipped.
     pub(super) fn edges_left_out(&self) -> u64 {
         let edges = |apart: &Apart| self.state.number(apart.edges, 0) - self.state.number(apart.runs, 0);
         self.apart.as_ref().map_or(0, edges)
@@ -131,7 +132,7 @@ impl Compiled {
         }
     }
 
-    /// As [`Compiled::prepare`], for an edge, or for what must hold at one: with its units guarded.
+    /// Like [`Compiled::prepare`], for an edge or its assertions, with its units guarded.
     pub(super) fn prepare_edge(&mut self, function: &Function, given: &[Place]) -> Prepared {
         let cut = self.apart.as_ref().and_then(|apart| split(&apart.units, function));
         let Some(Split { outside, crossing, units, .. }) = cut else { return self.prepare(function, given) };
@@ -146,7 +147,7 @@ impl Compiled {
         prepared
     }
 
-    /// What runs a unit, with code that another has if it does the same.
+    /// The guard of a unit; its code is shared with units that do the same.
     fn guard(&mut self, part: Part, now: &[Place], shared: &mut Vec<Shared>) -> Guard {
         let (own, memories) = (self.places_of(&part), self.memories_of(&part));
         let found = shared.iter().find_map(|shared| Some((shared, shared.distance(&part, &own, &memories)?)));
@@ -171,7 +172,7 @@ impl Compiled {
         let holds = match &mut running.task {
             Task::Edge(_) => None,
             &mut Task::Check(_, holds) => {
-                // What is checked is its own state, too.
+                // The checked values are its own state too.
                 let version = Place { offset: running.version, element: 64, lanes: 1, width: 64, moves: false };
                 let aside = self.layout.place(1, 64);
                 running.crossing.push(self.crossing(version, aside));
@@ -195,7 +196,7 @@ impl Compiled {
         guard
     }
 
-    /// What runs a unit for an edge, with nothing that crosses.
+    /// The data that runs a unit for an edge, without crossing values.
     fn running(&mut self, part: &Part, code: Vec<Code>, distance: u64) -> Box<Running> {
         let states: Vec<Place> = self.places.iter().flatten().copied().collect();
         let own = changed(&part.function).filter_map(|state| match part.states[state.index()] {
@@ -215,14 +216,14 @@ impl Compiled {
         Box::new(Running { crossing, code, distance, busy, version, always: false, task })
     }
 
-    /// What crosses, for a unit.
+    /// A crossing value of a unit.
     fn crossing(&mut self, now: Place, taken: Place) -> Crossing {
         let now = span(now);
         let last = self.layout.place(1, 64 * now.limbs as u32).offset;
         Crossing { now, last, taken: taken.offset }
     }
 
-    /// Where the own state of a unit's function is.
+    /// The places of the own state of a unit's function.
     fn places_of(&self, part: &Part) -> Vec<Option<Place>> {
         let states: Vec<Place> = self.places.iter().filter_map(|place| *place).collect();
         let place = |from: &From| match *from {
@@ -232,7 +233,7 @@ impl Compiled {
         part.states.iter().map(place).collect()
     }
 
-    /// The same, and where it finds what crosses.
+    /// The same, and the places of its crossing values.
     fn places_to_take(&mut self, own: &[Option<Place>], part: &Part, now: &[Place]) -> Vec<Place> {
         let layout = &mut self.layout;
         let place = |(own, from): (&Option<Place>, &From)| match (*own, *from) {
@@ -244,7 +245,7 @@ impl Compiled {
         own.iter().zip(&part.states).map(place).collect()
     }
 
-    /// The memories of a unit's function, whose addresses its table has.
+    /// The memories of a unit's function, whose addresses are in its table.
     fn memories_of(&self, part: &Part) -> Vec<MemoryAt> {
         let apart = self.apart.as_ref().expect("there are units");
         let (table, _) = apart.tables[&part.unit];
@@ -258,14 +259,14 @@ impl Compiled {
 
     /// Code for a unit.
     fn compile_unit(&mut self, function: &Function, places: &[Place], memories: &[MemoryAt]) -> Vec<Code> {
-        // Its code is that of all units that do the same, and would look versions up in a table of its own.
+        // The code is shared by identical units, so it cannot look up versions in a table of its own.
         let passes = Passes { versions_after: u32::MAX, ..self.program.passes.clone() };
         let prepared = self.prepare_of(function, places.iter().copied(), memories, &passes);
         let wrote = self.apart.as_ref().expect("there are units").wrote.offset;
         self.compile_pieces(&prepared, memories, Some(wrote))
     }
 
-    /// A number for a function that does edges.
+    /// A number for a function that executes edges.
     pub(super) fn number_function(&mut self) -> Option<(usize, u64)> {
         let apart = self.apart.as_mut()?;
         apart.functions += 1;
@@ -274,7 +275,7 @@ impl Compiled {
 }
 
 impl Shared {
-    /// How far a unit is from the first one, if it does the same and all of it is as far.
+    /// The distance of a unit from the first one, if the two are identical and all of it is at that distance.
     fn distance(&self, part: &Part, own: &[Option<Place>], memories: &[MemoryAt]) -> Option<u64> {
         let is_same = self.part.function.is_same(&part.function) && self.places.len() == own.len();
         if !is_same || self.memories.len() != memories.len() {
@@ -340,14 +341,14 @@ impl Guard {
         b.ins().store(flags, after, state, at);
     }
 
-    /// The unit is taken to have something to do.
+    /// Assumes that the unit has something to do.
     pub fn emit_wake(&self, b: &mut FunctionBuilder, state: Value) {
         let one = b.ins().iconst(types::I64, 1);
         b.ins().store(MemFlagsData::trusted(), one, state, offset(self.busy));
     }
 }
 
-/// Where a value stands, in whole limbs.
+/// The place of a value, in whole limbs.
 pub(super) fn span(place: Place) -> Span {
     let bytes = place.lanes as usize * place.bytes();
     let rest = bytes % 8 * 8;
@@ -355,7 +356,7 @@ pub(super) fn span(place: Place) -> Span {
     Span { offset: place.offset, limbs: bytes.div_ceil(8), mask }
 }
 
-/// Those that lie side by side as one.
+/// Joins adjacent spans.
 fn joined(spans: Vec<Span>) -> Vec<Span> {
     let mut spans = spans;
     spans.sort_by_key(|span| span.offset);

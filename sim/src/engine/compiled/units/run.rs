@@ -1,9 +1,9 @@
-//! What runs a unit: it notes when there is nothing to do.
+//! Running a unit, and noting when it has nothing to do.
 //!
-//! A unit that took what it takes now, and changed nothing, changes nothing at the next edge either. So its code is left out until
-//! something crosses that is other than it was. Whether an edge has changed something is found by comparison with a copy of
-//! the unit's state from before; a unit that is busy is compared only from time to time, and of its state
-//! single values first: one of them nearly always counts.
+//! A unit with the same crossing values that changed nothing at the last edge changes nothing at the next one either.
+//! So its code is skipped until a crossing value changes. A comparison with an earlier copy of the unit's state finds
+//! whether an edge has changed anything. A busy unit is compared only from time to time, scalars first: one of them
+//! nearly always counts.
 
 use std::cell::Cell;
 
@@ -19,20 +19,20 @@ pub(in crate::engine::compiled) struct Span {
     /// In bytes, a multiple of 8.
     pub offset: usize,
     pub limbs: usize,
-    /// What counts of the last one.
+    /// The significant bits of the last one.
     pub mask: u64,
 }
 
 impl Span {
-    /// The limbs, each with what counts of it.
+    /// The limbs, each with its significant bits.
     pub fn limbs(self) -> impl Iterator<Item = (usize, u64)> {
         let mask = move |limb| if limb + 1 == self.limbs { self.mask } else { u64::MAX };
         (0..self.limbs).map(move |limb| (self.offset + 8 * limb, mask(limb)))
     }
 }
 
-/// What crosses: where the rest of the circuit leaves it, where it stands as it was when the unit last ran, and where
-/// the unit's code looks for it.
+/// A crossing value: its place in the rest of the circuit, the place of its copy when the unit last ran, and the
+/// place where the unit's code reads it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Crossing {
     pub now: Span,
@@ -40,53 +40,53 @@ pub(super) struct Crossing {
     pub taken: usize,
 }
 
-/// What a unit does in a function, to be run by code.
+/// The work of a unit in a function, run by code.
 pub(in crate::engine::compiled) struct Running {
     pub(super) crossing: Vec<Crossing>,
     pub(super) code: Vec<Code>,
     /// Bytes from the first unit of its kind to it.
     pub(super) distance: u64,
-    /// Where a limb stands that is 0 if it has nothing to do until something else crosses.
+    /// The place of a limb that is 0 if it has nothing to do until a crossing value changes.
     pub(super) busy: usize,
-    /// Counts how often the unit was run for an edge.
+    /// Counts the unit's runs for edges.
     pub(super) version: usize,
-    /// So much crosses that it is not worth the time to see whether it is the same: it is run at every edge.
+    /// Comparing all its crossing values would take too long: it is run at every edge.
     pub(super) always: bool,
     pub(super) task: Task,
 }
 
-/// What is done when it has run.
+/// What to do when it has run.
 pub(super) enum Task {
     Edge(Changes),
-    /// It is noted whether all holds that must: where code leaves it, and where it stands for each unit.
+    /// Notes whether all assertions pass: the place where code stores the result, and the unit's own place.
     Check(usize, usize),
 }
 
-/// What an edge may change in a unit.
+/// The state of a unit that an edge may change.
 pub(super) struct Changes {
     /// Values of one lane, and the others.
     pub(super) single: Vec<Span>,
     pub(super) lanes: Vec<Span>,
-    /// Where code notes that it has written to a memory.
+    /// The place where code notes a write to a memory.
     pub(super) wrote: usize,
-    /// Where runs of all units are counted.
+    /// The place where the runs of all units are counted.
     pub(super) runs: usize,
     /// Edges between two comparisons.
     pub(super) patience: Cell<u64>,
-    /// At the next comparison all of it is compared.
+    /// The next comparison covers all of it.
     pub(super) all: Cell<bool>,
-    /// All of it as it was.
+    /// All of it, as it was.
     pub(super) kept: Vec<Cell<u64>>,
 }
 
-/// What is called for an edge at which a unit may have something to do.
+/// Called for an edge at which a unit may have something to do.
 ///
 /// # Safety
 ///
-/// `state` and `scratch` are those of the engine that made the unit, which nobody else uses.
+/// `state` and `scratch` are those of the engine that made the unit, and nobody else uses them.
 #[allow(unsafe_code, reason = "generated code calls it")]
 pub(super) unsafe extern "C" fn run(state: *mut u8, unit: *const Running, scratch: *mut u64) {
-    // SAFETY: the engine that owns the code that calls this owns the unit, too.
+    // SAFETY: the engine that owns the calling code owns the unit too.
     let unit = unsafe { &*unit };
     unit.edge(&State { state, scratch });
 }
@@ -99,7 +99,7 @@ struct State {
 
 impl State {
     fn get(&self, offset: usize) -> u64 {
-        // SAFETY: what a unit refers to was given a place in the state, which has grown since if it had to.
+        // SAFETY: a unit's references are places in the state, which has grown since if it had to.
         #[allow(unsafe_code, reason = "the state is shared with code")]
         unsafe {
             self.state.add(offset).cast::<u64>().read()
@@ -134,7 +134,7 @@ impl Running {
         state.set(self.busy, left);
     }
 
-    /// Brings what crosses to where code looks for it.
+    /// Copies crossing values to where code reads them.
     fn take(&self, state: &State) {
         for &Crossing { now, last, taken } in &self.crossing {
             for (limb, (at, _)) in now.limbs().enumerate() {
@@ -145,7 +145,7 @@ impl Running {
         }
     }
 
-    /// An edge; gives after how many the next comparison is due, 0 if none is, as there is nothing to do.
+    /// Executes an edge; returns the number of edges until the next comparison, or 0 if there is nothing to do.
     fn change(&self, state: &State, changes: &Changes) -> u64 {
         let left = match state.get(self.busy) {
             0 => {
@@ -177,7 +177,7 @@ impl Running {
 
     fn call(&self, state: &State) {
         for code in &self.code {
-            // SAFETY: the engine made this code for this memory, and code that has the stack for it calls us.
+            // SAFETY: the engine made this code for this memory, and the calling code has reserved the stack.
             #[allow(unsafe_code, reason = "calls generated code")]
             unsafe {
                 code.call_within(state.state, self.distance, state.scratch);

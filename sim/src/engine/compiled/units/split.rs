@@ -1,7 +1,8 @@
-//! The function of an edge, or of what must hold at one, cut into what is done at every edge and what each unit does.
+//! Splits the function of an edge, or of its assertions, into the part done at every edge and the part of each unit.
 //!
-//! What a unit takes from outside *crosses*: it is computed with the rest of the circuit, before any unit changes, and left where
-//! the unit finds it. All else that a unit's registers, memories and assertions take, it computes from its own.
+//! A value that a unit takes from outside *crosses*: it is computed with the rest of the circuit, before any unit
+//! changes, and stored for the unit. Everything else that a unit's registers, memories and assertions need, the unit
+//! computes from its own state.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +13,12 @@ use crate::engine::compiled::function::{self, Became, Function, Sink};
 use crate::engine::program::{Cell, Kind, Memory, Program, UnitId, ValueId};
 use crate::engine::rewrite::{Rewriter, rebuild};
 
-/// Which unit the state of a program is in.
+/// The unit of each state of a program.
 #[derive(Debug, Default)]
 pub(in crate::engine::compiled) struct Units {
-    /// Per state, in order.
+    /// For each state, in sequence.
     of_state: Vec<Option<UnitId>>,
-    /// Per memory.
+    /// For each memory.
     of_memory: Vec<Option<UnitId>>,
 }
 
@@ -38,7 +39,7 @@ impl Units {
         }
     }
 
-    /// All units, in order.
+    /// All units, in sequence.
     pub fn all(&self) -> Vec<UnitId> {
         let mut all: Vec<UnitId> = self.of_state.iter().chain(&self.of_memory).filter_map(|unit| *unit).collect();
         all.sort_unstable();
@@ -58,7 +59,7 @@ impl Units {
 
     fn of_sink(&self, sink: &Sink) -> Option<UnitId> {
         match *sink {
-            // State comes first, that of the program before what else a function has.
+            // State comes first: the program's, then the function's own.
             Sink::Register { state, .. } => self.of_state(state.index()),
             Sink::Write { memory, .. } => self.of_memory[memory as usize],
             _ => None,
@@ -66,38 +67,38 @@ impl Units {
     }
 }
 
-/// A function that is cut.
+/// A function that has been split.
 pub(in crate::engine::compiled) struct Split {
-    /// What no unit does. Leaves what crosses in states that come after those of the function that it was.
+    /// The work outside of units. It stores crossing values in states after those of the original function.
     pub outside: Function,
-    /// What crosses, as the function that it was has it, with its lanes and width.
+    /// The crossing values, as ids of the original function, with their lanes and width.
     pub taken: Vec<ValueId>,
     pub crossing: Vec<(u32, u32)>,
     pub units: Vec<Part>,
 }
 
-/// What a unit does. Those of two units are equal if the units do the same.
+/// The work of a unit. Those of two units are equal if the units do the same.
 pub(in crate::engine::compiled) struct Part {
     pub unit: UnitId,
     pub function: Function,
-    /// What each state of it is.
+    /// The origin of each of its states.
     pub states: Vec<From>,
     /// Its memories, by index in the program.
     pub memories: Vec<u32>,
 }
 
-/// What the state of a unit's function is.
+/// The origin of a state of a unit's function.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::engine::compiled) enum From {
     /// A state of the program, by its number among states.
     Own(usize),
-    /// What crosses, by index.
+    /// A crossing value, by index.
     Crossing(usize),
-    /// Whether all holds that must, in the unit.
+    /// Whether all assertions of the unit pass.
     Holds,
 }
 
-/// Cuts a function; nothing, if no unit does anything in it.
+/// Splits a function; `None` if it contains no work of a unit.
 pub(in crate::engine::compiled) fn split(units: &Units, function: &Function) -> Option<Split> {
     let places = places(units, function);
     let mut parts: BTreeMap<UnitId, Vec<Sink>> = BTreeMap::new();
@@ -120,7 +121,7 @@ pub(in crate::engine::compiled) fn split(units: &Units, function: &Function) -> 
     Some(Split { outside, crossing: cut.crossing.iter().map(shape).collect(), taken: cut.crossing, units: parts })
 }
 
-/// What these sinks of a function do, and states behind its own for what crosses.
+/// These sinks of a function, with states after its own for crossing values.
 fn outside(function: &Function, sinks: Vec<Sink>, crossing: &[ValueId]) -> Function {
     let mut rewriter = function.rewriter.empty();
     let mut became = function::state(function.circuit(), &mut rewriter);
@@ -138,14 +139,14 @@ fn outside(function: &Function, sinks: Vec<Sink>, crossing: &[ValueId]) -> Funct
     outside
 }
 
-/// All that sinks take.
+/// All operands of sinks.
 fn roots(sinks: &[Sink]) -> Vec<ValueId> {
     let mut roots = Vec::new();
     sinks.iter().for_each(|sink| sink.for_each_operand(|operand| roots.push(operand)));
     roots
 }
 
-/// Takes from a function what must hold; gives all of it as one value, if there is something.
+/// Removes the assertions from a function; returns their conjunction, if there are any.
 fn hold(function: &mut Function) -> Option<ValueId> {
     let held = |sink: &mut Sink| matches!(sink, Sink::Hold(_));
     let mut all = None;
@@ -156,7 +157,7 @@ fn hold(function: &mut Function) -> Option<ValueId> {
     all
 }
 
-/// A sink, and whose it is; what must hold by the parts that all must.
+/// A sink and its owner; assertions are split into their conjuncts.
 fn taken_apart(
     units: &Units,
     function: &Function,
@@ -175,18 +176,18 @@ fn taken_apart(
     parts
 }
 
-/// Where a value can be computed.
+/// The place where a value can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Place {
     /// It is constant.
     Anywhere,
-    /// In the unit, of its own state and of what crosses.
+    /// In the unit, from its own state and from crossing values.
     Unit(UnitId),
     Outside,
 }
 
 impl Place {
-    /// Of two operands.
+    /// The place for two operands.
     fn and(self, other: Place) -> Place {
         match (self, other) {
             (Place::Anywhere, place) | (place, Place::Anywhere) => place,
@@ -197,7 +198,7 @@ impl Place {
     }
 }
 
-/// Where the values of a function can be computed, as far as they are needed.
+/// The places where the needed values of a function can be computed.
 fn places(units: &Units, function: &Function) -> FxHashMap<ValueId, Place> {
     let mut places = FxHashMap::default();
     let in_unit = |unit: Option<UnitId>| unit.map_or(Place::Outside, Place::Unit);
@@ -223,13 +224,13 @@ struct Cut<'a> {
     units: &'a Units,
     function: &'a Function,
     places: FxHashMap<ValueId, Place>,
-    /// Values that cross, and their places among them.
+    /// Crossing values, and their indices.
     crossing: Vec<ValueId>,
     known: FxHashMap<ValueId, usize>,
 }
 
 impl Cut<'_> {
-    /// What a unit does.
+    /// The work of a unit.
     fn part(&mut self, unit: UnitId, sinks: Vec<Sink>) -> Part {
         let mut part =
             Making { rewriter: self.function.rewriter.empty(), became: Became::default(), states: Vec::new() };
@@ -243,7 +244,7 @@ impl Cut<'_> {
                 part.state(state, self.function.cell(state), From::Own(state.index()));
             }
             sink.for_each_operand(|operand| open.push(operand));
-            // What comes first is looked at first.
+            // Earlier ones are visited first.
             open.reverse();
             while let Some(id) = open.pop() {
                 if !seen.insert(id) {
@@ -263,7 +264,7 @@ impl Cut<'_> {
         self.made(unit, part, sinks, holds)
     }
 
-    /// Has a value cross.
+    /// Makes a value cross.
     fn cross(&mut self, part: &mut Making, id: ValueId) {
         let cell = self.function.cell(id);
         let index = *self.known.entry(id).or_insert_with(|| {
@@ -273,7 +274,7 @@ impl Cut<'_> {
         part.state(id, cell, From::Crossing(index));
     }
 
-    /// The part, with all that its sinks need; `holds` is left 1 if all holds that must.
+    /// The part, with everything that its sinks need; `holds` becomes 1 if all assertions pass.
     fn made(&self, unit: UnitId, part: Making, sinks: Vec<Sink>, holds: Option<ValueId>) -> Part {
         let Making { mut rewriter, mut became, states } = part;
         let mut memories = Vec::new();
@@ -308,7 +309,7 @@ impl Cut<'_> {
     }
 }
 
-/// A part that is being made.
+/// A part under construction.
 struct Making {
     rewriter: Rewriter,
     became: Became,

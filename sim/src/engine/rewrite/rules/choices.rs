@@ -1,4 +1,4 @@
-//! Choices of which something is known.
+//! Choices with known parts.
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind, ValueId};
@@ -14,7 +14,8 @@ pub(super) fn mux(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     }
 }
 
-/// Arms that are never taken go, an arm that is always taken is the default; one arm is a `mux`.
+/// Arms that are never taken are removed, and an arm that is always taken becomes the default; a single arm is a
+/// `mux`.
 pub(super) fn select(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Select { arms, default } = &cell.kind else { return None };
     let mut default = *default;
@@ -39,7 +40,7 @@ pub(super) fn select(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     }
 }
 
-/// The arm of a known subject is taken; arms that do not differ from the default go.
+/// The arm of a known subject is taken; arms equal to the default are removed.
 pub(super) fn case(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Case { subject, arms, default } = &cell.kind else { return None };
     if let Some(subject) = rewriter.circuit().constant(*subject) {

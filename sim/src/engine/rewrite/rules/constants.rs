@@ -25,7 +25,7 @@ pub(super) fn fold(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     Some(Rewrite::As(Kind::Const(Bits::from_limbs(cell.width, &limbs))))
 }
 
-/// Whether an operation on operands that are the same in all lanes gives the same in all lanes.
+/// Whether an operation on operands that are the same in all lanes has the same result in all lanes.
 fn gives_one_value(kind: &Kind) -> bool {
     let across = matches!(
         kind,

@@ -1,11 +1,11 @@
-//! Single values that are computed alike become one array.
+//! Scalars that are computed alike become one array.
 
 use rustc_hash::FxHashMap;
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Axis, Cell, Kind, ValueId};
 
-/// How deep expressions may be that are compared.
+/// The depth to which expressions are compared.
 const DEPTH: u32 = 16;
 
 /// A stack of `a[i] + b` is `a + b`.
@@ -14,8 +14,8 @@ pub(super) fn stack(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     lift(rewriter, parts, cell.lanes).map(Rewrite::Same)
 }
 
-/// The array of these lanes, if they are the lanes of one, or are computed in the same way from such, from constants
-/// and from what is the same for all: then it is computed in all lanes together.
+/// The array with these lanes, if there is one. If the lanes are computed alike from the lanes of arrays, from
+/// constants and from common values, the array is computed in all lanes together.
 pub(super) fn lift(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32) -> Option<ValueId> {
     let is_computed = |part: &ValueId| match rewriter.circuit()[*part].kind {
         Kind::Lane { .. } => true,
@@ -30,7 +30,7 @@ pub(super) fn lift(rewriter: &mut Rewriter, parts: &[ValueId], lanes: u32) -> Op
 struct Lift<'a> {
     rewriter: &'a mut Rewriter,
     lanes: u32,
-    /// What has been looked at.
+    /// The results so far.
     found: FxHashMap<Vec<ValueId>, Option<ValueId>>,
 }
 
@@ -71,7 +71,7 @@ impl Lift<'_> {
         Some(self.add(kind, width))
     }
 
-    /// For each operand of operations that are alike, that of each of them.
+    /// For each operand of similar operations, the operands of all of them.
     fn columns(&self, parts: &[ValueId]) -> Option<Vec<Vec<ValueId>>> {
         let circuit = self.rewriter.circuit();
         let form = form(&circuit[parts[0]].kind);
@@ -96,7 +96,7 @@ impl Lift<'_> {
     }
 }
 
-/// An operation with its operands left out.
+/// An operation without its operands.
 fn form(kind: &Kind) -> Kind {
     let mut form = kind.clone();
     form.rewrite(|operand| *operand = ValueId(0));

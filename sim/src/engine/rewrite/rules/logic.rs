@@ -1,4 +1,4 @@
-//! Operations that give one of their operands.
+//! Operations that equal one of their operands.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Relation};

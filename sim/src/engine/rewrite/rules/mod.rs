@@ -1,7 +1,7 @@
-//! The rules, each a few lines: an operation on numbered values, and what it is instead.
+//! The rules, each a few lines: an operation on numbered values, and its replacement.
 //!
-//! A rule looks at a cell that is not in the circuit yet, and at those that are. It may add cells, which are numbered like
-//! all others. Whatever it gives is nearer to the end: fewer or simpler operations, or the same on fewer lanes.
+//! A rule gets a cell that is not in the circuit yet, and may read those that are. It may add cells, which are
+//! numbered like all others. Its result must be simpler: fewer or simpler operations, or the same on fewer lanes.
 
 mod choices;
 mod constants;
@@ -21,9 +21,9 @@ use crate::engine::program::Cell;
 
 type Rule = fn(&mut Rewriter, &Cell) -> Option<Rewrite>;
 
-/// Rules that hold always: engines do not know what they remove.
+/// Rules that always apply: engines cannot execute what they remove.
 const ALWAYS: [Rule; 1] = [names::name];
-/// Rules that compute constants, and leave out operations that do nothing.
+/// Rules that compute constants and remove operations without effect.
 const FOLD: [Rule; 11] = [
     constants::fold,
     choices::select,
@@ -38,7 +38,7 @@ const FOLD: [Rule; 11] = [
     wide::slice,
 ];
 
-/// What the first rule that has something to say makes of an operation.
+/// The result of the first rule that applies to an operation.
 pub(super) fn apply(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let first = |rewriter: &mut Rewriter, rules: &[Rule]| rules.iter().find_map(|rule| rule(rewriter, cell));
     let mut found = first(rewriter, &ALWAYS);

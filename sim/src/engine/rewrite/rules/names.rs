@@ -1,4 +1,4 @@
-//! Names for one value, and axes of one lane, which engines do not know.
+//! Aliases, and axes of one lane, which engines cannot execute.
 
 use super::super::{Rewrite, Rewriter};
 use tilewright_hdl::ir::Affine;
@@ -21,7 +21,7 @@ pub(super) fn name(_: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     Some(Rewrite::Same(of))
 }
 
-/// A map of all lanes onto themselves is its operand; one that looks past the end everywhere is its edge.
+/// A map of all lanes onto themselves is its operand; one whose sources are all out of range is its edge.
 fn map(of: ValueId, axis: Axis, count: u32, index: Affine, edge: Option<ValueId>) -> Option<Rewrite> {
     if index == Affine::shift(0) && count == axis.count {
         return Some(Rewrite::Same(of));

@@ -3,7 +3,7 @@
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Axis, Cell, Kind};
 
-/// What is combined along two axes that lie together is combined along one.
+/// Reductions along two adjacent axes become one.
 pub(super) fn of_reduced(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Reduce { by, of, axis } = cell.kind else { return None };
     let Kind::Reduce { by: other, of, axis: first } = rewriter.circuit()[of].kind else { return None };

@@ -1,10 +1,10 @@
-//! What is the same in all lanes, or in all rows, is computed once, before it is repeated.
+//! A value that is the same in all lanes, or in all rows, is computed once and then repeated.
 
 use super::super::{Rewrite, Rewriter};
 use super::lift::lift;
 use crate::engine::program::{Axis, Cell, Kind, ValueId};
 
-/// What is repeated along two axes that lie together is repeated along one.
+/// Repetitions along two adjacent axes become one.
 pub(super) fn of_repeated(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Broadcast { of, axis } = cell.kind else { return None };
     let Kind::Broadcast { of: plain, axis: before } = rewriter.circuit()[of].kind else { return None };

@@ -1,10 +1,10 @@
-//! Lanes, or all bits, of what was put together from others.
+//! Lanes, or all bits, of values assembled from others.
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind};
 
-/// A lane of a stack is its part, a lane of a broadcast what is broadcast, a lane of a map a lane of what it maps, a lane
-/// of what is unpacked a part of it.
+/// A lane of a stack is its part, a lane of a broadcast is its operand, a lane of a map is a lane of its operand, and
+/// an unpacked lane is a slice.
 pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Lane { of, axis, index } = cell.kind else { return None };
     match &rewriter.circuit()[of].kind {
@@ -29,7 +29,7 @@ pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     }
 }
 
-/// What is unpacked and packed again is as it was, and the other way round; lanes of a stack side by side are its parts so.
+/// Packing undoes unpacking, and the converse; packed lanes of a stack are a concatenation of its parts.
 pub(super) fn packed(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let circuit = rewriter.circuit();
     match cell.kind {

@@ -1,4 +1,4 @@
-//! What each rule makes of the smallest circuit that it has something to say of.
+//! The effect of each rule on the smallest circuit to which it applies.
 
 use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Affine, Binary, Reduction, Relation, Shift, Unary};
@@ -32,12 +32,12 @@ impl Circuit {
         self.rewriter.add(Kind::Const(Bits::new(1, number)), 1, 1)
     }
 
-    /// An operation of so many bytes.
+    /// An operation of 8 bits with this number of lanes.
     fn add(&mut self, kind: Kind, lanes: u32) -> ValueId {
         self.rewriter.add(kind, lanes, 8)
     }
 
-    /// How a value is computed, all the way from the four that are there.
+    /// The expression of a value in terms of the four inputs.
     fn say(&self, id: ValueId) -> String {
         let name = |id: ValueId| match id {
             id if id == self.a => "a".to_owned(),
@@ -186,7 +186,7 @@ fn wide_words_taken_apart() {
     let lane = c.rewriter.add(Kind::Lane { of: word, axis, index: 2 }, 1, 72);
     let of_high = slice(&mut c, lane, 32, 1, 40);
     assert_eq!(c.rewriter.circuit()[of_high].kind, Kind::Lane { of: high, axis, index: 2 });
-    // A word that fits a register of the machine stays as it is.
+    // A word that fits in a machine register is unchanged.
     let short = c.rewriter.add(Kind::Concat(vec![low, low]), 4, 64);
     let of_short = slice(&mut c, short, 0, 4, 32);
     assert_eq!(c.rewriter.circuit()[of_short].kind, Kind::Slice(short, 0));
@@ -234,7 +234,7 @@ fn reductions() {
             _ => None,
         }
     };
-    // Of 2 x 3 x 4 lanes: the last two axes in both orders, the first two, and the two that do not lie together.
+    // In 2 x 3 x 4 lanes: the last two axes in both sequences, the first two, and two that are not adjacent.
     assert_eq!(reduced(&mut c, Axis::last(4), Axis::last(3)), Some((12, 1)));
     assert_eq!(reduced(&mut c, Axis { count: 3, inner: 4 }, Axis::last(4)), Some((12, 1)));
     assert_eq!(reduced(&mut c, Axis { count: 3, inner: 4 }, Axis { count: 2, inner: 4 }), Some((6, 4)));

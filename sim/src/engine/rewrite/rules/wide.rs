@@ -1,9 +1,9 @@
-//! Words wider than a register of the machine, put together and taken apart again.
+//! Words wider than a machine register that are assembled and taken apart again.
 
 use super::super::{Rewrite, Rewriter};
 use crate::engine::program::{Cell, Kind, ValueId};
 
-/// A lane of a wide word that is put together is put together of lanes, which are no wider than what it is used for.
+/// A lane of an assembled wide word is assembled from lanes, which are no wider than their use.
 pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Lane { of, axis, index } = cell.kind else { return None };
     let parts = wide_parts(rewriter, of)?;
@@ -14,7 +14,7 @@ pub(super) fn lane(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     Some(Rewrite::As(Kind::Concat(lanes.collect())))
 }
 
-/// What is within a part of a wide word is taken from the part.
+/// A slice within a part of a wide word is taken from the part.
 pub(super) fn slice(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     let Kind::Slice(of, low) = cell.kind else { return None };
     let mut begins = 0;
@@ -29,7 +29,7 @@ pub(super) fn slice(rewriter: &mut Rewriter, cell: &Cell) -> Option<Rewrite> {
     None
 }
 
-/// The parts of a word, the first most significant, if it is wide and put together.
+/// The parts of a word, the first most significant, if it is wide and assembled.
 fn wide_parts(rewriter: &Rewriter, word: ValueId) -> Option<Vec<ValueId>> {
     let cell = &rewriter.circuit()[word];
     match &cell.kind {

@@ -1,4 +1,4 @@
-//! Chains of random operations, and what they are to give.
+//! Chains of random operations, and their expected results.
 
 use cranelift_codegen::ir::{InstBuilder, Value, types};
 use tilewright_hdl::Bits;
@@ -52,7 +52,7 @@ impl Random {
     }
 }
 
-/// A value under test: its width, how it comes about, and what it should be.
+/// A value under test: its width, its operation, and its expected value.
 struct Node {
     width: u32,
     kind: Kind,
@@ -101,7 +101,7 @@ impl Chain {
         Self::id(self.nodes.len() - 1 - self.random.below(recent))
     }
 
-    /// Of this width, if possible one that there is.
+    /// A value of this width, if possible an existing one.
     pub fn of(&mut self, width: u32) -> ValueId {
         let there: Vec<usize> = (0..self.nodes.len()).filter(|&i| self.nodes[i].width == width).collect();
         match self.random.below(10) {
@@ -224,7 +224,7 @@ impl Chain {
         out[0]
     }
 
-    /// The element that a node is stored with: any that holds it.
+    /// The element for storing a node: any that is wide enough.
     pub fn storage(&self, index: usize) -> u32 {
         let least = self.nodes[index].width.next_power_of_two().max(8);
         [8, 16, 32, 64].into_iter().filter(|&element| element >= least).cycle().nth(index * 7 % 5).expect("one")
@@ -241,8 +241,8 @@ impl Chain {
         Span { storage: self.storage(index), address, offset: at as i32, aligned: at.is_multiple_of(16) }
     }
 
-    /// Runs the chain on memory and compares all that is stored. It is stored at the end if `late`, and otherwise at
-    /// once, which leaves each value clean for what follows.
+    /// Runs the chain on memory and compares everything stored. Values are stored at the end if `late`, and otherwise
+    /// immediately, which leaves each value clean for later operations.
     #[allow(unsafe_code, reason = "calls generated code")]
     pub fn check(&self, mut jit: Jit, late: bool) {
         let code = jit.function(|b, state, _| {
@@ -300,7 +300,7 @@ impl Chain {
     }
 }
 
-/// Memory that starts at 32 bytes.
+/// Memory aligned to 32 bytes.
 struct Aligned(Vec<u8>, usize);
 
 impl Aligned {

@@ -1,4 +1,4 @@
-//! Chains of random operations against [`crate::engine::semantics::lane`].
+//! Chains of random operations compared with [`crate::engine::semantics::lane`].
 
 use std::ops::Range;
 
@@ -40,7 +40,7 @@ fn chains_of_operations_need_no_more_than_a_processor_is_asked_for() {
     check_chains(2000..2020, || Jit::on(least()));
 }
 
-/// By hand, for a long time: docs/decisions/engine.md has the command.
+/// Run by hand, for a long time: docs/decisions/engine.md has the command.
 #[test]
 #[ignore = "tries as many chains as LANES_CHAINS says, from LANES_SEED on"]
 fn chains_of_operations_from_a_seed_are_as_lane_by_lane() {
@@ -80,7 +80,7 @@ fn shifts_by_all_amounts_are_as_lane_by_lane() {
     }
 }
 
-/// Calls code that leaves numbers in memory.
+/// Calls code that stores numbers in memory.
 #[allow(unsafe_code, reason = "calls generated code")]
 fn run(memory: &mut [u64], body: impl FnOnce(&mut FunctionBuilder, Value)) {
     let mut jit = Jit::new().unwrap();
@@ -116,7 +116,7 @@ fn lanes_are_gathered_extracted_and_combined() {
                         (0..2 * n).map(|i| b.ins().load(types::I64, flags, state, 8 * i as i32)).collect();
                     lanes.gather(b, x, width, &scalars[..n]);
                     lanes.gather(b, y, width, &scalars[n..]);
-                    // Dirt, and back.
+                    // Undefined upper bits, and back.
                     lanes.evaluate(b, not, &Kind::Unary(Unary::Not, x), width);
                     for lane in 0..n {
                         let [x, not] = [x, not].map(|id| lanes.extract(b, id, lane as u32));
