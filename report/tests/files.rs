@@ -209,6 +209,24 @@ fn a_legend_is_for_names_that_have_no_room() {
     assert_eq!(legends(["k = 1", "a-name-that-cannot-be-broken"]), [false, true]);
 }
 
+/// Points without a formula are joined for the eye, but not those of the hardware across those of its model.
+#[test]
+fn hardware_is_not_joined_beside_its_model() {
+    let threads = |others: &[Origin]| {
+        let points = |origin: &Origin| Series::new("curve", origin.clone(), [(1.0, 1.0), (2.0, 3.0)]);
+        let chart = others.iter().map(points).fold(
+            Chart::new("chart", "A", Axis::linear("x"), Axis::linear("y")).series(points(&Origin::rtl([]))),
+            Chart::series,
+        );
+        let page =
+            Page::new("A", Provenance::new("program", "1.2.3", "program")).section(Section::new("A").part(chart));
+        let html = String::from_utf8(page.files().unwrap().remove(0).bytes).unwrap();
+        // It is drawn for wide and for narrow screens.
+        html.matches("<polyline class=\"thread").count() / 2
+    };
+    assert_eq!([threads(&[]), threads(&[Origin::model([])]), threads(&[Origin::Formula])], [1, 1, 0]);
+}
+
 /// A printed page is black on white whatever the screen is, with all statements.
 #[test]
 fn a_page_is_printed_in_the_light_and_unfolded() {

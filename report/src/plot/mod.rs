@@ -147,6 +147,8 @@ fn line(chart: &Chart, series: &Series) -> Option<Paint> {
     let has_curve = || chart.series.iter().any(|it| it.name == series.name && it.origin == Origin::Formula);
     match series.origin {
         Origin::Formula => Some(Paint::Curve),
+        // The few points of the hardware lie on its model's line.
+        Origin::Rtl { .. } if has_model(chart, series) => None,
         // Without a curve of their own, points are joined for the eye.
         Origin::Count { .. } | Origin::Model { .. } | Origin::Rtl { .. } => (!has_curve()).then_some(Paint::Thread),
         Origin::Paper => None,
