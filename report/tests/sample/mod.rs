@@ -31,6 +31,7 @@ pub fn page() -> Page {
         .section(
             Section::new("Pictures")
                 .figure("The light dot is above the dark one.", dots())
+                .figure("A wide picture is as wide as there is room.", wide())
                 .figure("One processor of the last row has the most to do.", busy())
                 .figure("What is far from the middle has the greatest numbers.", fine()),
         )
@@ -175,6 +176,11 @@ fn dots() -> Picture {
     let png = include_bytes!("../../examples/dots.png").to_vec();
     Picture::new("dots", "A picture of eight by eight pixels", "a light dot above a dark one", png)
         .note("Enlarged, its pixels stay sharp.")
+}
+
+fn wide() -> Picture {
+    let png = include_bytes!("../../examples/wide.png").to_vec();
+    Picture::new("wide", "A picture of 900 by 120 pixels", "two rows of dark and light squares", png)
 }
 
 fn busy() -> HeatMap {
