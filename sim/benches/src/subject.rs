@@ -64,6 +64,24 @@ impl Family {
         }
     }
 
+    /// What it is, with N for its size.
+    pub fn about(self) -> &'static str {
+        match self {
+            Family::Pim => "a chain of N merging units, each with a local frame buffer",
+            Family::Qt => "N units that walk down quadtrees",
+            Family::Flat => "the units of qtN, each a module of its own, so that nothing is replicated",
+            Family::Core => "N processors of RV32I, each with a program that sorts words",
+            Family::Simd => "N x N processors under one instruction",
+            Family::Pxpl => {
+                "N x N processors of one bit under one instruction, fed by a serial tree; N is a power of two"
+            }
+            Family::Systolic => "N x N cells that multiply matrices",
+            Family::Vc1 => "a VC-1 with N processors that draw at random, frame after frame",
+            Family::Renderer => "a renderer of Pixel-planes 5 that draws regions of N x N pixels; N is a power of two",
+            Family::Nodes => "N renderers of 32 x 32 pixels, one of them busy at a time",
+        }
+    }
+
     /// The possible sizes.
     pub fn sizes(self) -> RangeInclusive<u32> {
         match self {
