@@ -230,7 +230,11 @@ fn hardware_is_not_joined_beside_its_model() {
 /// A printed page is black on white whatever the screen is, with all statements.
 #[test]
 fn a_page_is_printed_in_the_light_and_unfolded() {
-    let sheet = concat!(include_str!("../src/colours.css"), include_str!("../src/charts.css"), include_str!("../src/style.css"));
+    let sheet = concat!(
+        include_str!("../src/colours.css"),
+        include_str!("../src/charts.css"),
+        include_str!("../src/style.css")
+    );
     let dark: Vec<&str> = sheet.split("prefers-color-scheme: dark").collect();
     assert!(dark.len() == 2 && dark[0].ends_with("@media screen and ("), "dark colours are for screens alone");
     let print = sheet.split("@media print").nth(1).unwrap();
