@@ -46,7 +46,7 @@ fn a_block_is_told_in_full() {
         "Latency    3 clocks of the reader, 4 where its edge meets the writer's",
         "Clock      read_clk, 14 ns, reset by read_rst",
         "  into_payload  8",
-        "  out_valid    1  What goes out.",
+        "  out_valid    1  The output words.",
         "  --set depth=4  2 to 4096: words that it holds, a power of two",
         "  tilewright wave dual-clock-fifo",
     ] {

@@ -113,6 +113,7 @@ fn the_help_has_the_options_of_each_machine_under_a_heading() {
     let expected = [
         ("Options:", "size"),
         ("Waveform:", "vcd"),
+        ("Pictures of the run:", "owners"),
         ("Options of --machine vc1:", "processors"),
         ("Options of --machine quadtree:", "matrix"),
         ("Options of --machine pixel-planes-5:", "renderers"),

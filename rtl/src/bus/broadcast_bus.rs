@@ -39,7 +39,7 @@ bundle! {
     pub struct BusWord<T> {
         /// A word of the packet.
         pub word: T,
-        /// This word ends the packet.
+        /// The last word of a packet.
         pub last: T,
     }
 }

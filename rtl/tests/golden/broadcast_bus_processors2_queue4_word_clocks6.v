@@ -14,7 +14,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     // The packets of each processor, and behind them those of the host.
     input  wire        senders_0_valid,
     input  wire [31:0] senders_0_word,   // A word of the packet.
-    input  wire        senders_0_last,   // This word ends the packet.
+    input  wire        senders_0_last,   // The last word of a packet.
     input  wire        senders_1_valid,
     input  wire [31:0] senders_1_word,
     input  wire        senders_1_last,
@@ -26,7 +26,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     // All packets, to each processor.
     output wire        received_0_valid,
     output wire [31:0] received_0_word,  // A word of the packet.
-    output wire        received_0_last,  // This word ends the packet.
+    output wire        received_0_last,  // The last word of a packet.
     output wire        received_1_valid,
     output wire [31:0] received_1_word,
     output wire        received_1_last,

@@ -28,7 +28,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     // A word for the bus.
     input  wire        processors_0_sends_valid,
     input  wire [31:0] processors_0_sends_word,     // A word of the packet.
-    input  wire        processors_0_sends_last,     // This word ends the packet.
+    input  wire        processors_0_sends_last,     // The last word of a packet.
     input  wire        processors_0_done,           // The processor's frame is drawn.
     input  wire        processors_1_request_valid,
     input  wire [3:0]  processors_1_request_x,
@@ -43,7 +43,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     // A word of the host for the bus.
     input  wire        command_valid,
     input  wire [31:0] command_word,                // A word of the packet.
-    input  wire        command_last,                // This word ends the packet.
+    input  wire        command_last,                // The last word of a packet.
     input  wire        ready,                       // The host lets the sync line go.
     // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
@@ -62,7 +62,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     // The word at the front of the processor's queue.
     output wire        processors_0_received_valid,
     output wire [31:0] processors_0_received_word,  // A word of the packet.
-    output wire        processors_0_received_last,  // This word ends the packet.
+    output wire        processors_0_received_last,  // The last word of a packet.
     output wire [1:0]  processors_1_state,
     output wire [2:0]  processors_1_pages_used,
     output wire        processors_1_idle,
