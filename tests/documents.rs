@@ -52,28 +52,29 @@ fn tilewright(arguments: &str, folder: &Path) -> String {
 
 /// A line that stands for any number of lines.
 const LEFT_OUT: &str = "..";
+/// A first line before lines that are chosen from all over, as rows of a long wave.
+const CHOSEN: &str = "...";
 
 /// All lines of `part` in `whole`, one after another but for those left out; ends of lines are trimmed.
 #[track_caller]
 fn assert_shows(part: &str, whole: &str, place: &str) {
     let mut rest = whole.lines().map(str::trim_end);
-    let mut next = Some(0);
-    for (number, line) in part.lines().map(str::trim_end).enumerate() {
+    let is_chosen = part.starts_with(CHOSEN);
+    let mut skips = is_chosen;
+    for (number, line) in part.lines().map(str::trim_end).enumerate().skip(usize::from(is_chosen)) {
         if line == LEFT_OUT {
-            next = None;
+            skips = true;
             continue;
         }
-        let found = match next {
-            Some(_) => rest.next().is_some_and(|it| it == line),
-            None => rest.any(|it| it == line),
-        };
+        let found = if skips { rest.any(|it| it == line) } else { rest.next().is_some_and(|it| it == line) };
         assert!(found, "{place}: line {} of the output shown is not printed there:\n{line}\nin\n{whole}", number + 1);
-        next = Some(0);
+        skips = is_chosen;
     }
-    assert!(next.is_none() || rest.next().is_none(), "{place}: the output goes on after what is shown");
+    assert!(skips || rest.next().is_none(), "{place}: the output continues after what is shown");
 }
 
-/// A block of text that begins with `$ tilewright` is what that command prints; `..` stands for lines that are left out. A file that
+/// A block of text that begins with `$ tilewright` is what that command prints; `..` stands for lines that are left out, and `...`
+/// comes before lines chosen from all over. A file that
 /// it writes is the one of that name beside the page, if there is one.
 #[test]
 fn commands_print_and_draw_what_is_shown() {
