@@ -1,6 +1,7 @@
 //! What README and documents show is what the code has and the commands print, and their links lead somewhere.
 
 use crate::first_block::Counter;
+use crate::tree::files;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,23 +11,9 @@ use tilewright_scenes::{Frame, compare_colours};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
-/// The README, and all pages in `docs` folders.
+/// The README, and every other page of the repository.
 fn pages() -> Vec<PathBuf> {
-    let mut pages = vec![];
-    let mut folders = vec![PathBuf::from(ROOT)];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).unwrap() {
-            let path = entry.unwrap().path();
-            let name = path.file_name().unwrap().to_str().unwrap();
-            if path.is_dir() && !name.starts_with('.') && name != "target" {
-                folders.push(path);
-            } else if name.ends_with(".md") {
-                pages.push(path);
-            }
-        }
-    }
-    pages.sort();
-    pages
+    files(Path::new(ROOT), &["md"])
 }
 
 fn named(page: &Path) -> &str {
@@ -74,8 +61,7 @@ fn assert_shows(part: &str, whole: &str, place: &str) {
 }
 
 /// A block of text that begins with `$ tilewright` is what that command prints; `..` stands for lines that are left out, and `...`
-/// comes before lines chosen from all over. A file that
-/// it writes is the one of that name beside the page, if there is one.
+/// comes before lines chosen from all over. A file that it writes is the one of that name beside the page, if there is one.
 #[test]
 fn commands_print_and_draw_what_is_shown() {
     let mut shown = BTreeSet::new();

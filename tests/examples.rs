@@ -3,9 +3,10 @@
 //! `rustdoc` counts examples for nightly compilers only, and not those of methods. This reads the sources as lines: what is public is
 //! what a `pub use` of the crate names, with its methods.
 
+use crate::tree::files;
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 struct Crate {
@@ -40,7 +41,7 @@ fn every_public_item_has_an_example() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(root);
         let read = |file: &Path| fs::read_to_string(file).unwrap();
         let exported = uses.iter().flat_map(|file| exported(&read(&folder.join(file)))).collect();
-        for file in rust_files(&folder) {
+        for file in files(&folder, &["rs"]) {
             let path = file.strip_prefix(&folder).unwrap().to_str().unwrap();
             let is_in = |modules: &[&str]| modules.iter().any(|module| path.starts_with(module));
             if is_in(closed) {
@@ -56,20 +57,6 @@ fn every_public_item_has_an_example() {
     }
     assert!(count > 400, "only {count} public items were found");
     assert!(missing.is_empty(), "without an example:\n{}", missing.join("\n"));
-}
-
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        match path.is_dir() {
-            true => files.extend(rust_files(&path)),
-            false if path.extension().is_some_and(|extension| extension == "rs") => files.push(path),
-            false => {}
-        }
-    }
-    files.sort();
-    files
 }
 
 /// The names in `pub use` statements that documentation shows.

@@ -12,3 +12,4 @@ mod glossary;
 mod guide;
 mod papers;
 mod ports;
+mod tree;

@@ -1,8 +1,9 @@
 //! `docs/papers.md` defines what the repository cites: codes of the papers' statements, and sections as "facts" with a letter.
 
+use crate::tree::files;
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 const PAGE: &str = include_str!("../docs/papers.md");
 
@@ -19,7 +20,7 @@ const PREFIXES: [&str; 5] = ["DES-", "MPG-", "PFL-", "PP5-", "VC1-"];
 fn every_citation_leads_somewhere_and_every_definition_is_cited() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (defined, mut cited, mut nowhere) = (definitions(PAGE), BTreeSet::new(), Vec::new());
-    for file in files(root) {
+    for file in files(root, &EXTENSIONS) {
         let path = file.strip_prefix(root).unwrap().to_str().unwrap().replace('\\', "/");
         if LEFT_OUT.contains(&path.as_str()) {
             continue;
@@ -134,23 +135,4 @@ fn section(text: &str) -> Option<&str> {
         _ => false,
     };
     is_section.then_some(word)
-}
-
-/// The repository's files that may cite.
-fn files(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_str().unwrap();
-        if name.starts_with('.') || name == "target" {
-            continue;
-        }
-        if path.is_dir() {
-            files.extend(self::files(&path));
-        } else if path.extension().is_some_and(|it| EXTENSIONS.iter().any(|extension| it == *extension)) {
-            files.push(path);
-        }
-    }
-    files.sort();
-    files
 }
