@@ -464,6 +464,7 @@ pub struct NoBuild;
 
 /// A list of identical ports.
 #[doc(hidden)]
+#[track_caller]
 pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
     let count = crate::integers::count(count);
     if count > MOST_PORTS {

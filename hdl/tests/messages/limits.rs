@@ -179,3 +179,32 @@ fn a_period_of_any_length_is_one_or_a_problem() {
          help: a period is some nanoseconds, and 18 minutes at most",
     );
 }
+
+block! {
+    /// Has a list of ports.
+    struct Listed { ports: u32 }
+    in(self) ListedIn { list: [bits(8); self.ports] }
+    out ListedOut { first: bits(8) }
+}
+
+impl Listed {
+    fn build(&self, m: Module, i: ListedIn) -> ListedOut {
+        m.ignore(&i);
+        ListedOut { first: i.list[0] }
+    }
+}
+
+#[test]
+fn lists_of_too_many_ports() {
+    let text = problems(&Listed { ports: 70_000 });
+    assert_eq!(
+        text,
+        "a list of 70000 ports, more than 65536\n  --> [block! {]\n  help: lanes are one port: `bits(8).of(row(lanes))`"
+    );
+}
+
+#[test]
+#[should_panic(expected = "a list of 70000 ports, more than 65536, at hdl/tests/messages/limits.rs:")]
+fn lists_of_too_many_ports_outside_of_a_description() {
+    let _ = Listed { ports: 70_000 }.inputs();
+}
