@@ -53,7 +53,7 @@ fn streams_of_several_widths_at_one_arbiter() {
         |m, i| {
             m.arbiter("u_arbiter", Turns::RoundRobin, [i.narrow, i.wide]) //
         },
-        "input `into_1_payload` of `u_arbiter` has 7 bits, but `wide_payload` has 8 bits",
+        "input `into_1_payload` of `u_arbiter` has 7 bits, but `wide_payload` has 8 bits [T503]",
         "m.arbiter(\"u_arbiter\", Turns::RoundRobin, [i.narrow, i.wide]) //",
     );
 }
@@ -66,7 +66,7 @@ fn a_branch_of_a_fork_that_nobody_takes() {
             let [out, _] = m.fork("u_fork", i.narrow);
             out
         },
-        "stream `out_1` of `u_fork` in `Case` is never taken",
+        "stream `out_1` of `u_fork` in `Case` is never taken [T701]",
         "let [out, _] = m.fork(\"u_fork\", i.narrow);",
     );
 }
@@ -78,7 +78,7 @@ fn words_that_have_not_so_many_parts() {
             i.wide.take_when(1);
             m.narrow("u_narrow", 2, i.narrow) //
         },
-        "input `into_payload` of `u_narrow` has 6 bits, but `narrow_payload` has 7 bits",
+        "input `into_payload` of `u_narrow` has 6 bits, but `narrow_payload` has 7 bits [T503]",
         "m.narrow(\"u_narrow\", 2, i.narrow) //",
     );
 }
@@ -91,7 +91,7 @@ fn a_stream_in_two_places() {
             i.narrow.take_when(1);
             m.join(queued, i.wide, |left, right| left ^ right) //
         },
-        "stream `wide` is taken twice",
+        "stream `wide` is taken twice [T702]",
         "m.join(queued, i.wide, |left, right| left ^ right) //",
     );
 }

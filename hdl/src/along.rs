@@ -7,6 +7,7 @@ use crate::integers::{self, Integer};
 use crate::ir::{Kind, Op, Reduction, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::shaping::sound_shape;
@@ -75,7 +76,8 @@ impl Along {
             };
             let message =
                 format!("{what} of `.{method}`, `{text}`, has {}, but a {one} of `{of}` has {inner}", signal.shape);
-            let problem = Problem::new(loc, message).help(format!("it is plain, or as one {one} is"));
+            let problem =
+                Problem::new(Mistake::OtherLayout, loc, message).help(format!("it is plain, or as one {one} is"));
             e.report_instead_of(&[id], problem);
             Signal::zero_in(e, signal.width, inner, signal.kind, loc)
         })
@@ -94,8 +96,8 @@ impl Along {
     pub fn lane(self, index: impl Integer) -> Signal {
         let (loc, index, count) = (Loc::caller(), index.integer(), self.count());
         if !(0..count.into()).contains(&index) {
-            let problem =
-                Problem::new(loc, format!("lane {index} of a signal of {count} lanes")).help("lanes count from 0");
+            let problem = Problem::new(Mistake::NoSuchLane, loc, format!("lane {index} of a signal of {count} lanes"))
+                .help("lanes count from 0");
             let id = self.of.id();
             return elaboration::with(|e| {
                 e.report_instead_of(&[id], problem);
@@ -244,8 +246,9 @@ impl Along {
             return elaboration::with(|e| Signal::zero_in(e, self.of.width, shape, self.of.kind, loc));
         }
         let (axis, has) = (self.axis, self.count());
-        let (problem, help) = match index(Index::lane()).affine() {
+        let (mistake, message, help) = match index(Index::lane()).affine() {
             None => (
+                Mistake::UnfollowedRule,
                 format!("the rule of `.{method}` is one that a row of wires cannot follow"),
                 "a rule multiplies and adds before it divides, in 32 bits, as in `(2 * i + 1) / 3`",
             ),
@@ -261,12 +264,16 @@ impl Along {
                     let lane = beyond.unwrap_or(0);
                     let from = index.at(lane);
                     let message = format!("lane {lane} of `.{method}` would be lane {from} of a signal of {has} lanes");
-                    (message, "`.take_or(n, |i| .., edge)` gives a value for lanes beyond the ends")
+                    (
+                        Mistake::NoSuchLane,
+                        message,
+                        "`.take_or(n, |i| .., edge)` gives a value for lanes beyond the ends",
+                    )
                 }
             },
         };
         elaboration::with(|e| {
-            e.report_instead_of(&[id], Problem::new(loc, problem).help(help));
+            e.report_instead_of(&[id], Problem::new(mistake, loc, message).help(help));
             Signal::zero_in(e, self.of.width, shape, self.of.kind, loc)
         })
     }

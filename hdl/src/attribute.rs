@@ -7,6 +7,7 @@ use crate::elaboration;
 use crate::ir::Attribute;
 use crate::loc::Loc;
 use crate::memory::Mem;
+use crate::mistake::Mistake;
 use crate::names::{is_legal, is_reserved};
 use crate::problem::Problem;
 use crate::register::Reg;
@@ -93,13 +94,18 @@ fn add(loc: Loc, name: &str, value: &str, to: impl Fn(&mut Draft) -> &mut Vec<At
     elaboration::with(|e| {
         let attributes = to(e.draft());
         if !is_legal(name) || is_reserved(name) {
-            let problem = Problem::new(loc, format!("`{name}` cannot be the name of an attribute"));
+            let problem =
+                Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of an attribute"));
             e.report(problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"));
         } else if value.contains("*)") {
-            let problem = Problem::new(loc, format!("the value of the attribute `{name}` would end it: `{value}`"));
+            let problem = Problem::new(
+                Mistake::AttributeEnd,
+                loc,
+                format!("the value of the attribute `{name}` would end it: `{value}`"),
+            );
             e.report(problem.help("an attribute of Verilog ends at `*)`, even within a string"));
         } else if attributes.iter().any(|known| known.name == name) {
-            let problem = Problem::new(loc, format!("the attribute `{name}` is given twice"));
+            let problem = Problem::new(Mistake::GivenTwice, loc, format!("the attribute `{name}` is given twice"));
             e.report(problem.help("give it once"));
         } else {
             attributes.push(Attribute { name: name.to_owned(), value: value.to_owned() });

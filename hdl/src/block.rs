@@ -10,6 +10,7 @@ use crate::finish;
 use crate::ir::{About, Design, Input, ModuleId, Op};
 use crate::limits::{DEEPEST, check_period};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::{Module, declare, port_name};
 use crate::module_name::module_name;
 use crate::names;
@@ -368,7 +369,7 @@ pub(crate) fn elaborate_module<B: Block>(block: &B, loc: Loc) -> Elaborated {
         return Elaborated { id, outputs };
     }
     if let Err(problem) = block.check() {
-        elaboration::stop(Problem::new(loc, problem.to_string()));
+        elaboration::stop(Problem::new(Mistake::ParameterOutOfRange, loc, problem.to_string()));
     }
     let parameters = format!("{block:?}");
     let name = names::short(std::any::type_name::<B>());
@@ -416,7 +417,8 @@ fn nested_too_deep(drafts: &[Draft], name: &str, parameters: &str, loc: Loc) -> 
     if drafts.len() < DEEPEST {
         return None;
     }
-    let problem = Problem::new(loc, format!("`{parameters}` is nested more than {DEEPEST} deep"));
+    let problem =
+        Problem::new(Mistake::EndlessNesting, loc, format!("`{parameters}` is nested more than {DEEPEST} deep"));
     let outermost = drafts.iter().find(|draft| draft.block == name).or(drafts.first());
     let problem = match outermost {
         Some(draft) => problem.note(format!("the outermost `{}` is instantiated", draft.block), draft.loc),

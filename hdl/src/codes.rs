@@ -6,6 +6,7 @@ use crate::draft::Draft;
 use crate::elaboration;
 use crate::ir::{Kind, Names, Node, NodeId, Op, Relation};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::select::by_code;
@@ -217,7 +218,11 @@ impl Signal {
         let Kind::Code(names) = self.kind else {
             return elaboration::with(|e| {
                 let text = e.draft().describe(id);
-                let problem = Problem::new(loc, format!("`is_code` needs a code, but `{text}` is {}", self.kind));
+                let problem = Problem::new(
+                    Mistake::NoCode,
+                    loc,
+                    format!("`is_code` needs a code, but `{text}` is {}", self.kind),
+                );
                 e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
                 Signal::zero_in(e, 1, self.shape, Kind::Number, loc)
             });
@@ -248,7 +253,11 @@ impl Signal {
                 return Signal::at(e, node);
             }
             let (text, needs, has) = (e.draft().describe(id), bits_text(width), bits_text(self.width));
-            let problem = Problem::new(loc, format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of));
+            let problem = Problem::new(
+                Mistake::CodeWidth,
+                loc,
+                format!("a `{}` has {needs}, but `{text}` has {has}", C::NAMES.of),
+            );
             e.report_instead_of(&[id], problem.help("take the bits of the code, as in `.part(low, width)`"));
             Signal::zero_in(e, width, self.shape, kind, loc)
         })
@@ -261,7 +270,11 @@ impl Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| {
             let text = e.draft().describe(id);
-            let problem = Problem::new(loc, format!("`{operator}` computes with `{text}`, a code of `{}`", names.of));
+            let problem = Problem::new(
+                Mistake::ArithmeticOnCode,
+                loc,
+                format!("`{operator}` computes with `{text}`, a code of `{}`", names.of),
+            );
             let help = "a code is compared, by `.is(..)` and `.eq(..)`, and chosen by; `.bits()` reads it as a number";
             e.report_instead_of(&[id], problem.help(help));
             Signal::zero_in(e, self.width, self.shape, Kind::Number, loc)
@@ -277,7 +290,8 @@ impl Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| {
             let text = e.draft().describe(id);
-            let problem = Problem::new(loc, format!("`{method}` needs {kind}, but `{text}` is {}", self.kind));
+            let problem =
+                Problem::new(Mistake::NoCode, loc, format!("`{method}` needs {kind}, but `{text}` is {}", self.kind));
             e.report_instead_of(&[id], problem.help("`.code::<Enum>()` reads bits as a code of an enum"));
             Signal::zero_in(e, self.width, self.shape, kind, loc)
         })

@@ -6,6 +6,7 @@ use crate::elaboration;
 use crate::ir::{Contents, NodeId, Op, ReadUnderWrite};
 use crate::loc::Loc;
 use crate::memory::Mem;
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::operand::Value;
 use crate::problem::Problem;
@@ -101,12 +102,13 @@ impl<V: Data> Mem<V> {
             let given = if let Contents::Words(words) = &contents { words.len() } else { 1 };
             let is_second = std::mem::replace(&mut memory.contents, contents) != Contents::Unknown;
             if is_second {
-                let problem = Problem::new(loc, format!("memory `{name}` is given contents twice"));
+                let problem =
+                    Problem::new(Mistake::GivenTwice, loc, format!("memory `{name}` is given contents twice"));
                 e.report(problem.help("give them once: by `.fill(..)` or by `.words(..)`"));
             }
             if given > depth as usize {
                 let message = format!("memory `{name}` has {depth} words, but its contents have {given}");
-                let problem = Problem::new(loc, message);
+                let problem = Problem::new(Mistake::TooMuchContents, loc, message);
                 let stand_in = e.draft().memories[self.index as usize].stand_in;
                 let problem = problem.help("give at most as many words as the memory has");
                 e.report_instead_of(stand_in.as_slice(), problem);
@@ -155,10 +157,11 @@ fn constant(signal: Signal, name: impl FnOnce() -> String, width: Width, stand_i
             let text = e.draft().describe(id);
             let problem = if other_kind {
                 let message = format!("{name} is {}, but `{text}` is {}", width.kind, signal.kind);
-                Problem::new(loc, message).help(READ_AS)
+                Problem::new(Mistake::MixedKinds, loc, message).help(READ_AS)
             } else {
                 let message = format!("{name} is a constant of {}, but `{text}` is not", bits_text(width.bits));
-                Problem::new(loc, message).help("contents are numbers known while the block is built")
+                Problem::new(Mistake::NotConstant, loc, message)
+                    .help("contents are numbers known while the block is built")
             };
             e.report_instead_of(&stand_in.into_iter().chain([id]).collect::<Vec<_>>(), problem);
             Bits::zero(width.bits)

@@ -7,6 +7,7 @@ use crate::fields::{Fields, Leaf};
 use crate::integers::{Integer, for_integers};
 use crate::ir::{Kind, Names, NodeId};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::radix::Radix;
@@ -208,9 +209,11 @@ fn each_of<V: Data, A: Fits<V>>(list: Vec<A>) -> Vec<V::Like<Value>> {
     for element in list {
         match element.given() {
             Given::Each(values) => elements.push(values),
-            Given::All(number) => {
-                elaboration::mistake(format!("a list of records has the number {number} in it"), "write the record")
-            }
+            Given::All(number) => elaboration::mistake(
+                Mistake::NumberForRecord,
+                format!("a list of records has the number {number} in it"),
+                "write the record",
+            ),
         }
     }
     elements
@@ -227,7 +230,10 @@ impl<V: Data> Given<V> {
             Given::All(0) => None,
             Given::All(number) => {
                 let message = format!("`{of}` gives a record the number {number}, which is not a record");
-                Some(Problem::new(loc, message).help("the only number that means a whole record is 0: each field is 0"))
+                Some(
+                    Problem::new(Mistake::NumberForRecord, loc, message)
+                        .help("the only number that means a whole record is 0: each field is 0"),
+                )
             }
             Given::Each(values) => {
                 let values = values.leaves();
@@ -237,7 +243,9 @@ impl<V: Data> Given<V> {
                 let Uneven { has, needs, .. } = &uneven;
                 let message = format!("`{of}` gives a list{uneven} of {has} where one of {needs} is expected");
                 operands = nodes_of(&values, loc);
-                Some(Problem::new(loc, message).help("both records have lists of the same lengths"))
+                Some(
+                    Problem::new(Mistake::ListLength, loc, message).help("both records have lists of the same lengths"),
+                )
             }
         };
         if let Some(problem) = problem {
@@ -277,10 +285,16 @@ pub(crate) fn number_of_field(
         _ => (Loc::caller(), name()),
     };
     let problem = match kind {
-        Kind::Code(names) => {
-            Problem::new(loc, format!("`{number}` is not a code of `{}`, the enum of {name}", names.of))
-        }
-        _ => Problem::new(loc, format!("`{number}` does not fit in the {} of {name}", bits_text(width))),
+        Kind::Code(names) => Problem::new(
+            Mistake::UnknownCode,
+            loc,
+            format!("`{number}` is not a code of `{}`, the enum of {name}", names.of),
+        ),
+        _ => Problem::new(
+            Mistake::TooLarge,
+            loc,
+            format!("`{number}` does not fit in the {} of {name}", bits_text(width)),
+        ),
     };
     let problem = problem.help("a number takes the width and the sign of the declaration");
     elaboration::with(|e| e.report_instead_of(stand_in.as_slice(), problem));

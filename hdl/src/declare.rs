@@ -6,6 +6,7 @@ use crate::bundle::{Bundle, join};
 use crate::fields::Fields;
 use crate::ir::About;
 use crate::limits::MOST_PORTS;
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::signal::Signal;
 use crate::stream::backwards;
@@ -469,7 +470,11 @@ pub fn list<W: Clone>(widths: W, count: impl crate::Integer) -> Vec<W> {
     let count = crate::integers::count(count);
     if count > MOST_PORTS {
         let help = "lanes are one port: `bits(8).of(row(lanes))`";
-        crate::elaboration::mistake(format!("a list of {count} ports, more than {MOST_PORTS}"), help);
+        crate::elaboration::mistake(
+            Mistake::TooManyPorts,
+            format!("a list of {count} ports, more than {MOST_PORTS}"),
+            help,
+        );
     }
     vec![widths; count as usize]
 }

@@ -10,6 +10,7 @@ use crate::ir::latency::Delay;
 use crate::ir::{Module, ModuleId, NodeId};
 use crate::limits::check_period;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::{Problem, Problems};
 use crate::summary::Summary;
 use std::any::{Any, TypeId};
@@ -82,14 +83,14 @@ pub(crate) fn stop(problem: Problem) -> ! {
 }
 
 /// A mistake after which the description cannot continue. While a block is built, it is a problem; elsewhere it is a
-/// panic with the same sentence.
+/// panic with the same sentence and number.
 #[track_caller]
-pub(crate) fn mistake(message: String, help: &str) -> ! {
+pub(crate) fn mistake(mistake: Mistake, message: String, help: &str) -> ! {
     let loc = Loc::caller();
     if CURRENT.with_borrow(Option::is_some) {
-        stop(Problem::new(loc, message).help(help))
+        stop(Problem::new(mistake, loc, message).help(help))
     }
-    panic!("{message}, at {loc}: {help}")
+    panic!("{message} [{mistake}], at {loc}: {help}")
 }
 
 /// Runs `describe` with a fresh arena and returns the arena's contents.
@@ -156,7 +157,8 @@ impl Elaboration {
         if period != clock.period {
             let message =
                 format!("clock `{}` has a period of {} here and of {period} elsewhere", clock.name, clock.period);
-            let problem = Problem::new(loc, message).note(format!("`{}` is first used", clock.name), first);
+            let problem =
+                Problem::new(Mistake::TwoPeriods, loc, message).note(format!("`{}` is first used", clock.name), first);
             self.report(problem.help("a clock has one period in the whole design"));
         }
     }

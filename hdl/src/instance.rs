@@ -7,6 +7,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
 use crate::ir::{self, ClockId, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::problem::Problem;
 use crate::shaping::{IntoShape, sound_shape};
@@ -230,7 +231,7 @@ fn report_uneven(
     let instance = &e.draft().instances[id.0 as usize].name;
     let Uneven { has, needs, .. } = uneven;
     let message = format!("input{uneven} of `{instance}` is a list of {needs}, but is fed a list of {has}");
-    let mut problem = Problem::new(loc, message);
+    let mut problem = Problem::new(Mistake::ListLength, loc, message);
     if let Some((_, port)) = ports.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list))) {
         problem = problem.note(format!("`{}` is declared", uneven.list), port.declared);
     }
@@ -260,7 +261,8 @@ fn beside(e: &mut Elaboration, instance: &str, array: Shape, port: &Port, loc: L
     array.beside(port.shape).unwrap_or_else(|| {
         let (name, of) = (&port.name, port.shape);
         let message = format!("port `{name}` of `{instance}`, of {of}, would have three axes in an array of {array}");
-        let problem = Problem::new(loc, message).note(format!("`{name}` is declared"), port.declared);
+        let problem =
+            Problem::new(Mistake::ThreeAxes, loc, message).note(format!("`{name}` is declared"), port.declared);
         e.report(problem.help("shapes have two axes at most: rows and columns"));
         array
     })
@@ -298,7 +300,7 @@ fn fit(e: &mut Elaboration, id: InstanceId, port: &Port, signal: Signal, loc: Lo
         let message = format!("input `{}` of `{name}` has {shape}, but `{text}` has {}", port.name, node.shape);
         (message, "feed a plain signal, the same for all lanes, or one lane for each; `stack` makes a row of signals")
     };
-    let problem = Problem::new(loc, message)
+    let problem = Problem::new(Mistake::InputDiffers, loc, message)
         .note(format!("`{}` is declared", port.name), port.declared)
         .note(format!("`{text}` is made"), node.loc);
     e.report_instead_of(&[driver], problem.help(help));

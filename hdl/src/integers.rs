@@ -2,6 +2,7 @@
 
 use crate::elaboration;
 use crate::ir::{Binary, Kind};
+use crate::mistake::Mistake;
 use crate::operand::{Literal, Operand, Value};
 use crate::register::Reg;
 use crate::signal::Signal;
@@ -39,7 +40,7 @@ pub trait Integer: Copy + Display {
 pub(crate) fn not_negative(number: impl Integer) -> u128 {
     match u128::try_from(number.integer()) {
         Ok(count) => count,
-        Err(_) => elaboration::mistake(format!("a number of {number}"), "it must be 0 or more"),
+        Err(_) => elaboration::mistake(Mistake::NegativeCount, format!("a number of {number}"), "it must be 0 or more"),
     }
 }
 
@@ -131,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    #[should_panic(expected = "a number of -1, at ")]
+    #[should_panic(expected = "a number of -1 [T112], at ")]
     fn nothing_is_counted_by_a_negative_number() {
         let _ = count(-1);
     }

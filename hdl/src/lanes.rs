@@ -9,6 +9,7 @@ use crate::integers::Integer;
 use crate::ir::{Kind, Op, Shape};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::record::from_leaves;
@@ -34,7 +35,7 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
     let loc = Loc::caller();
     let values: Vec<B> = values.into_iter().collect();
     let Some(first) = values.first() else {
-        elaboration::mistake("a stack of nothing".to_owned(), "give a value for each lane")
+        elaboration::mistake(Mistake::EmptyStack, "a stack of nothing".to_owned(), "give a value for each lane")
     };
     let mut by_lane: Vec<_> = values.iter().map(Fields::leaves).collect();
     for lane in 1..by_lane.len() {
@@ -42,7 +43,8 @@ pub fn stack<B: Fields<Signal>>(values: impl IntoIterator<Item = B>) -> B::With<
             let nodes: Vec<_> = by_lane[lane].iter().map(|(_, signal)| signal.id_at(loc)).collect();
             let Uneven { has, needs, .. } = uneven;
             let message = format!("lane {lane} of a stack has a list{uneven} of {has}, but lane 0 one of {needs}");
-            let problem = Problem::new(loc, message).help("give every lane lists of the same length");
+            let problem =
+                Problem::new(Mistake::ListLength, loc, message).help("give every lane lists of the same length");
             elaboration::with(|e| e.report_instead_of(&nodes, problem));
             by_lane[lane] = by_lane[0].clone();
         }
@@ -64,7 +66,8 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
         let (first, other) = (bits_text(width), (other, bits_text(parts[other].width)));
         let message =
             format!("the lanes of a stack have different widths: lane 0 has {first}, lane {} {}", other.0, other.1);
-        let problem = Problem::new(loc, message).help("make the change of width explicit, lane by lane");
+        let problem =
+            Problem::new(Mistake::UnequalLanes, loc, message).help("make the change of width explicit, lane by lane");
         return elaboration::with(|e| {
             e.report_instead_of(&nodes, problem);
             Signal::zero_in(e, width, Shape::Row(lanes), kind, loc)
@@ -80,7 +83,10 @@ fn stack_signals(mut parts: Vec<Signal>) -> Signal {
         Some(shape) => Signal::make_in(e, Op::Stack { parts: nodes, axis: 0 }, width, shape, loc).kept_in(e, kind),
         None => {
             let message = format!("a stack of grids, of {inner} each, would have three axes");
-            e.report_instead_of(&nodes, Problem::new(loc, message).help("shapes have two at most: rows and columns"));
+            e.report_instead_of(
+                &nodes,
+                Problem::new(Mistake::ThreeAxes, loc, message).help("shapes have two at most: rows and columns"),
+            );
             Signal::zero_in(e, width, inner, kind, loc)
         }
     })
@@ -158,7 +164,7 @@ pub fn interleave(rows: impl IntoIterator<Item = Signal>) -> Signal {
     let loc = Loc::caller();
     let mut parts: Vec<Signal> = rows.into_iter().collect();
     if parts.is_empty() {
-        elaboration::mistake("nothing is interleaved".to_owned(), "give it at least one row");
+        elaboration::mistake(Mistake::EmptyStack, "nothing is interleaved".to_owned(), "give it at least one row");
     }
     let first = parts[0].along("interleave");
     for part in &mut parts {
@@ -227,7 +233,7 @@ impl Signal {
         elaboration::with(|e| {
             let draft = e.draft();
             let (text, place) = (draft.describe(id), draft.node(id).loc);
-            let problem = Problem::new(loc, format!("{needs}, but `{text}` has {}", self.shape))
+            let problem = Problem::new(Mistake::NeedsLanes, loc, format!("{needs}, but `{text}` has {}", self.shape))
                 .note(format!("`{text}` is made"), place)
                 .help(match self.shape {
                     Shape::Grid(..) => "say along which axis: `.rows()` or `.columns()`",
@@ -265,7 +271,8 @@ impl Signal {
                 let message = format!("`.unpack` cannot cut `{text}`, of {bits} and {has}, into {shape}");
                 e.report_instead_of(
                     &[id],
-                    Problem::new(loc, message).help("it cuts a plain word into lanes of equal widths"),
+                    Problem::new(Mistake::UnevenCut, loc, message)
+                        .help("it cuts a plain word into lanes of equal widths"),
                 );
                 Signal::zero_in(e, (self.width / lanes).max(1), shape, Kind::Number, loc)
             });

@@ -91,6 +91,7 @@ mod loc;
 mod low;
 mod machine;
 mod memory;
+mod mistake;
 mod module;
 mod module_name;
 mod moves;
@@ -143,6 +144,7 @@ pub use loc::Loc;
 pub use low::Low;
 pub use machine::{StateReg, Transition, goto, hold, when};
 pub use memory::Mem;
+pub use mistake::Mistake;
 pub use module::Module;
 pub use moves::Moves;
 #[doc(hidden)]

@@ -5,6 +5,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::integers::{self, Integer};
 use crate::ir::NodeId;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 /// The widest signal, in bits.
@@ -42,8 +43,8 @@ pub(crate) fn sound_width(e: &mut Elaboration, operands: &[NodeId], what: &str, 
         return sound as u32;
     }
     let problem = match width {
-        0 => Problem::new(loc, format!("{what} has no bits")).help("a width is at least 1"),
-        _ => Problem::new(loc, format!("{what} of {width} bits is wider than {WIDEST}"))
+        0 => Problem::new(Mistake::NoBits, loc, format!("{what} has no bits")).help("a width is at least 1"),
+        _ => Problem::new(Mistake::TooWide, loc, format!("{what} of {width} bits is wider than {WIDEST}"))
             .help("keep wide data in a memory"),
     };
     e.report_instead_of(operands, problem);
@@ -57,7 +58,8 @@ pub(crate) fn sound_stages(count: impl Integer, loc: Loc) -> u32 {
     if stages <= MOST_STAGES {
         return stages;
     }
-    let problem = Problem::new(loc, format!("a pipeline of {stages} stages has more than {MOST_STAGES}"));
+    let problem =
+        Problem::new(Mistake::TooManyStages, loc, format!("a pipeline of {stages} stages has more than {MOST_STAGES}"));
     elaboration::with(|e| e.report(problem.help("a memory can delay by as many clocks as it has words")));
     1
 }
@@ -66,6 +68,9 @@ pub(crate) fn sound_stages(count: impl Integer, loc: Loc) -> u32 {
 pub(crate) fn check_period(e: &mut Elaboration, clock: &str, period: Period, loc: Loc) {
     if period.picoseconds() > LONGEST_PERIOD {
         let message = format!("{clock} has a period of {period}, more than {LONGEST_PERIOD} ps");
-        e.report(Problem::new(loc, message).help("a period is some nanoseconds, and 18 minutes at most"));
+        e.report(
+            Problem::new(Mistake::LongPeriod, loc, message)
+                .help("a period is some nanoseconds, and 18 minutes at most"),
+        );
     }
 }

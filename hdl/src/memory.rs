@@ -5,6 +5,7 @@ use crate::data::Data;
 use crate::elaboration::{self, Elaboration};
 use crate::ir::{Kind, MemoryId, NodeId, Op, ReadPort, WritePort};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand, Value};
 use crate::problem::Problem;
 use crate::select::condition;
@@ -150,13 +151,17 @@ impl Mem {
             let memory = &draft.memories[self.index as usize].memory;
             let (name, text) = (&memory.name, draft.describe(id));
             let (needs, has) = (bits_text(width), bits_text(signal.width));
-            let problem = Problem::new(loc, format!("{what} of memory `{name}` has {needs}, but `{text}` has {has}"))
-                .note(format!("`{name}` is declared"), memory.loc)
-                .note(format!("`{text}` is made"), draft.node(id).loc)
-                .help(match signal.width < width {
-                    true => format!("widen it with `.zext({width})` or `.sext({width})`"),
-                    false => format!("cut it with `.trunc({width})`"),
-                });
+            let problem = Problem::new(
+                Mistake::MemoryWidth,
+                loc,
+                format!("{what} of memory `{name}` has {needs}, but `{text}` has {has}"),
+            )
+            .note(format!("`{name}` is declared"), memory.loc)
+            .note(format!("`{text}` is made"), draft.node(id).loc)
+            .help(match signal.width < width {
+                true => format!("widen it with `.zext({width})` or `.sext({width})`"),
+                false => format!("cut it with `.trunc({width})`"),
+            });
             self.report_instead_of(e, id, problem);
             Signal::zero_in(e, width, signal.shape, kind, loc)
         })
@@ -170,11 +175,14 @@ impl Mem {
             let draft = e.draft();
             let memory = &draft.memories[self.index as usize].memory;
             let (name, text) = (&memory.name, draft.describe(id));
-            let problem =
-                Problem::new(loc, format!("{what} of memory `{name}` is {kind}, but `{text}` is {}", signal.kind))
-                    .note(format!("`{name}` is declared"), memory.loc)
-                    .note(format!("`{text}` is made"), draft.node(id).loc)
-                    .help(crate::signed::READ_AS);
+            let problem = Problem::new(
+                Mistake::MixedKinds,
+                loc,
+                format!("{what} of memory `{name}` is {kind}, but `{text}` is {}", signal.kind),
+            )
+            .note(format!("`{name}` is declared"), memory.loc)
+            .note(format!("`{text}` is made"), draft.node(id).loc)
+            .help(crate::signed::READ_AS);
             self.report_instead_of(e, id, problem);
             Signal::zero_in(e, signal.width, signal.shape, kind, loc)
         })
@@ -192,7 +200,7 @@ impl Mem {
             let memory = &draft.memories[self.index as usize].memory;
             let (name, text) = (&memory.name, draft.describe(id));
             let message = format!("{what} of memory `{name}`, of {}, has {}: `{text}`", self.word.shape, signal.shape);
-            let problem = Problem::new(loc, message)
+            let problem = Problem::new(Mistake::OtherLayout, loc, message)
                 .note(format!("`{name}` is declared"), memory.loc)
                 .note(format!("`{text}` is made"), draft.node(id).loc)
                 .help("it is plain, one for all lanes, or has the memory's lanes");
@@ -348,9 +356,10 @@ impl Mem {
             draft.written.push(loc);
             if draft.memory.writes.len() > 1 && !draft.true_dual_port {
                 let (name, declared) = (draft.memory.name.clone(), draft.memory.loc);
-                let problem = Problem::new(loc, format!("memory `{name}` gets a second write port"))
-                    .note(format!("`{name}` is declared"), declared)
-                    .help("share one port with `mux`, or say `.true_dual_port()` if the target has such memories");
+                let problem =
+                    Problem::new(Mistake::SecondWritePort, loc, format!("memory `{name}` gets a second write port"))
+                        .note(format!("`{name}` is declared"), declared)
+                        .help("share one port with `mux`, or say `.true_dual_port()` if the target has such memories");
                 e.report(problem);
             }
         });

@@ -12,6 +12,7 @@ use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
 use crate::machine::StateReg;
 use crate::memory::Mem;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand};
 use crate::problem::Problem;
 use crate::record::{from_leaves, word};
@@ -254,17 +255,22 @@ impl Module {
         elaboration::with(|e| {
             let shape = sound_shape(e, &format!("memory `{name}`"), word.shape, loc);
             if depth < 1 || width == 0 {
-                let problem =
-                    Problem::new(loc, format!("memory `{name}` of {depth} words of {width} bits holds nothing"));
+                let problem = Problem::new(
+                    Mistake::EmptyMemory,
+                    loc,
+                    format!("memory `{name}` of {depth} words of {width} bits holds nothing"),
+                );
                 e.report(problem.help("depth and width are at least 1"));
             }
             if width > WIDEST {
                 let message = format!("memory `{name}` has words of {width} bits, more than {WIDEST}");
-                e.report(Problem::new(loc, message).help("spread wider data over several words"));
+                e.report(Problem::new(Mistake::TooWide, loc, message).help("spread wider data over several words"));
             }
             if depth > u32::MAX.into() {
                 let message = format!("memory `{name}` has {depth} words, more than {}", u32::MAX);
-                e.report(Problem::new(loc, message).help("use wider words, or several memories"));
+                e.report(
+                    Problem::new(Mistake::TooManyWords, loc, message).help("use wider words, or several memories"),
+                );
             }
             let (sound_depth, sound_width) = (depth.clamp(1, u32::MAX.into()), width.clamp(1, WIDEST));
             let is_sound = has_sound_fields && (depth, width, word.shape) == (sound_depth, sound_width, shape);

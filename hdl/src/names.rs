@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
 use crate::elaboration::Elaboration;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 /// The reserved words of Verilog (1364-2005) and SystemVerilog (1800-2017), and the package `std` that SystemVerilog
@@ -58,14 +59,14 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
                 true => format!("two different blocks print as `{}` and are both called `{name}`", module.parameters),
                 false => format!("`{}` and `{}` are both called `{name}`", first.parameters, module.parameters),
             };
-            let problem = Problem::new(e.instantiated[i], message)
+            let problem = Problem::new(Mistake::ModuleNamedTwice, e.instantiated[i], message)
                 .note(format!("`{}` is described", module.parameters), module.loc)
                 .note("the other one is instantiated", e.instantiated[other])
                 .note("the other one is described", first.loc);
             problems.push(problem.help("distinguish them in the block's `fn name`, or in its `Debug` text"));
         } else if is_reserved(&module.name) || !is_legal(&module.name) {
             let message = format!("`{}` cannot be the name of a module", module.name);
-            let problem = Problem::new(module.loc, message);
+            let problem = Problem::new(Mistake::IllegalName, module.loc, message);
             problems.push(
                 problem.help("a name consists of letters, digits and `_`, and is not a reserved word of Verilog"),
             );

@@ -6,6 +6,7 @@ use crate::elaboration;
 use crate::integers::{Integer, for_integers};
 use crate::ir::{Names, NodeId, Shift};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::radix::Radix;
 use crate::signal::{Signal, bits_text};
@@ -126,6 +127,7 @@ fn width_mismatch(draft: &Draft, operator: &str, left: NodeId, right: NodeId, lo
     let (left_text, right_text) = (draft.describe(left), draft.describe(right));
     let (wide, narrow) = (l.width.max(r.width), l.width.min(r.width));
     Problem::new(
+        Mistake::UnequalWidths,
         loc,
         format!(
             "`{operator}` needs equal widths: `{left_text}` has {}, `{right_text}` has {}",
@@ -186,7 +188,8 @@ macro_rules! constant_shift_amounts {
             fn shift(self, operand: Signal, shift: Shift) -> $crate::Signal {
                 let amount = self.integer();
                 if amount < 0 {
-                    elaboration::mistake(format!("a shift by {amount} bits"), "an amount must be 0 or more");
+                    let message = format!("a shift by {amount} bits");
+                    elaboration::mistake(Mistake::NegativeShift, message, "an amount must be 0 or more");
                 }
                 operand.shift_by(shift, u32::try_from(amount).unwrap_or(u32::MAX))
             }

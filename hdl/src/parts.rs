@@ -5,6 +5,7 @@ use crate::integers::Integer;
 use crate::ir::{Kind, Op};
 use crate::limits::WIDEST;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
 use crate::width::IntoWidth;
@@ -62,6 +63,7 @@ impl Signal {
         let high = low.saturating_add(count);
         if low < 0 || count < 1 || high > self.width.into() {
             return self.bits().bad_width(
+                Mistake::SliceOutside,
                 format!("the slice {low}..{high} is outside of"),
                 count.clamp(1, WIDEST.into()) as u32,
                 format!("a slice is `low..high` with low < high <= {}", self.width),
@@ -88,6 +90,7 @@ impl Signal {
         let width = width.into_width().bits;
         if width == 0 || width > self.width {
             return self.bad_width(
+                Mistake::CutsNothing,
                 format!("`.trunc({width})` cannot cut"),
                 width.clamp(1, WIDEST),
                 "`.zext(n)` and `.sext(n)` widen".to_owned(),
@@ -135,6 +138,7 @@ impl Signal {
         if width < self.width {
             let name = if signed { "sext" } else { "zext" };
             return self.bad_width(
+                Mistake::WidensNothing,
                 format!("`.{name}({width})` cannot widen"),
                 width.max(1),
                 "`.trunc(n)` and slices cut".to_owned(),
@@ -145,6 +149,7 @@ impl Signal {
         }
         if self.kind == Kind::Signed && !signed {
             return self.bad_width(
+                Mistake::LostSign,
                 format!("`.zext({width})` would lose the sign of"),
                 width,
                 "`.sext(n)` widens what is signed; `.bits()` reads it as unsigned".to_owned(),
@@ -153,20 +158,23 @@ impl Signal {
         if width > WIDEST {
             let name = if signed { "sext" } else { "zext" };
             let what = format!("`.{name}({width})` makes more than {WIDEST} bits of");
-            return self.bad_width(what, 1, "widen less".to_owned());
+            return self.bad_width(Mistake::TooWide, what, 1, "widen less".to_owned());
         }
         let kind = if self.kind == Kind::Signed { Kind::Signed } else { Kind::Number };
         Signal::make(Op::Extend { of: self.id(), signed }, width, self.shape).kept_as(kind)
     }
 
     #[track_caller]
-    fn bad_width(self, what: String, width: u32, help: String) -> Signal {
+    fn bad_width(self, mistake: Mistake, what: String, width: u32, help: String) -> Signal {
         let (loc, id) = (Loc::caller(), self.id());
         elaboration::with(|e| {
             let draft = e.draft();
             let (name, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("{what} `{name}`, which has {}", bits_text(self.width));
-            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{name}` is made"), place).help(help));
+            e.report_instead_of(
+                &[id],
+                Problem::new(mistake, loc, message).note(format!("`{name}` is made"), place).help(help),
+            );
             Signal::zero_in(e, width, self.shape, self.kind, loc)
         })
     }
@@ -186,6 +194,7 @@ impl Signal {
         let times = times.integer();
         if times < 1 {
             return self.bad_width(
+                Mistake::NoRepetition,
                 format!("`.repeat({times})` leaves nothing of"),
                 1,
                 "repeat at least once".to_owned(),
@@ -197,7 +206,7 @@ impl Signal {
         let width = times.saturating_mul(self.width.into());
         if width > WIDEST.into() {
             let what = format!("`.repeat({times})` makes more than {WIDEST} bits of");
-            return self.bad_width(what, 1, "repeat less often".to_owned());
+            return self.bad_width(Mistake::TooWide, what, 1, "repeat less often".to_owned());
         }
         Signal::make(Op::Repeat(self.id(), times as u32), width as u32, self.shape)
     }

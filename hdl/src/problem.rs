@@ -1,18 +1,19 @@
 //! Problems of a description, in whole sentences that name the user's own lines.
 
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use std::fmt;
 
 /// One mistake in a hardware description.
 ///
-/// Its text has the sentence, the place, the declarations involved and a remedy:
+/// Its text has the sentence with its [number](Mistake), the place, the values involved and a remedy:
 ///
 /// ```text
-/// `+` needs equal widths: `count` has 8 bits, `limit` has 7
+/// `+` needs equal widths: `count` has 8 bits, `limit` has 7 bits [T101]
 ///   --> src/counter.rs:11:25
-///   `count` is declared at src/counter.rs:8:47
-///   `limit` is declared at src/counter.rs:8:67
-///   help: widen one side with `.zext(8)` or cut the other with `.trunc(7)`
+///   `count` is made at src/counter.rs:8:47
+///   `limit` is made at src/counter.rs:8:67
+///   help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`
 /// ```
 ///
 /// ```
@@ -32,7 +33,9 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// The sentence.
+    /// The kind of mistake. Its number ends the sentence, and finds it in the index of messages.
+    pub mistake: Mistake,
+    /// The sentence, without the number.
     pub message: String,
     /// Where it was noticed: the operator or the call.
     pub loc: Loc,
@@ -43,8 +46,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    pub(crate) fn new(loc: Loc, message: impl Into<String>) -> Problem {
-        Problem { message: message.into(), loc, notes: Vec::new(), help: String::new() }
+    pub(crate) fn new(mistake: Mistake, loc: Loc, message: impl Into<String>) -> Problem {
+        Problem { mistake, message: message.into(), loc, notes: Vec::new(), help: String::new() }
     }
 
     pub(crate) fn note(mut self, what: impl Into<String>, loc: Loc) -> Problem {
@@ -60,7 +63,7 @@ impl Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "{}\n  --> {}", self.message, self.loc)?;
+        write!(f, "{} [{}]\n  --> {}", self.message, self.mistake, self.loc)?;
         for (what, loc) in &self.notes {
             write!(f, "\n  {what} at {loc}")?;
         }

@@ -4,6 +4,7 @@ use crate::draft::Draft;
 use crate::elaboration;
 use crate::ir::{Directive, Property};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::operand::IntoSignal;
 use crate::problem::Problem;
@@ -116,7 +117,7 @@ fn second_cover(draft: &mut Draft, name: &str, loc: Loc) -> Option<Problem> {
         draft.covers.insert(name.to_owned(), loc);
         return None;
     };
-    let problem = Problem::new(loc, format!("a second cover is called `{name}`"));
+    let problem = Problem::new(Mistake::SecondCover, loc, format!("a second cover is called `{name}`"));
     Some(
         problem.note("the first one is stated", first).help("give each cover its own name: a test asks for it by name"),
     )

@@ -5,6 +5,7 @@ use crate::compare::compared_as_signal;
 use crate::elaboration;
 use crate::ir::{Init, NodeId, Op};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Operand, Value, operators, reads_as_signal};
 use crate::problem::Problem;
 use crate::select::condition;
@@ -95,7 +96,8 @@ impl Reg {
                 elaboration::with(|e| {
                     let name = e.draft().describe(self.signal.node);
                     let message = format!("`{name}` has {}, but {} reset values", self.shape, each.len());
-                    let problem = Problem::new(loc, message).help("`.reset(value)` gives all lanes the same value");
+                    let problem = Problem::new(Mistake::ValuesForLanes, loc, message)
+                        .help("`.reset(value)` gives all lanes the same value");
                     e.report_instead_of(&[self.signal.node], problem);
                 });
                 each.resize(lanes, Bits::zero(self.width));
@@ -109,7 +111,7 @@ impl Reg {
     fn reset_to(self, init: Init, loc: Loc) {
         let before = elaboration::draft(|draft| draft.registers[self.index].reset.replace((init, loc)));
         let before = before.map(|(_, loc)| (self.signal.node, loc));
-        report_second_driver(before, self.signal.node, "given a reset value", "give it once", loc);
+        report_second_driver(Mistake::GivenTwice, before, self.signal.node, "given a reset value", "give it once", loc);
     }
 
     /// The value at power-on: an integer, a [`Bits`] or a `bool`. In a register with lanes, all lanes have it. An
@@ -148,7 +150,14 @@ impl Reg {
         if is_here(self.signal, id, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].initial.replace((bits, loc)));
             let before = before.map(|(_, loc)| (self.signal.node, loc));
-            report_second_driver(before, self.signal.node, "given an initial value", "give it once", loc);
+            report_second_driver(
+                Mistake::GivenTwice,
+                before,
+                self.signal.node,
+                "given an initial value",
+                "give it once",
+                loc,
+            );
         }
         self
     }
@@ -170,7 +179,7 @@ impl Reg {
             _ => {
                 let name = e.draft().describe(self.signal.node);
                 let message = format!("the {when} value of `{name}` is not a constant of {}", bits_text(self.width));
-                let problem = Problem::new(loc, message)
+                let problem = Problem::new(Mistake::NotConstant, loc, message)
                     .help(format!("the {when} value is a number known while the block is built"));
                 let own = Some(self.signal.node).filter(|_| e.draft().serial == self.signal.module);
                 e.report_instead_of(&[Some(id), own].into_iter().flatten().collect::<Vec<_>>(), problem);
@@ -198,7 +207,7 @@ impl Reg {
         let enable = condition(enable.into(), "enable").with_lanes_of(self.signal, "enable").id();
         if is_here(self.signal, enable, loc) {
             let before = elaboration::draft(|draft| draft.registers[self.index].enable.replace((enable, loc)));
-            report_second_driver(before, self.signal.node, "enabled", CHOOSE, loc);
+            report_second_driver(Mistake::DrivenTwice, before, self.signal.node, "enabled", CHOOSE, loc);
         }
         self
     }
@@ -276,7 +285,7 @@ impl Reg {
         let before = elaboration::draft(|draft| draft.registers[self.index].next.replace((next, loc)));
         let help =
             "describe all its updates in one chain: `.when(condition, value).when(..)`, or with `mux` or `select`";
-        report_second_driver(before, self.signal.node, "given a next value", help, loc);
+        report_second_driver(Mistake::DrivenTwice, before, self.signal.node, "given a next value", help, loc);
     }
 }
 
@@ -377,7 +386,10 @@ impl Updates {
             let last = *default;
             let (name, last) = (e.draft().describe(register), e.draft().describe(last));
             let message = format!("the chain of `{name}` continues after its end, `.otherwise({last})`");
-            e.report(Problem::new(loc, message).help("`.otherwise(value)` comes once, after all conditions"));
+            e.report(
+                Problem::new(Mistake::EndedChain, loc, message)
+                    .help("`.otherwise(value)` comes once, after all conditions"),
+            );
         });
     }
 }

@@ -8,6 +8,7 @@ use crate::integers::Integer;
 use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{IntoSignal, Literal, Value};
 use crate::problem::Problem;
 use crate::radix::Radix;
@@ -65,7 +66,11 @@ pub(crate) fn constants(width: Width, values: impl IntoIterator<Item = i128>) ->
 #[track_caller]
 pub fn concat(parts: &[Signal]) -> Signal {
     match parts {
-        [] => elaboration::mistake("a concatenation of nothing".to_owned(), "give it at least one signal"),
+        [] => elaboration::mistake(
+            Mistake::EmptyConcatenation,
+            "a concatenation of nothing".to_owned(),
+            "give it at least one signal",
+        ),
         [one] => one.bits(),
         _ => {
             let loc = Loc::caller();
@@ -130,7 +135,10 @@ pub(crate) fn condition(signal: Signal, of: &str) -> Signal {
             let (text, place) = (draft.describe(id), draft.node(id).loc);
             let message = format!("the condition of `{of}` is 1 bit, but `{text}` has {}", bits_text(signal.width));
             let help = "compare it, as in `.ne(0)`, or take one `.bit(i)`";
-            e.report_instead_of(&[id], Problem::new(loc, message).note(format!("`{text}` is made"), place).help(help));
+            e.report_instead_of(
+                &[id],
+                Problem::new(Mistake::WideCondition, loc, message).note(format!("`{text}` is made"), place).help(help),
+            );
             Signal::zero_in(e, 1, signal.shape, Kind::Number, loc)
         })
     } else {
@@ -167,7 +175,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
             let low = |value: &Value| if let Value::Low(signal) = value { Some(signal.id_at(loc)) } else { None };
             let operands: Vec<NodeId> = values.iter().filter_map(low).collect();
             let zero = elaboration::with(|e| {
-                e.report_instead_of(&operands, Problem::new(loc, message).help(help));
+                e.report_instead_of(&operands, Problem::new(Mistake::UnknownWidth, loc, message).help(help));
                 Signal::zero_in(e, 1, Shape::Plain, Kind::Number, loc)
             });
             return vec![zero; values.len()];
@@ -271,13 +279,15 @@ pub fn case<V: Data, K: Integer, A: Fits<V>>(
     for number in numbers {
         let (key, fits) = Literal::Integer(number.integer(), Radix::Any).bits(subject.width, subject.kind);
         let problem = if !fits {
-            Some(format!("the key {number} of `case` does not fit in {}", bits_text(subject.width)))
+            let message = format!("the key {number} of `case` does not fit in {}", bits_text(subject.width));
+            Some((Mistake::ImpossibleKey, message))
         } else {
-            (!known.insert(key.clone())).then(|| format!("the key {number} of `case` occurs twice"))
+            (!known.insert(key.clone()))
+                .then(|| (Mistake::RepeatedKey, format!("the key {number} of `case` occurs twice")))
         };
         keys.push(key);
-        if let Some(problem) = problem {
-            let (id, problem) = (subject.id_at(loc), Problem::new(loc, problem));
+        if let Some((mistake, message)) = problem {
+            let (id, problem) = (subject.id_at(loc), Problem::new(mistake, loc, message));
             elaboration::with(|e| {
                 e.report_instead_of(&[id], problem.help("each key is a value of the subject and occurs once"));
             });
@@ -365,7 +375,7 @@ fn fields<V: Data>(arms: Vec<Given<V>>, of: &str) -> (V::Like<Value>, Vec<Vec<Va
     let shape = arms.iter().find_map(|arm| if let Given::Each(fields) = arm { Some(fields.clone()) } else { None });
     let Some(shape) = shape else {
         let message = format!("`{of}` has only numbers to choose a record from");
-        elaboration::mistake(message, "write one of them as a record");
+        elaboration::mistake(Mistake::NumberForRecord, message, "write one of them as a record");
     };
     let paths = shape.leaves();
     let mut fields = vec![Vec::with_capacity(arms.len()); paths.len()];

@@ -5,6 +5,7 @@ use crate::integers::{Integer, count};
 use crate::ir::{Op, Shape};
 use crate::limits::MOST_LANES;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::signal::Signal;
 
@@ -82,10 +83,15 @@ pub(crate) fn sound_shape(e: &mut Elaboration, what: &str, shape: Shape, loc: Lo
         Shape::Grid(rows, columns) => Shape::Grid(rows.max(1), columns.max(1)),
     };
     if sound != shape {
-        e.report(Problem::new(loc, format!("{what} has no lanes")).help("a row, and a side of a grid, is at least 1"));
+        e.report(
+            Problem::new(Mistake::NoLanes, loc, format!("{what} has no lanes"))
+                .help("a row, and a side of a grid, is at least 1"),
+        );
     } else if u64::from(sound.lanes()) > MOST_LANES {
         let message = format!("{what} has {sound}, more than {MOST_LANES}");
-        e.report(Problem::new(loc, message).help("make it smaller, or keep large data in a memory"));
+        e.report(
+            Problem::new(Mistake::TooManyLanes, loc, message).help("make it smaller, or keep large data in a memory"),
+        );
         return match sound {
             Shape::Grid(..) => Shape::Grid(1, 1),
             _ => Shape::Row(1),
@@ -151,8 +157,11 @@ impl Signal {
         let id = self.id();
         elaboration::with(|e| {
             let (text, has) = (e.draft().describe(id), self.shape);
-            let problem =
-                Problem::new(loc, format!("`{text}` has {has}, and only a plain signal can be that of {shape}"));
+            let problem = Problem::new(
+                Mistake::UnequalShapes,
+                loc,
+                format!("`{text}` has {has}, and only a plain signal can be that of {shape}"),
+            );
             let help = "a row becomes a grid by `.to_rows(n)`, which repeats it as n rows, or by `.to_columns(n)`";
             e.report_instead_of(&[id], problem.help(help));
             Signal::zero_in(e, self.width, shape, self.kind, loc)
@@ -201,7 +210,11 @@ impl Signal {
             }
             _ => {
                 let text = e.draft().describe(id);
-                let problem = Problem::new(loc, format!("`.{method}` needs a row, but `{text}` has {}", self.shape));
+                let problem = Problem::new(
+                    Mistake::NeedsLanes,
+                    loc,
+                    format!("`.{method}` needs a row, but `{text}` has {}", self.shape),
+                );
                 e.report_instead_of(
                     &[id],
                     problem.help("a plain signal goes into a grid by `.of(grid(rows, columns))`"),
@@ -247,7 +260,7 @@ impl Signal {
                 "`{operator}` needs equal shapes: `{left_text}` has {}, `{right_text}` has {}",
                 left.shape, self.shape
             );
-            let problem = Problem::new(loc, message)
+            let problem = Problem::new(Mistake::UnequalShapes, loc, message)
                 .note(format!("`{left_text}` is made"), draft.node(left_id).loc)
                 .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
                 .help(match (left.shape, self.shape) {

@@ -5,6 +5,7 @@ use std::ops::{AddAssign, BitAndAssign, BitOrAssign, BitXorAssign, SubAssign};
 use crate::elaboration;
 use crate::integers::Integer;
 use crate::ir::{Binary, Op, Unary};
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::operand::{IntoSignal, Operand};
 use crate::select::{concat, condition};
@@ -109,6 +110,7 @@ fn places_in(width: u32, places: impl Integer) -> u32 {
     let places = places.integer();
     if places < 0 {
         elaboration::mistake(
+            Mistake::NegativeRotation,
             format!("a rotation by {places} places"),
             "`rotate_left` and `rotate_right` take 0 or more",
         );

@@ -5,6 +5,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::ir::{Binary, Kind, Node, NodeId, Op, Shape, Unary};
 use crate::limits::sound_width;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{Operand, Value, operators};
 use crate::problem::Problem;
 use crate::shaping::level;
@@ -109,9 +110,13 @@ impl Signal {
                     let place = owner.node(self.node).loc;
                     let what = owner.describe(self.node);
                     let message = format!("`{what}` belongs to `{}` but is used inside of `{block}`", owner.block);
-                    Problem::new(loc, message).note(format!("`{what}` is made"), place)
+                    Problem::new(Mistake::ForeignSignal, loc, message).note(format!("`{what}` is made"), place)
                 }
-                None => Problem::new(loc, format!("a signal of a module already finished is used inside of `{block}`")),
+                None => Problem::new(
+                    Mistake::ForeignSignal,
+                    loc,
+                    format!("a signal of a module already finished is used inside of `{block}`"),
+                ),
             };
             e.report(problem.help("give the block an input for it"));
             Signal::zero_in(e, self.width, self.shape, self.kind, loc).node

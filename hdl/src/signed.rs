@@ -3,6 +3,7 @@
 use crate::elaboration;
 use crate::ir::{Binary, Kind, NodeId, Op, Shape};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::Literal;
 use crate::problem::Problem;
 use crate::radix::Radix;
@@ -80,7 +81,11 @@ impl Signal {
             let (loc, id) = (Loc::caller(), self.id());
             return elaboration::with(|e| {
                 let text = e.draft().describe(id);
-                let problem = Problem::new(loc, format!("`-` makes a negative number, but `{text}` is not signed"));
+                let problem = Problem::new(
+                    Mistake::UnsignedMinus,
+                    loc,
+                    format!("`-` makes a negative number, but `{text}` is not signed"),
+                );
                 e.report_instead_of(&[id], problem.help("`.signed()` reads it in two's complement"));
                 Signal::zero_in(e, self.width, self.shape, Kind::Signed, loc)
             });
@@ -99,7 +104,7 @@ impl Signal {
             let draft = e.draft();
             let (left_text, right_text) = (draft.describe(left_id), draft.describe(right_id));
             let message = format!("`{operator}` mixes `{left_text}`, {}, and `{right_text}`, {}", left.kind, self.kind);
-            let problem = Problem::new(loc, message)
+            let problem = Problem::new(Mistake::MixedKinds, loc, message)
                 .note(format!("`{left_text}` is made"), draft.node(left_id).loc)
                 .note(format!("`{right_text}` is made"), draft.node(right_id).loc)
                 .help(READ_AS);
@@ -125,7 +130,7 @@ impl Literal {
         elaboration::with(|e| {
             let text = e.draft().describe(id);
             let message = format!("`{operator}` mixes `{text}`, {}, and `{self}`", left.kind);
-            let problem = Problem::new(loc, message).help(match left.kind {
+            let problem = Problem::new(Mistake::MixedKinds, loc, message).help(match left.kind {
                 Kind::Code(_) => "name one of its codes, or read its bits as a number, by `.bits()`",
                 _ => "`.code::<Enum>()` reads bits as a code of an enum",
             });
@@ -166,7 +171,8 @@ impl Literal {
         }
         let operands: Vec<NodeId> = left.into_iter().map(|left| left.id_at(loc)).collect();
         let sign = if kind == Kind::Signed { "signed" } else { "unsigned" };
-        let problem = Problem::new(loc, format!("`{self}` does not fit in {}, {sign}", bits_text(width)));
+        let problem =
+            Problem::new(Mistake::TooLarge, loc, format!("`{self}` does not fit in {}, {sign}", bits_text(width)));
         elaboration::with(|e| {
             e.report_instead_of(&operands, problem.help("an integer takes the width of the signal it meets"));
             Signal::zero_in(e, width, Shape::Plain, kind, loc)

@@ -4,6 +4,7 @@ use crate::elaboration;
 use crate::fields::Fields;
 use crate::ir::Shape;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::Module;
 use crate::problem::Problem;
 use crate::record::from_leaves;
@@ -75,6 +76,7 @@ fn rows<B: Fields<Signal, With<Signal> = B>>(lanes: B) -> B {
     elaboration::with(|e| {
         let text = e.draft().describe(odd.node);
         let problem = Problem::new(
+            Mistake::NeedsLanes,
             loc,
             format!("a tree needs rows with equal numbers of lanes, but `{text}` has {}", odd.shape()),
         );

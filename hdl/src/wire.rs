@@ -4,6 +4,7 @@ use crate::compare::compared_as_signal;
 use crate::elaboration;
 use crate::ir::NodeId;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::operand::{Operand, operators, reads_as_signal};
 use crate::problem::Problem;
 use crate::signal::Signal;
@@ -58,7 +59,7 @@ impl Wire {
         let driver = value.operand().like(self.signal, "drive").id();
         if is_here(self.signal, driver, loc) {
             let slot = elaboration::draft(|draft| draft.wires[self.index].driver.replace((driver, loc)));
-            report_second_driver(slot, self.signal.node, "driven", CHOOSE, loc);
+            report_second_driver(Mistake::DrivenTwice, slot, self.signal.node, "driven", CHOOSE, loc);
         }
     }
 }
@@ -80,12 +81,19 @@ pub(crate) fn is_here(signal: Signal, driver: NodeId, loc: Loc) -> bool {
 pub(crate) const CHOOSE: &str = "choose between the two with `mux` or `select`";
 
 /// A problem if `before` has an earlier driver of `node`.
-pub(crate) fn report_second_driver(before: Option<(NodeId, Loc)>, node: NodeId, verb: &str, help: &str, loc: Loc) {
+pub(crate) fn report_second_driver(
+    mistake: Mistake,
+    before: Option<(NodeId, Loc)>,
+    node: NodeId,
+    verb: &str,
+    help: &str,
+    loc: Loc,
+) {
     let Some((lost, first)) = before else { return };
     elaboration::with(|e| {
         let draft = e.draft();
         let (name, place) = (draft.describe(node), draft.node(node).loc);
-        let problem = Problem::new(loc, format!("`{name}` is {verb} twice"))
+        let problem = Problem::new(mistake, loc, format!("`{name}` is {verb} twice"))
             .note("the first time is", first)
             .note(format!("`{name}` is declared"), place)
             .help(help);

@@ -180,7 +180,9 @@ fn a_number_that_is_stated_is_the_one_counted() {
     let text = |stated| elaborate(&stated).unwrap_err().to_string();
     let wrong = text(Stated("3", true));
     assert!(
-        wrong.starts_with("`Stated` states a latency of 3, but takes 2 clocks with `go`\n  --> hdl/tests/latency.rs:"),
+        wrong.starts_with(
+            "`Stated` states a latency of 3, but takes 2 clocks with `go` [T753]\n  --> hdl/tests/latency.rs:"
+        ),
         "{wrong}"
     );
     for in_words in ["3 clocks", "1 clock"] {
@@ -189,7 +191,9 @@ fn a_number_that_is_stated_is_the_one_counted() {
     elaborate(&Stated("3 clocks", false)).unwrap(); // words, where none is counted
     let several = text(Stated("2", false));
     assert!(
-        several.starts_with("`Stated` states a latency of 2, but has no single latency\n  --> hdl/tests/latency.rs:"),
+        several.starts_with(
+            "`Stated` states a latency of 2, but has no single latency [T753]\n  --> hdl/tests/latency.rs:"
+        ),
         "{several}"
     );
     assert!(several.ends_with(

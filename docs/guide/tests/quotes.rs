@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use tilewright_guide::book::{Fence, fences, folder, stands_in};
+use tilewright_hdl::Mistake;
 
 #[test]
 fn quoted_code_stands_in_its_file() {
@@ -67,19 +68,26 @@ fn the_grammar_has_the_words_of_the_macro() {
     }
 }
 
-/// The index has the messages as the tests of the language have them.
+/// The index has every number of the language, with messages that the tests of the language print with that number.
 #[test]
-fn the_messages_of_the_index_are_tested_ones() {
-    let tests = fs::read_dir(folder().join("../../hdl/tests/messages")).unwrap();
-    let files = tests.map(|entry| entry.unwrap().path()).chain([folder().join("../../hdl/tests/latency.rs")]);
+fn the_index_has_every_number_with_tested_messages() {
+    let folders = ["hdl/tests/messages", "hdl/tests/validate"].map(|name| folder().join("../..").join(name));
+    let tests = folders.iter().flat_map(|tests| fs::read_dir(tests).unwrap()).map(|entry| entry.unwrap().path());
+    let files = tests.chain([folder().join("../../hdl/tests/latency.rs")]);
     let tests: String = files.map(|file| fs::read_to_string(file).unwrap()).collect();
     let index = fs::read_to_string(folder().join("c-messages.md")).unwrap();
-    let rows = index.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | ")).map(|(message, _)| message);
-    let messages: Vec<&str> = rows.filter(|message| *message != "message").collect();
-    for message in &messages {
-        assert!(tests.contains(message), "no test has the message\n{message}");
+    let rows = index.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| number |"));
+    let mut numbers = Vec::new();
+    for row in rows {
+        let [number, message, _, _] = row.trim_matches(['|', ' ']).split(" | ").collect::<Vec<_>>()[..] else {
+            panic!("a row has a number, a message, its cause and its mend: {row}")
+        };
+        assert!(tests.contains(&format!("{message} [{number}]")), "no test prints\n{message} [{number}]");
+        numbers.push(number.to_owned());
     }
-    assert!(messages.len() > 90, "only {} are found", messages.len());
+    assert!(numbers.is_sorted(), "a reader looks for a number from top to bottom");
+    numbers.dedup();
+    assert_eq!(numbers, Mistake::ALL.iter().map(Mistake::to_string).collect::<Vec<_>>());
 }
 
 /// The last column of the translations is code that is built.

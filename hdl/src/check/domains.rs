@@ -3,6 +3,7 @@
 use crate::draft::Draft;
 use crate::graph::Sets;
 use crate::ir::{ClockId, Directive, Module, NodeId};
+use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::problem::Problem;
 use crate::summary::{self, Summary, View};
@@ -84,7 +85,7 @@ impl Checker<'_> {
             let from = self.draft.clock_name(ClockId(from as u32));
             let message =
                 format!("`{text}` is on clock `{from}` but reaches {what} on clock `{to}` without a crossing");
-            let problem = Problem::new(self.draft.node(place).loc, message)
+            let problem = Problem::new(Mistake::Crossing, self.draft.node(place).loc, message)
                 .note(format!("`{text}` is declared"), self.draft.node(source).loc)
                 .help("cross with `m.synchronize`, a memory with a port on each clock, or `.quasi_static(reason)`; an input of another clock is declared `bits(n).on(clock)`");
             if !self.problems.contains(&problem) {
@@ -104,7 +105,7 @@ impl Checker<'_> {
         let (name, block) = (&port.name, self.draft.block);
         let message = format!("input `{name}` of `{block}` does not say on which clock it is: {}", clocks.join(" or "));
         let sampled = format!("{what} on clock `{}` takes it", self.draft.clock_name(clock));
-        let problem = Problem::new(self.draft.node(port.node).loc, message)
+        let problem = Problem::new(Mistake::UnknownClock, self.draft.node(port.node).loc, message)
             .note(sampled, self.draft.node(place).loc)
             .help("declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out");
         self.problems.push(problem);
@@ -117,7 +118,7 @@ impl Checker<'_> {
         let name = |clock: usize| self.draft.clock_name(ClockId(clock as u32));
         let (output, block) = (port_name("", path), self.draft.block);
         let message = format!("output `{output}` of `{block}` mixes clocks `{}` and `{}`", name(first), name(second));
-        let mut problem = Problem::new(self.draft.node(node).loc, message);
+        let mut problem = Problem::new(Mistake::MixedClocks, self.draft.node(node).loc, message);
         for clock in [first, second] {
             let source = self.source(node, clock);
             let text = format!("`{}`, on clock `{}`, is declared", self.draft.describe(source), name(clock));

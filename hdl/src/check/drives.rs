@@ -3,6 +3,7 @@
 use crate::bits::Bits;
 use crate::draft::{Draft, UNDRIVEN};
 use crate::ir::{NodeId, Op, Shape};
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::stream::{inputs_of_stream, say_untaken};
 
@@ -28,7 +29,7 @@ pub(crate) fn check(draft: &mut Draft, problems: &mut Vec<Problem>) {
 fn undriven(draft: &Draft, node: NodeId, what: &str, help: &str) -> Problem {
     let name = draft.describe(node);
     let message = format!("{what} `{name}` of `{}` is never driven", draft.block);
-    Problem::new(draft.node(node).loc, message).help(help)
+    Problem::new(Mistake::Undriven, draft.node(node).loc, message).help(help)
 }
 
 /// Gives every wire its driver; a wire without one gets zero.

@@ -2,6 +2,7 @@
 
 use crate::ir::Module;
 use crate::ir::latency::{Delay, latency, output_delays};
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 /// Adds the delays of `module` to those of the earlier modules, if these have no problem.
@@ -20,7 +21,7 @@ pub(crate) fn check(block: &str, module: &Module, delays: &mut Vec<Vec<Delay>>, 
         None => format!("`{block}` states a latency of {stated}, but has no single latency"),
     };
     problems.push(
-        Problem::new(module.loc, message).help(
+        Problem::new(Mistake::WrongLatency, module.loc, message).help(
             "a latency that is a single number is counted and need not be stated; otherwise, describe it in words",
         ),
     );

@@ -5,6 +5,7 @@ use crate::circuit::Circuit;
 use crate::graph::{Edges, cycle_through, cyclic_components};
 use crate::ir::{NodeId, Shape};
 use crate::limits::MOST_LOOPED_LANES;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
@@ -44,7 +45,8 @@ fn too_many(circuit: &impl Circuit, component: &[u32], lanes: u64) -> Problem {
         "`{text}` of `{title}` is on a path that comes back to it, of {lanes} lanes: more than {MOST_LOOPED_LANES} are not \
          looked through for a combinational loop"
     );
-    Problem::new(circuit.node(node).loc, message).help("put a register into the path, or make the array smaller")
+    Problem::new(Mistake::UncheckedLoop, circuit.node(node).loc, message)
+        .help("put a register into the path, or make the array smaller")
 }
 
 /// The node that begins the message: one that the user named, if possible.
@@ -65,7 +67,7 @@ fn report(circuit: &impl Circuit, hops: Vec<(NodeId, u32)>) -> Problem {
     let mut path: Vec<_> = hops.iter().map(text).collect();
     path.push(path[0].clone());
     let message = format!("a combinational loop in `{}`: {}", circuit.title(), path.join(" -> "));
-    let mut problem = Problem::new(circuit.node(hops[0].0).loc, message);
+    let mut problem = Problem::new(Mistake::CombinationalLoop, circuit.node(hops[0].0).loc, message);
     for hop in &hops {
         problem = problem.note(format!("{} is computed", text(hop)), circuit.node(hop.0).loc);
     }

@@ -3,6 +3,7 @@
 use crate::draft::Draft;
 use crate::ir::{Instance, Module, NodeId, Op};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::names::{is_legal, is_reserved, is_reserved_in_cpp};
 use crate::problem::Problem;
@@ -91,7 +92,9 @@ fn hides(instance: &Instance, name: &str, inside: Loc) -> Problem {
             (message, "call it something else".to_owned())
         }
     };
-    Problem::new(instance.loc, message).note(format!("the inner `{name}` is declared"), inside).help(help)
+    Problem::new(Mistake::HidingName, instance.loc, message)
+        .note(format!("the inner `{name}` is declared"), inside)
+        .help(help)
 }
 
 /// The data register of a synchronous read is `MEMORY_read`, with the port's number if there are several.
@@ -121,7 +124,11 @@ impl Names<'_> {
             _ => None,
         };
         if let Some(language) = language {
-            let problem = Problem::new(loc, format!("{kind} `{name}` has a reserved word of {language} for a name"));
+            let problem = Problem::new(
+                Mistake::ReservedName,
+                loc,
+                format!("{kind} `{name}` has a reserved word of {language} for a name"),
+            );
             self.problems.push(problem.help(format!("call it `{name}_` or something else")));
         }
         self.take(kind, name, loc);
@@ -135,7 +142,7 @@ impl Names<'_> {
 
     fn take(&mut self, kind: &'static str, name: &str, loc: Loc) {
         if !is_legal(name) {
-            let problem = Problem::new(loc, format!("`{name}` cannot be the name of a {kind}"));
+            let problem = Problem::new(Mistake::IllegalName, loc, format!("`{name}` cannot be the name of a {kind}"));
             self.problems
                 .push(problem.help("a name consists of letters, digits and `_`, and does not start with a digit"));
         }
@@ -145,7 +152,8 @@ impl Names<'_> {
                 (false, true) => ("an", "the"),
                 (false, false) => ("a", "the"),
             };
-            let problem = Problem::new(loc, format!("{kind} `{name}` has the name of {another} {other}"));
+            let problem =
+                Problem::new(Mistake::TakenName, loc, format!("{kind} `{name}` has the name of {another} {other}"));
             let note = format!("{the} {other} `{name}` is declared");
             self.problems.push(problem.note(note, *first).help("rename one of them"));
             return;

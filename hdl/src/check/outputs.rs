@@ -1,6 +1,7 @@
 //! Checks that the outputs have the declared widths.
 
 use crate::elaboration::Elaboration;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::signal::{Signal, bits_text};
 use crate::uneven::uneven;
@@ -18,7 +19,9 @@ pub(crate) fn check(e: &mut Elaboration, outputs: &[(String, Signal)], declared:
         let message = format!("output{uneven} is declared as a list of {}, but `build` returns {has}", uneven.needs);
         let place = declared.iter().find(|(path, _)| path.starts_with(&format!("{}.", uneven.list)));
         let loc = place.map_or(e.draft().loc, |(_, width)| width.loc);
-        return e.report(Problem::new(loc, message).help("return as many from `build` as are declared"));
+        return e.report(
+            Problem::new(Mistake::ListLength, loc, message).help("return as many from `build` as are declared"),
+        );
     }
     let mut faulty = Vec::new();
     for ((path, signal), (_, width)) in returned.iter().zip(declared) {
@@ -41,7 +44,7 @@ fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Opt
         let clock = clock.name;
         let message =
             format!("output `{name}` is declared on clock `{clock}`, but an output is on the clock of its driver");
-        return Some(Problem::new(width.loc, message).help("leave `.on(..)` out"));
+        return Some(Problem::new(Mistake::OutputOnClock, width.loc, message).help("leave `.on(..)` out"));
     }
     let draft = e.draft();
     let driver = Some(draft.describe(signal.node)).filter(|driver| driver != name);
@@ -56,7 +59,11 @@ fn problem(e: &mut Elaboration, name: &str, signal: Signal, width: Width) -> Opt
     } else {
         return None;
     };
-    let problem = Problem::new(place, format!("output `{name}` is declared {declared}, but {driver} {has}"));
+    let problem = Problem::new(
+        Mistake::OutputDiffers,
+        place,
+        format!("output `{name}` is declared {declared}, but {driver} {has}"),
+    );
     let problem = problem.note(format!("`{name}` is declared"), width.loc);
     Some(problem.help("change its driver, or its declaration, on which the block's instances rely"))
 }

@@ -4,6 +4,7 @@ use crate::draft::Draft;
 use crate::graph::{Edges, cyclic_components, targets_first};
 use crate::ir::{NodeId, Op};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::stages::Stage;
 use crate::summary::{self, Summary};
@@ -150,7 +151,7 @@ fn check_registers(draft: &Draft, stages: &[Vec<Of>], problems: &mut Vec<Problem
         );
         let is_held = matches!(draft.node(next).op, Op::Register(_));
         let loc = if is_held { draft.node(register.node).loc } else { draft.node(next).loc };
-        let problem = Problem::new(loc, message)
+        let problem = Problem::new(Mistake::SkippedStage, loc, message)
             .note(format!("`{name}` is made"), draft.node(register.node).loc)
             .note(format!("`{text}` is made"), draft.node(of.from).loc);
         let help = format!(
@@ -186,7 +187,7 @@ fn mix(draft: &Draft, what: &str, loc: Loc, [first, second]: [Of; 2]) -> Problem
         text(&second),
         second.stage.number
     );
-    let mut problem = Problem::new(loc, message);
+    let mut problem = Problem::new(Mistake::MixedStages, loc, message);
     for of in [&first, &second] {
         problem = problem.note(format!("`{}` is made", text(of)), draft.node(of.from).loc);
     }

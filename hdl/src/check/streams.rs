@@ -2,6 +2,7 @@
 
 use crate::draft::Draft;
 use crate::ir::NodeId;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::summary::{Dependence, Summary};
 use std::collections::HashMap;
@@ -17,7 +18,7 @@ pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], summary: &Summa
                 draft.block
             );
             let help = "offer the payload in any case, and let `sent` tell whether it is taken: the receiver may wait for `valid`";
-            problems.push(Problem::new(sent.loc, message).help(help));
+            problems.push(Problem::new(Mistake::WaitingSender, sent.loc, message).help(help));
         }
     }
 }

@@ -3,6 +3,7 @@
 use crate::draft::Draft;
 use crate::ir::NodeId;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::summary::{self, Summary};
 
@@ -14,10 +15,13 @@ pub(crate) fn check(draft: &Draft, summaries: &[Summary], problems: &mut Vec<Pro
         Some(inputs) => synchronized.extend(inputs.into_iter().map(|input| (input, name.to_owned()))),
         None => {
             let text = draft.describe(node);
-            let problem =
-                Problem::new(loc, format!("`{text}` enters synchronizer `{name}` but is logic, which glitches"))
-                    .note(format!("`{text}` is made"), draft.node(node).loc)
-                    .help("put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`");
+            let problem = Problem::new(
+                Mistake::GlitchySynchronizer,
+                loc,
+                format!("`{text}` enters synchronizer `{name}` but is logic, which glitches"),
+            )
+            .note(format!("`{text}` is made"), draft.node(node).loc)
+            .help("put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`");
             problems.push(problem);
         }
     };

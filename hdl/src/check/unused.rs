@@ -2,6 +2,7 @@
 
 use crate::draft::Draft;
 use crate::ir::NodeId;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], problems: &mut Vec<Problem>) {
@@ -25,6 +26,6 @@ pub(crate) fn check(draft: &Draft, outputs: &[(String, NodeId)], problems: &mut 
     for input in draft.inputs.iter().filter(|input| !used[input.node.0 as usize]) {
         let message = format!("input `{}` of `{}` is never used", input.name, draft.block);
         let help = format!("remove it, or say `m.ignore(&i.{})` if that is intended", input.path);
-        problems.push(Problem::new(draft.node(input.node).loc, message).help(help));
+        problems.push(Problem::new(Mistake::UnusedInput, draft.node(input.node).loc, message).help(help));
     }
 }

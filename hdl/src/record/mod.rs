@@ -14,6 +14,7 @@ use crate::fields::{Fields, Leaf};
 use crate::ir::{Kind, NodeId, Op, Shape};
 use crate::limits::{WIDEST, sound_width};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::port_name;
 use crate::problem::Problem;
 use crate::select::{concat, lit};
@@ -116,7 +117,7 @@ pub fn unpack<F: Fields<Width>>(layout: &F, word: Signal) -> F::With<Signal> {
             let (text, place) = (draft.describe(id), draft.node(id).loc);
             let message =
                 format!("a record of {width} bits is unpacked from `{text}`, which has {}", bits_text(word.width));
-            let problem = Problem::new(loc, message).note(format!("`{text}` is made"), place);
+            let problem = Problem::new(Mistake::RecordWidth, loc, message).note(format!("`{text}` is made"), place);
             e.report_instead_of(
                 &[id],
                 problem.help("a word has exactly the bits of the record's fields, side by side"),
@@ -176,8 +177,8 @@ pub(crate) fn word<F: Fields<Width>>(layout: &F, memory: &str, loc: Loc) -> Widt
         let (has, shape) = (first.shape, width.shape);
         let message =
             format!("memory `{memory}` stores records, whose field `{path}` has {has}, but `{other}` {shape}");
-        let problem =
-            Problem::new(loc, message).help("each lane of a memory has whole records: all fields have its lanes");
+        let problem = Problem::new(Mistake::UnequalFields, loc, message)
+            .help("each lane of a memory has whole records: all fields have its lanes");
         elaboration::with(|e| e.report(problem));
     }
     let widths = sound_widths(layout, &format!("memory `{memory}`"), loc);

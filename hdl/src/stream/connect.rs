@@ -6,6 +6,7 @@ use crate::elaboration::{self, Elaboration};
 use crate::fields::{Fields, Leaf, Visited};
 use crate::ir::{Input, InstanceId, Kind, NodeId, Op, Shape};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::module::{Module, port_name};
 use crate::problem::Problem;
 use crate::signal::Signal;
@@ -111,7 +112,7 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
             (false, true) => driver.spread_in(e, ready.shape, loc),
             (false, false) => {
                 let message = format!("{text} has {}, but is taken by {}", ready.shape, driver.shape);
-                let problem = Problem::new(loc, message).note(format!("{text} {begins}"), began);
+                let problem = Problem::new(Mistake::StreamLanes, loc, message).note(format!("{text} {begins}"), began);
                 e.report_instead_of(
                     &[driver.node],
                     problem.help("a stream has one receiver: give each lane a stream of its own"),
@@ -126,7 +127,7 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
         }
         let before = draft.wires[wire].driver.replace((driver.node, loc));
         if let Some((lost, first)) = before {
-            let mut problem = Problem::new(loc, format!("{text} is taken twice"));
+            let mut problem = Problem::new(Mistake::TakenTwice, loc, format!("{text} is taken twice"));
             // A returned stream has no line other than that of its origin.
             for (note, place) in [("the first time is".to_owned(), first), (format!("{text} {begins}"), began)] {
                 problem = if place == loc { problem } else { problem.note(note, place) };
@@ -139,7 +140,8 @@ pub(crate) fn take(ready: Signal, driver: Signal, loc: Loc) {
 fn report_no_stream(e: &mut Elaboration, ready: Signal, driver: NodeId, loc: Loc) {
     let draft = e.draft();
     let (text, place) = (draft.describe(ready.node), draft.node(ready.node).loc);
-    let mut problem = Problem::new(loc, format!("`{text}` is used as the `ready` of a stream, but is not one"));
+    let mut problem =
+        Problem::new(Mistake::NoStream, loc, format!("`{text}` is used as the `ready` of a stream, but is not one"));
     if place != loc {
         problem = problem.note(format!("`{text}` is made"), place);
     }
@@ -195,5 +197,8 @@ pub(crate) fn say_untaken(draft: &Draft, node: NodeId) -> Option<Problem> {
             "take it with `.take_when(condition)`, feed an instance with it, or return it among the outputs",
         ),
     };
-    Some(Problem::new(stream.loc, format!("{text} in `{}` is never taken", draft.block)).help(help))
+    Some(
+        Problem::new(Mistake::UntakenStream, stream.loc, format!("{text} in `{}` is never taken", draft.block))
+            .help(help),
+    )
 }

@@ -15,7 +15,7 @@ fn choices_between_records_name_the_users_line() {
 fn conditions_of_more_than_one_bit() {
     expect(
         |_, i| mux(i.a, i.b, i.b),
-        "the condition of `mux` is 1 bit, but `a` has 8 bits
+        "the condition of `mux` is 1 bit, but `a` has 8 bits [T106]
          --> [|_, i| mux(i.a, i.b, i.b),]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: compare it, as in `.ne(0)`, or take one `.bit(i)`",
@@ -26,19 +26,25 @@ fn conditions_of_more_than_one_bit() {
 fn choices_that_leave_something_open() {
     expect(
         |_, i| mux(i.c, 1, 0),
-        "`mux` has only integers to choose from, which leaves its width unknown
+        "`mux` has only integers to choose from, which leaves its width unknown [T114]
          --> [|_, i| mux(i.c, 1, 0),]
          help: give one a width, as in `lit(8, 1)`",
     );
     expect(
         |_, i| mux(i.c, i.a.low(), i.b.low()),
-        "`mux` has only low bits to choose from, which leaves its width unknown
+        "`mux` has only low bits to choose from, which leaves its width unknown [T114]
          --> [|_, i| mux(i.c, i.a.low(), i.b.low()),]
          help: give one a width, as in `.trunc(8)`",
     );
     let widths = problems(&Case(|_, i| mux(i.c, Bits::new(8, 1), Bits::new(7, 1))));
     assert!(widths.contains("8 bits") && widths.contains("7'h01") && widths.contains("let widths ="), "{widths}");
     elaborate(&Case(|_, i| mux(i.c, Bits::new(8, 3), 0))).expect("one width is enough");
-    assert!(problems(&Case(|_, i| case(i.c, [(2, i.a)], 0))).starts_with("the key 2 of `case` does not fit in 1 bit"));
-    assert!(problems(&Case(|_, i| case(i.a, [(2, i.a), (2, i.a)], 0))).starts_with("the key 2 of `case` occurs twice"));
+    assert!(
+        problems(&Case(|_, i| case(i.c, [(2, i.a)], 0)))
+            .starts_with("the key 2 of `case` does not fit in 1 bit [T208]")
+    );
+    assert!(
+        problems(&Case(|_, i| case(i.a, [(2, i.a), (2, i.a)], 0)))
+            .starts_with("the key 2 of `case` occurs twice [T209]")
+    );
 }

@@ -10,7 +10,7 @@ fn paths_between_clocks_need_a_crossing() {
             let slow = m.pipe("slow", i.a);
             m.on(FAST).pipe("fast", slow)
         },
-        "`slow` is on clock `clk` but reaches register `fast` on clock `fast` without a crossing
+        "`slow` is on clock `clk` but reaches register `fast` on clock `fast` without a crossing [T801]
          --> [m.on(FAST).pipe(\"fast\", slow)]
          `slow` is declared at [let slow = m.pipe(\"slow\", i.a);]
          help: cross with `m.synchronize`, a memory with a port on each clock, or `.quasi_static(reason)`; an input of another clock is declared `bits(n).on(clock)`",
@@ -91,7 +91,7 @@ fn inputs_of_a_block_without_a_clock_of_its_own_name_theirs() {
     let build = |fast: Module, slow: Module, x: Signal| (fast.pipe("r", x), slow.pipe("s", !x));
     assert_eq!(
         problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),
-        "input `x` of `TwoClocks` does not say on which clock it is: `fast` or `slow`
+        "input `x` of `TwoClocks` does not say on which clock it is: `fast` or `slow` [T802]
   --> [problems(&TwoClocks { inputs: || Link { x: bits(8) }, build }),]
   register `r` on clock `fast` takes it at [let build = |fast: Module, slow: Module, x: Signal| (fast.pipe(\"r\", x), slow.pipe(\"s\", !x));]
   help: declare it as `bits(n).on(clock)`; only a block with a clock of its own may leave that out"
@@ -118,7 +118,7 @@ fn outputs_that_mix_clocks() {
     let block = TwoClocks { inputs: || Link { x: bits(8).on(FAST) }, build: mixed };
     assert_eq!(
         problems(&block),
-        "output `left` of `TwoClocks` mixes clocks `fast` and `slow`
+        "output `left` of `TwoClocks` mixes clocks `fast` and `slow` [T803]
   --> [(r + s, s)]
   `r`, on clock `fast`, is declared at [let r = fast.pipe(\"r\", x);]
   `s`, on clock `slow`, is declared at [let s = slow.pipe(\"s\", lit(8, 1));]
@@ -144,7 +144,7 @@ fn logic_that_enters_a_synchronizer() {
             let r = m.pipe("r", i.a);
             m.on(FAST).synchronize("flag", r.eq(3)).zext(8)
         },
-        "`r.eq(3)` enters synchronizer `flag` but is logic, which glitches
+        "`r.eq(3)` enters synchronizer `flag` but is logic, which glitches [T804]
          --> [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
          `r.eq(3)` is made at [m.on(FAST).synchronize(\"flag\", r.eq(3)).zext(8)]
          help: put a register on its own clock before the synchronizer, as in `m.pipe(name, value)`",
@@ -230,7 +230,7 @@ fn a_clock_has_one_period() {
         m.instance("u_two", &Timed(OTHER), Link { x: lit(8, 1) }).out & one
     }));
     let places = [
-        "clock `fast` has a period of 6 ns here and of 4 ns elsewhere",
+        "clock `fast` has a period of 6 ns here and of 4 ns elsewhere [T805]",
         "  --> [Link { x: bits(8).on(self.0) }]",
         "  `fast` is first used at [Link { x: bits(8).on(self.0) }]",
         "  help: a clock has one period in the whole design",

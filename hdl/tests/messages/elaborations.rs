@@ -39,7 +39,7 @@ impl Block for Doll {
 fn blocks_that_instantiate_themselves() {
     expect(
         |m, _| m.instance("u_doll", &Doll(0), ()).out,
-        "`Doll(99)` is nested more than 100 deep
+        "`Doll(99)` is nested more than 100 deep [T506]
          --> [m.instance(\"u_inner\", &Doll(self.0 + 1), ())]
          the outermost `Doll` is instantiated at [|m, _| m.instance(\"u_doll\", &Doll(0), ()).out,]
          help: if it instantiates itself, a parameter must become smaller each time, and end the recursion",

@@ -23,7 +23,7 @@ fn signals_of_another_module() {
             LEAKED.set(Some(i.a));
             m.instance("u_thief", &Thief, ()).out
         },
-        "`a` belongs to `Case` but is used inside of `Thief`
+        "`a` belongs to `Case` but is used inside of `Thief` [T505]
          --> [Out { out: LEAKED.get().unwrap() + 1 }]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: give the block an input for it",
@@ -53,7 +53,7 @@ fn a_code_of_another_module() {
             LEAKED.set(Some(i.c));
             m.instance("u_thief", &Thief, ()).out
         },
-        "`c` belongs to `Case` but is used inside of `Thief`
+        "`c` belongs to `Case` but is used inside of `Thief` [T505]
          --> [let side = LEAKED.get().unwrap().code::<Side>();]
          `c` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: give the block an input for it",
@@ -108,7 +108,7 @@ fn registers_of_another_module() {
     }
     let text = problems(&Lender);
     assert!(
-        text.starts_with("`r` belongs to `Lender` but is used inside of `Keeper`\n  --> [register.next(0);]"),
+        text.starts_with("`r` belongs to `Lender` but is used inside of `Keeper` [T505]\n  --> [register.next(0);]"),
         "{text}"
     );
 }
@@ -132,5 +132,5 @@ fn signals_of_a_finished_module() {
         let one = m.instance("u_leaver", &Leaver, ()).out;
         m.instance("u_keeper", &Keeper, ()).out & one
     }));
-    assert!(text.starts_with("a signal of a module already finished is used inside of `Keeper`"), "{text}");
+    assert!(text.starts_with("a signal of a module already finished is used inside of `Keeper` [T505]"), "{text}");
 }

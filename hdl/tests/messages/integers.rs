@@ -14,16 +14,16 @@ fn numbers_that_fit_nowhere() {
         ("`.repeat(4294967297)` makes more than 1048576 bits of `a`", |_, i| i.a.repeat((1u64 << 32) + 1)),
         ("lane -1 of a signal of 3 lanes", |_, i| i.a.of(3).lane(-1)),
         ("lane 4294967296 of a signal of 3 lanes", |_, i| i.a.of(3).lane(1u64 << 32)),
-        ("`-1` does not fit in 8 bits, unsigned", |_, _| lit(8, -1)),
+        ("`-1` does not fit in 8 bits, unsigned [T102]", |_, _| lit(8, -1)),
         ("`128` does not fit in 8 bits, signed", |_, _| lit(bits(8).signed(), 128).bits()),
         ("`256` does not fit in 8 bits, unsigned", |_, _| constants(bits(8).of(4), |lane| 254 + lane).sum()),
-        ("`-1` does not fit in 8 bits, unsigned", |_, _| constants(bits(8).of(4), |_| -1).sum()),
+        ("`-1` does not fit in 8 bits, unsigned [T102]", |_, _| constants(bits(8).of(4), |_| -1).sum()),
         ("the key -1 of `case` does not fit in 8 bits", |_, i| case(i.a, [(-1, i.a)], 0)),
         ("the key 255 of `case` does not fit in 8 bits", |_, i| case(i.a.signed(), [(255, i.a)], 0)),
         ("memory `words` of -4 words of 8 bits holds nothing", |m, i| {
             m.memory("words", -4, 8, ReadUnderWrite::Old).read(i.c)
         }),
-        ("memory `words` has 4294967296 words, more than 4294967295", |m, i| {
+        ("memory `words` has 4294967296 words, more than 4294967295 [T308]", |m, i| {
             m.memory("words", 1u64 << 32, 1, ReadUnderWrite::Old).read(i.a.zext(32))
         }),
     ];
@@ -38,8 +38,18 @@ fn numbers_that_fit_nowhere() {
 fn rotations_by_less_than_nothing() {
     expect(
         |_, i| i.a.rotate_right(-1),
-        "a rotation by -1 places
+        "a rotation by -1 places [T111]
          --> [|_, i| i.a.rotate_right(-1),]
          help: `rotate_left` and `rotate_right` take 0 or more",
+    );
+}
+
+#[test]
+fn counts_of_less_than_nothing() {
+    expect(
+        |_, i| i.a.of(3).to_rows(-1).sum(),
+        "a number of -1 [T112]
+         --> [|_, i| i.a.of(3).to_rows(-1).sum(),]
+         help: it must be 0 or more",
     );
 }

@@ -12,7 +12,7 @@ codes! {
 fn signed_and_unsigned() {
     expect(
         |_, i| i.a + i.a.signed(),
-        "`+` mixes `a`, a number, and `a`, signed
+        "`+` mixes `a`, a number, and `a`, signed [T201]
          --> [|_, i| i.a + i.a.signed(),]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
@@ -24,15 +24,15 @@ fn signed_and_unsigned() {
             level.next(i.a);
             level.bits()
         }),
-        ("a word of memory `words` is signed, but `a` is a number", |m, i| {
+        ("a word of memory `words` is signed, but `a` is a number [T201]", |m, i| {
             let words = m.memory("words", 4, bits(8).signed(), ReadUnderWrite::Old);
             words.write(i.c, 0, i.a);
             words.read(0).bits()
         }),
-        ("`-` makes a negative number, but `a` is not signed", |_, i| -i.a),
-        ("`.zext(9)` would lose the sign of `a`, which has 8 bits", |_, i| i.a.signed().zext(9)),
+        ("`-` makes a negative number, but `a` is not signed [T202]", |_, i| -i.a),
+        ("`.zext(9)` would lose the sign of `a`, which has 8 bits [T203]", |_, i| i.a.signed().zext(9)),
         ("`-129` does not fit in 8 bits, signed", |_, i| i.a.signed().lt(-129).zext(8)),
-        ("input `x` of `u_inverter` is a number, but `a` is signed", |m, i| {
+        ("input `x` of `u_inverter` is a number, but `a` is signed [T503]", |m, i| {
             m.instance("u_inverter", &Inverter { registered: false }, Link { x: i.a.signed() }).out
         }),
     ];
@@ -47,12 +47,14 @@ fn codes_and_numbers() {
     let cases: [(&str, Build); 8] = [
         ("`<<` computes with `operation`, a code of `Operation`", |m, _| operation(m) << 1),
         ("`eq` mixes `operation`, a code of `Operation`, and `1`", |m, _| operation(m).eq(1)),
-        ("`+` computes with `operation`, a code of `Operation`", |m, _| operation(m) + 1),
-        ("`is` mixes `operation`, a code of `Operation`, and `Source::Memory`", |m, _| operation(m).is(Source::Memory)),
+        ("`+` computes with `operation`, a code of `Operation` [T204]", |m, _| operation(m) + 1),
+        ("`is` mixes `operation`, a code of `Operation`, and `Source::Memory` [T201]", |m, _| {
+            operation(m).is(Source::Memory)
+        }),
         ("`lt` computes with `operation`, a code of `Operation`", |m, _| operation(m).lt(Operation::And)),
         ("`+` mixes `a`, a number, and `Operation::And`", |_, i| i.a + Operation::And),
-        ("a `Operation` has 2 bits, but `a` has 8 bits", |_, i| i.a.code::<Operation>().is(Operation::Add)),
-        ("`choose` needs a code of `Source`, but `operation` is a code of `Operation`", |m, _| {
+        ("a `Operation` has 2 bits, but `a` has 8 bits [T205]", |_, i| i.a.code::<Operation>().is(Operation::Add)),
+        ("`choose` needs a code of `Source`, but `operation` is a code of `Operation` [T206]", |m, _| {
             operation(m).choose(|source| match source {
                 Source::Memory => 1,
                 Source::Constant => 0,
@@ -129,5 +131,5 @@ fn outputs_stand_for_what_the_block_says() {
     elaborate(&Case(|m, i| m.instance("u_smallest", &Smallest, Link { x: i.a.signed().of(row(3)) }).out + i.a))
         .unwrap();
     let text = problems(&Case(|m, i| m.instance("u_smallest", &Smallest, Link { x: i.a.of(row(3)) }).out));
-    assert!(text.starts_with("input `x` of `u_smallest` is signed, but `a.of(..)` is a number\n"), "{text}");
+    assert!(text.starts_with("input `x` of `u_smallest` is signed, but `a.of(..)` is a number [T503]\n"), "{text}");
 }

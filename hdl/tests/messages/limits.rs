@@ -174,9 +174,19 @@ fn a_period_of_any_length_is_one_or_a_problem() {
     elaborate_at(&Inverter { registered: true }, Period::ps(1 << 50)).unwrap();
     expect(
         |m, _| *m.on(Clock::new("slow", Period::ns(u64::MAX))).reg("held", 8).when(lit(1, 1), 1),
-        "clock `slow` has a period of 18446744073709551614 ps, more than 1125899906842624 ps
+        "clock `slow` has a period of 18446744073709551614 ps, more than 1125899906842624 ps [T806]
          --> [|m, _| *m.on(Clock::new(\"slow\", Period::ns(u64::MAX))).reg(\"held\", 8).when(lit(1, 1), 1),]
          help: a period is some nanoseconds, and 18 minutes at most",
+    );
+}
+
+#[test]
+fn pipelines_of_too_many_stages() {
+    expect(
+        |m, i| m.stages(1 << 17, None, Word { x: i.a }, |_, word| word).x,
+        "a pipeline of 131072 stages has more than 65536 [T754]
+         --> [|m, i| m.stages(1 << 17, None, Word { x: i.a }, |_, word| word).x,]
+         help: a memory can delay by as many clocks as it has words",
     );
 }
 
@@ -199,12 +209,12 @@ fn lists_of_too_many_ports() {
     let text = problems(&Listed { ports: 70_000 });
     assert_eq!(
         text,
-        "a list of 70000 ports, more than 65536\n  --> [block! {]\n  help: lanes are one port: `bits(8).of(row(lanes))`"
+        "a list of 70000 ports, more than 65536 [T509]\n  --> [block! {]\n  help: lanes are one port: `bits(8).of(row(lanes))`"
     );
 }
 
 #[test]
-#[should_panic(expected = "a list of 70000 ports, more than 65536, at hdl/tests/messages/limits.rs:")]
+#[should_panic(expected = "a list of 70000 ports, more than 65536 [T509], at hdl/tests/messages/limits.rs:")]
 fn lists_of_too_many_ports_outside_of_a_description() {
     let _ = Listed { ports: 70_000 }.inputs();
 }

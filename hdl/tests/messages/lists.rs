@@ -37,7 +37,7 @@ fn rows(lengths: &[usize], i: &In) -> Rows {
 fn an_instance_fed_a_shorter_list() {
     expect(
         |m, i| m.instance("u_adder", &Adder, rows(&[2, 1], &i)).out,
-        "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 1
+        "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 1 [T504]
          --> [|m, i| m.instance(\"u_adder\", &Adder, rows(&[2, 1], &i)).out,]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
          help: feed as many as the block declares",
@@ -53,22 +53,22 @@ fn an_instance_fed_a_longer_list() {
                 Rows { rows: vec![Row { cells: vec![i.a; 2] }, Row { cells: vec![i.a, i.a, unused] }], first: i.c };
             m.instance("u_adder", &Adder, more).out
         },
-        "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 3
+        "input `rows.1.cells` of `u_adder` is a list of 2, but is fed a list of 3 [T504]
          --> [m.instance(\"u_adder\", &Adder, more).out]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
          help: feed as many as the block declares",
     );
     let text = problems(&Case(|m, i| m.instance("u_adder", &Adder, rows(&[2, 2, 2], &i)).out));
-    assert!(text.starts_with("input `rows` of `u_adder` is a list of 2, but is fed a list of 3\n"), "{text}");
+    assert!(text.starts_with("input `rows` of `u_adder` is a list of 2, but is fed a list of 3 [T504]\n"), "{text}");
     let text = problems(&Case(|m, i| m.instance("u_adder", &Adder, rows(&[], &i)).out));
-    assert!(text.starts_with("input `rows` of `u_adder` is a list of 2, but is fed a list of 0\n"), "{text}");
+    assert!(text.starts_with("input `rows` of `u_adder` is a list of 2, but is fed a list of 0 [T504]\n"), "{text}");
 }
 
 #[test]
 fn an_array_fed_a_list_of_another_length() {
     expect(
         |m, i| m.array("u_adders", 3, &Adder, |_| rows(&[2, 3], &i)).out.lane(0),
-        "input `rows.1.cells` of `u_adders` is a list of 2, but is fed a list of 3
+        "input `rows.1.cells` of `u_adders` is a list of 2, but is fed a list of 3 [T504]
          --> [|m, i| m.array(\"u_adders\", 3, &Adder, |_| rows(&[2, 3], &i)).out.lane(0),]
          `rows.1.cells` is declared at [let row = || Row { cells: vec![bits(8), bits(8)] };]
          help: feed as many as the block declares",
@@ -79,28 +79,31 @@ fn an_array_fed_a_list_of_another_length() {
 fn lanes_fed_lists_of_different_lengths() {
     expect(
         |m, i| m.array("u_adders", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),
-        "lane 1 of a stack has a list `rows.1.cells` of 1, but lane 0 one of 2
+        "lane 1 of a stack has a list `rows.1.cells` of 1, but lane 0 one of 2 [T504]
          --> [|m, i| m.array(\"u_adders\", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 1], &i)])).out.lane(0),]
          help: give every lane lists of the same length",
     );
     let text = problems(&Case(|m, i| {
         m.array("u_adders", 2, &Adder, |_| stack([rows(&[2, 2], &i), rows(&[2, 3], &i)])).out.lane(0)
     }));
-    assert!(text.starts_with("lane 1 of a stack has a list `rows.1.cells` of 3, but lane 0 one of 2\n"), "{text}");
+    assert!(
+        text.starts_with("lane 1 of a stack has a list `rows.1.cells` of 3, but lane 0 one of 2 [T504]\n"),
+        "{text}"
+    );
 }
 
 #[test]
 fn choices_between_lists_of_different_lengths() {
     expect(
         |_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],
-        "`mux` gives a list `rows.1.cells` of 1 where one of 2 is expected
+        "`mux` gives a list `rows.1.cells` of 1 where one of 2 is expected [T504]
          --> [|_, i| mux(i.c, rows(&[1, 2], &i), rows(&[1, 1], &i)).rows[1].cells[1],]
          help: both records have lists of the same lengths",
     );
     let text = problems(&Case(|_, i| mux(i.c, rows(&[1], &i), rows(&[1, 1], &i)).first));
-    assert!(text.starts_with("`mux` gives a list `rows` of 2 where one of 1 is expected\n"), "{text}");
+    assert!(text.starts_with("`mux` gives a list `rows` of 2 where one of 1 is expected [T504]\n"), "{text}");
     let text = problems(&Case(|_, i| mux(i.c, vec![i.a, i.a], vec![i.a])[1]));
-    assert!(text.starts_with("`mux` gives a list of 1 where one of 2 is expected\n"), "{text}");
+    assert!(text.starts_with("`mux` gives a list of 1 where one of 2 is expected [T504]\n"), "{text}");
 }
 
 #[test]
@@ -111,7 +114,7 @@ fn lanes_of_an_array_of_another_length() {
             let long = m.array("u_long", 4, &Inverter { registered: true }, |_| Link { x: short.out });
             long.out.last()
         },
-        "input `x` of `u_long` has 4 lanes, but `u_short.out` has 3 lanes
+        "input `x` of `u_long` has 4 lanes, but `u_short.out` has 3 lanes [T503]
          --> [let long = m.array(\"u_long\", 4, &Inverter { registered: true }, |_| Link { x: short.out });]
          `x` is declared at [Link { x: bits(8) }]
          `u_short.out` is made at [let short = m.array(\"u_short\", 3, &Inverter { registered: true }, |_| Link { x: i.a });]

@@ -12,7 +12,7 @@ fn combinational_loops_name_every_hop() {
             w.drive(once ^ 1);
             once
         },
-        "a combinational loop in `Case`: `w` -> `once` -> `once ^ 1` -> `w`
+        "a combinational loop in `Case`: `w` -> `once` -> `once ^ 1` -> `w` [T310]
          --> [let w = m.wire(\"w\", 8);]
          `w` is computed at [let w = m.wire(\"w\", 8);]
          `once` is computed at [let once = (*w + i.a).named(\"once\");]

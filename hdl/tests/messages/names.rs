@@ -7,20 +7,22 @@ use tilewright_hdl::*;
 fn names_that_clash_or_are_illegal() {
     expect(
         |_, i| (i.a.named("sum") + 1).named("sum"),
-        "net `sum` has the name of another net
+        "net `sum` has the name of another net [T401]
          --> [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
          the other net `sum` is declared at [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
          help: rename one of them",
     );
-    assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of an input"));
-    assert!(problems(&Case(|_, i| (!i.a).named("two words"))).starts_with("`two words` cannot be the name of a net"));
+    assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of an input [T401]"));
+    assert!(
+        problems(&Case(|_, i| (!i.a).named("two words"))).starts_with("`two words` cannot be the name of a net [T403]")
+    );
 }
 
 #[test]
 fn ports_with_reserved_names() {
     assert_eq!(
         problems(&Through),
-        "input `table` has a reserved word of Verilog for a name\n  --> [Reserved { table: bits(4) }]\n  help: call it `table_` or something else"
+        "input `table` has a reserved word of Verilog for a name [T402]\n  --> [Reserved { table: bits(4) }]\n  help: call it `table_` or something else"
     );
 }
 
@@ -40,14 +42,14 @@ fn ports_with_names_reserved_in_cpp() {
             Out { out: !i.near }
         }
     }
-    assert!(problems(&Near).starts_with("input `near` has a reserved word of C++ for a name"));
+    assert!(problems(&Near).starts_with("input `near` has a reserved word of C++ for a name [T402]"));
 }
 
 #[test]
 fn instances_that_hide_something() {
     expect(
         |m, i| m.instance("y", &Inverter { registered: true }, Link { x: i.a }).out,
-        "instance `y` has the name of something inside of it
+        "instance `y` has the name of something inside of it [T404]
          --> [|m, i| m.instance(\"y\", &Inverter { registered: true }, Link { x: i.a }).out,]
          the inner `y` is declared at [Out { out: if self.registered { m.pipe(\"y\", !i.x) } else { !i.x } }]
          help: call the instance `u_y`",
@@ -66,7 +68,10 @@ fn instances_that_hide_something() {
         }
     }
     let text = problems(&Case(|m, i| m.array("u_street", 2, &Street, |_| Link { x: i.a }).out.last()));
-    assert!(text.starts_with("the lanes of `u_street` contain something called `lane`"), "{text}");
+    assert!(
+        text.starts_with("the lanes of `u_street` contain something called `lane`, the name of each lane [T404]"),
+        "{text}"
+    );
 }
 
 #[test]
@@ -97,7 +102,7 @@ fn modules_of_one_name_and_different_contents() {
         let b = m.instance("u_b", &Twin(7), Link { x: i.b }).out;
         m.instance("u_a", &Twin(8), Link { x: i.a }).out & b.zext(8)
     }));
-    assert!(text.starts_with("`Twin(7)` and `Twin(8)` are both called `twin`"), "{text}");
+    assert!(text.starts_with("`Twin(7)` and `Twin(8)` are both called `twin` [T405]"), "{text}");
 }
 
 #[test]
@@ -119,8 +124,8 @@ fn modules_with_illegal_names() {
         }
     }
     let text = problems(&Unnameable);
-    assert!(text.starts_with("input `x` has no bits\n  --> [Link { x: bits(0) }]"), "{text}");
-    assert!(text.contains("`endmodule` cannot be the name of a module"), "{text}");
+    assert!(text.starts_with("input `x` has no bits [T107]\n  --> [Link { x: bits(0) }]"), "{text}");
+    assert!(text.contains("`endmodule` cannot be the name of a module [T403]"), "{text}");
 }
 
 /// A table of constants whose `Debug` text is its length only.
@@ -153,7 +158,7 @@ fn different_blocks_that_print_alike() {
             let one = m.instance("u_one", &Rom(&[1, 2]), Link { x: i.a }).out;
             one ^ m.instance("u_two", &Rom(&[1, 3]), Link { x: i.a }).out
         },
-        "two different blocks print as `Rom { words: 2 }` and are both called `rom_words2`
+        "two different blocks print as `Rom { words: 2 }` and are both called `rom_words2` [T405]
          --> [one ^ m.instance(\"u_two\", &Rom(&[1, 3]), Link { x: i.a }).out]
          `Rom { words: 2 }` is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
          the other one is instantiated at [let one = m.instance(\"u_one\", &Rom(&[1, 2]), Link { x: i.a }).out;]

@@ -30,7 +30,7 @@ fn statements_are_about_one_bit() {
         ("rose", problems(&Case(|m, i| m.rose(i.a)))),
         ("fell", problems(&Case(|m, i| m.fell(i.a)))),
     ] {
-        let first = format!("the condition of `{word}` is 1 bit, but `a` has 8 bits\n");
+        let first = format!("the condition of `{word}` is 1 bit, but `a` has 8 bits [T106]\n");
         assert!(text.starts_with(&first) && text.contains(&format!("m.{word}(")), "{text}");
     }
 }
@@ -43,7 +43,7 @@ fn a_cover_has_a_name_of_its_own() {
             m.cover("a is 3", i.a.gt(3));
             i.a
         },
-        "a second cover is called `a is 3`
+        "a second cover is called `a is 3` [T901]
          --> [m.cover(\"a is 3\", i.a.gt(3));]
          the first one is stated at [m.cover(\"a is 3\", i.a.eq(3));]
          help: give each cover its own name: a test asks for it by name",
@@ -90,7 +90,7 @@ fn statements_and_pasts_belong_to_a_clock() {
             })),
         ),
     ] {
-        let first = format!("`slow` is on clock `clk` but reaches {what} on clock `fast` without a crossing\n");
+        let first = format!("`slow` is on clock `clk` but reaches {what} on clock `fast` without a crossing [T801]\n");
         assert!(text.starts_with(&first), "{text}");
     }
 }
@@ -99,7 +99,7 @@ fn statements_and_pasts_belong_to_a_clock() {
 fn a_past_has_the_name_of_its_signal_or_says_what_it_is_of() {
     expect(
         |m, i| m.past(i.a + 1) & m.past(i.b),
-        "`&` needs equal widths: `past(a + 1)` has 8 bits, `past(b)` has 7 bits
+        "`&` needs equal widths: `past(a + 1)` has 8 bits, `past(b)` has 7 bits [T101]
          --> [|m, i| m.past(i.a + 1) & m.past(i.b),]
          `past(a + 1)` is made at [|m, i| m.past(i.a + 1) & m.past(i.b),]
          `past(b)` is made at [|m, i| m.past(i.a + 1) & m.past(i.b),]
@@ -123,7 +123,7 @@ fn initial_values() {
             r.next(i.a);
             *r
         },
-        "the initial value of `r` is not a constant of 8 bits
+        "the initial value of `r` is not a constant of 8 bits [T115]
          --> [let r = m.reg(\"r\", 8).initial(i.a);]
          help: the initial value is a number known while the block is built",
     );
@@ -133,7 +133,7 @@ fn initial_values() {
             r.initial(2).next(i.a);
             *r
         },
-        "`r` is given an initial value twice
+        "`r` is given an initial value twice [T303]
          --> [r.initial(2).next(i.a);]
          the first time is at [let r = m.reg(\"r\", 8).initial(1);]
          `r` is declared at [let r = m.reg(\"r\", 8).initial(1);]
@@ -145,7 +145,7 @@ fn initial_values() {
             r.reset(2).next(i.a);
             *r
         },
-        "`r` is given a reset value twice
+        "`r` is given a reset value twice [T303]
          --> [r.reset(2).next(i.a);]
          the first time is at [let r = m.reg(\"r\", 8).reset(1);]
          `r` is declared at [let r = m.reg(\"r\", 8).reset(1);]
@@ -170,10 +170,10 @@ fn attributes() {
         words.read_async(i.b.trunc(2)) + *r
     }));
     for part in [
-        "`no name` cannot be the name of an attribute\n",
-        "the attribute `keep` is given twice\n",
+        "`no name` cannot be the name of an attribute [T403]\n",
+        "the attribute `keep` is given twice [T303]\n",
         "`begin` cannot be",
-        "the value of the attribute `mark` would end it: `a *) b`\n",
+        "the value of the attribute `mark` would end it: `a *) b` [T406]\n",
     ] {
         assert!(text.contains(part), "{text}");
     }

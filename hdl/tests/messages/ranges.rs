@@ -54,13 +54,13 @@ fn a_block_out_of_its_ranges_is_not_built() {
             let sum = i.a + i.b;
             m.instance("u_queue", &Queue { width: 0, depth: 0, ..QUEUE }, QueueIn { word: sum }).shown
         },
-        "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits
+        "`+` needs equal widths: `a` has 8 bits, `b` has 7 bits [T101]
          --> [let sum = i.a + i.b;]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`
 
-         `depth` of `Queue` is 0: it has to be from 2 to 8
+         `depth` of `Queue` is 0: it has to be from 2 to 8 [T501]
          --> [m.instance(\"u_queue\", &Queue { width: 0, depth: 0, ..QUEUE }, QueueIn { word: sum }).shown]
 
          2 problems in this description",

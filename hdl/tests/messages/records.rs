@@ -20,7 +20,7 @@ fn registers_of_records_name_the_field() {
             entry.next(Entry { resident: i.c, page: i.b });
             entry.pack().trunc(8)
         },
-        "`next` needs equal widths: `entry_page` has 8 bits, `b` has 7 bits
+        "`next` needs equal widths: `entry_page` has 8 bits, `b` has 7 bits [T101]
          --> [entry.next(Entry { resident: i.c, page: i.b });]
          `entry_page` is made at [let entry = m.reg(\"entry\", entry());]
          `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
@@ -32,20 +32,20 @@ fn registers_of_records_name_the_field() {
             entry.when(i.a, 0).when(i.c, 7);
             entry.pack().trunc(8)
         },
-        "`-1` does not fit in the 1 bit of `entry_resident`
+        "`-1` does not fit in the 1 bit of `entry_resident` [T102]
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
          help: a number takes the width and the sign of the declaration
 
-         `256` does not fit in the 8 bits of `entry_page`
+         `256` does not fit in the 8 bits of `entry_page` [T102]
          --> [let entry = m.reg(\"entry\", entry()).reset(Entry { resident: -1, page: 256 });]
          help: a number takes the width and the sign of the declaration
 
-         the condition of `when` is 1 bit, but `a` has 8 bits
+         the condition of `when` is 1 bit, but `a` has 8 bits [T106]
          --> [entry.when(i.a, 0).when(i.c, 7);]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: compare it, as in `.ne(0)`, or take one `.bit(i)`
 
-         `when` gives a record the number 7, which is not a record
+         `when` gives a record the number 7, which is not a record [T508]
          --> [entry.when(i.a, 0).when(i.c, 7);]
          help: the only number that means a whole record is 0: each field is 0
 
@@ -61,7 +61,7 @@ fn records_driven_twice_or_not_at_all() {
         wire.drive(0);
         wire.page
     }));
-    assert!(text.starts_with("`found_resident` is driven twice\n  --> [wire.drive(0);]"), "{text}");
+    assert!(text.starts_with("`found_resident` is driven twice [T302]\n  --> [wire.drive(0);]"), "{text}");
     let text = problems(&Case(|m, _| m.reg("entry", entry()).page));
     assert!(text.contains("register `entry_page` of `Case` is never driven"), "{text}");
 }
@@ -76,11 +76,11 @@ fn words_of_records_name_the_field() {
             entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });
             entries.read(i.a).page
         },
-        "`2` does not fit in the 1 bit of field `resident` of word 1 of memory `entries`
+        "`2` does not fit in the 1 bit of field `resident` of word 1 of memory `entries` [T102]
          --> [.words([Entry { resident: 1, page: 255 }, Entry { resident: 2, page: 0 }]);]
          help: a number takes the width and the sign of the declaration
 
-         field `page` of memory `entries` has 8 bits, but `b` has 7 bits
+         field `page` of memory `entries` has 8 bits, but `b` has 7 bits [T309]
          --> [entries.write(i.c, i.a, Entry { resident: i.c, page: i.b });]
          `entries` is declared at [.memory(\"entries\", 256, entry(), ReadUnderWrite::Old)]
          `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
@@ -93,11 +93,11 @@ fn words_of_records_name_the_field() {
             let entries = m.memory("entries", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });
             entries.read_async(i.a).page
         },
-        "field `resident` of the contents of memory `entries` is a constant of 1 bit, but `c` is not
+        "field `resident` of the contents of memory `entries` is a constant of 1 bit, but `c` is not [T115]
          --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
          help: contents are numbers known while the block is built
 
-         field `page` of the contents of memory `entries` is a constant of 8 bits, but `a` is not
+         field `page` of the contents of memory `entries` is a constant of 8 bits, but `a` is not [T115]
          --> [let entries = m.memory(\"entries\", 256, entry(), ReadUnderWrite::Old).fill(Entry { resident: i.c, page: i.a });]
          help: contents are numbers known while the block is built
 
@@ -112,7 +112,7 @@ fn fields_of_no_width() {
             let nothing = Entry { resident: bits(0), page: bits(8) };
             m.memory("entries", 256, nothing, ReadUnderWrite::Old).read(i.a).page
         },
-        "field `resident` of memory `entries` has no bits
+        "field `resident` of memory `entries` has no bits [T107]
          --> [m.memory(\"entries\", 256, nothing, ReadUnderWrite::Old).read(i.a).page]
          help: a width is at least 1",
     );
@@ -121,14 +121,14 @@ fn fields_of_no_width() {
     WIDE.set(wide);
     let text =
         problems(&Case(|m, i| m.memory("entries", 256, WIDE.get(), ReadUnderWrite::Old).read(i.a).page.trunc(8)));
-    assert!(text.starts_with("memory `entries` has words of 2097152 bits, more than 1048576\n"), "{text}");
+    assert!(text.starts_with("memory `entries` has words of 2097152 bits, more than 1048576 [T108]\n"), "{text}");
 }
 
 #[test]
 fn words_that_a_record_is_not_unpacked_from() {
     expect(
         |_, i| entry().unpack(i.a).page,
-        "a record of 9 bits is unpacked from `a`, which has 8 bits
+        "a record of 9 bits is unpacked from `a`, which has 8 bits [T507]
          --> [|_, i| entry().unpack(i.a).page,]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: a word has exactly the bits of the record's fields, side by side",
@@ -143,7 +143,7 @@ fn lists_of_another_length_than_the_registers() {
             row.next(Row { cells: vec![i.a, i.a, i.a] });
             row.cells[0]
         },
-        "`next` gives a list `cells` of 3 where one of 2 is expected
+        "`next` gives a list `cells` of 3 where one of 2 is expected [T504]
          --> [row.next(Row { cells: vec![i.a, i.a, i.a] });]
          help: both records have lists of the same lengths",
     );
@@ -156,7 +156,7 @@ fn a_record_chosen_from_numbers_alone() {
             let entry: Entry = mux(i.c, 0, 0);
             entry.page
         },
-        "`mux` has only numbers to choose a record from
+        "`mux` has only numbers to choose a record from [T508]
          --> [let entry: Entry = mux(i.c, 0, 0);]
          help: write one of them as a record",
     );
@@ -169,7 +169,7 @@ fn a_number_in_a_list_of_records() {
             let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);
             entries[0].page
         },
-        "a list of records has the number 0 in it
+        "a list of records has the number 0 in it [T508]
          --> [let entries: [Entry; 1] = select([(i.c, [Entry { resident: i.c, page: i.a }])], [0]);]
          help: write the record",
     );
@@ -184,7 +184,7 @@ fn pipelines_say_the_condition_once() {
             m.ignore(&last.resident);
             last.page
         },
-        "the condition of `stages` is 1 bit, but `a` has 8 bits
+        "the condition of `stages` is 1 bit, but `a` has 8 bits [T106]
          --> [let last = m.stages(3, i.a, start, |_, now| Entry { page: now.page + 1, ..now });]
          `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
          help: compare it, as in `.ne(0)`, or take one `.bit(i)`",
@@ -198,7 +198,10 @@ fn two_pipelines_of_one_record_need_names() {
         let first = m.stages(1, None, start, |_, now| now);
         m.stages(1, None, first, |_, now| now).page
     }));
-    assert!(text.starts_with("net `resident1` has the name of another net\n  --> [m.stages(1, None, first"), "{text}");
+    assert!(
+        text.starts_with("net `resident1` has the name of another net [T401]\n  --> [m.stages(1, None, first"),
+        "{text}"
+    );
     let build = |m: Module, i: In| {
         let first = m.stages(1, None, Entry { resident: i.c, page: i.a }, |_, now| now);
         m.ignore(&first.resident);

@@ -35,27 +35,33 @@ fn each_says(cases: &[(&str, &str, Build)]) {
 fn of_choices_and_codes() {
     let reads_bits = "`.code::<Enum>()` reads bits as a code of an enum";
     each_says(&[
-        ("the key 2 of `case` does not fit in 1 bit", "each key is a value of the subject and occurs once", |_, i| {
-            case(i.c, [(2, i.a)], 0)
-        }),
-        ("the key 2 of `case` occurs twice", "each key is a value of the subject and occurs once", |_, i| {
+        (
+            "the key 2 of `case` does not fit in 1 bit [T208]",
+            "each key is a value of the subject and occurs once",
+            |_, i| case(i.c, [(2, i.a)], 0),
+        ),
+        ("the key 2 of `case` occurs twice [T209]", "each key is a value of the subject and occurs once", |_, i| {
             case(i.a, [(2, i.a), (2, i.a)], 0)
         }),
-        ("`is_code` needs a code, but `a` is a number", reads_bits, |_, i| i.a.is_code().zext(8)),
+        ("`is_code` needs a code, but `a` is a number [T206]", reads_bits, |_, i| i.a.is_code().zext(8)),
         ("`choose` needs a code of `Operation`, but `a.slice(0..2)` is a number", reads_bits, |_, i| {
             i.a.trunc(2).choose(|operation: Operation| if operation == Operation::Add { lit(8, 1) } else { lit(8, 0) })
         }),
         (
-            "a `Operation` has 2 bits, but `a` has 8 bits",
+            "a `Operation` has 2 bits, but `a` has 8 bits [T205]",
             "take the bits of the code, as in `.part(low, width)`",
             |_, i| i.a.code::<Operation>().bits(),
         ),
         (
-            "`+` computes with `operation`, a code of `Operation`",
+            "`+` computes with `operation`, a code of `Operation` [T204]",
             "a code is compared, by `.is(..)` and `.eq(..)`, and chosen by; `.bits()` reads it as a number",
             |m, _| operation(m) + 1,
         ),
-        ("`-` makes a negative number, but `a` is not signed", "`.signed()` reads it in two's complement", |_, i| -i.a),
+        (
+            "`-` makes a negative number, but `a` is not signed [T202]",
+            "`.signed()` reads it in two's complement",
+            |_, i| -i.a,
+        ),
     ]);
 }
 
@@ -63,20 +69,20 @@ fn of_choices_and_codes() {
 fn of_registers_and_memories() {
     each_says(&[
         (
-            "memory `words` has 2 words, but its contents have 3",
+            "memory `words` has 2 words, but its contents have 3 [T306]",
             "give at most as many words as the memory has",
             |m, i| m.memory("words", 2, 8, ReadUnderWrite::Old).words([1, 2, 3]).read(i.c),
         ),
-        ("memory `words` of 0 words of 8 bits holds nothing", "depth and width are at least 1", |m, i| {
+        ("memory `words` of 0 words of 8 bits holds nothing [T307]", "depth and width are at least 1", |m, i| {
             m.memory("words", 0, 8, ReadUnderWrite::Old).read(i.c)
         }),
         (
-            "memory `words` has 4294967296 words, more than 4294967295",
+            "memory `words` has 4294967296 words, more than 4294967295 [T308]",
             "use wider words, or several memories",
             |m, i| m.memory("words", 1u64 << 32, 8, ReadUnderWrite::Old).read(i.a.zext(32)),
         ),
         (
-            "memory `entries` stores records, whose field `resident` has no lanes, but `page` 4 lanes",
+            "memory `entries` stores records, whose field `resident` has no lanes, but `page` 4 lanes [T613]",
             "each lane of a memory has whole records: all fields have its lanes",
             |m, i| {
                 let entry = Entry { resident: bit(), page: bits(8).of(4) };
@@ -84,25 +90,25 @@ fn of_registers_and_memories() {
             },
         ),
         (
-            "`3` is not a code of `Operation`, the enum of the contents of memory `program`",
+            "`3` is not a code of `Operation`, the enum of the contents of memory `program` [T207]",
             "a number takes the width and the sign of the declaration",
             |m, i| m.memory("program", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(3).read(i.c).bits(),
         ),
         (
-            "an address of memory `words`, of 2 lanes, has 3 lanes: `line.bit(0)`",
+            "an address of memory `words`, of 2 lanes, has 3 lanes: `line.bit(0)` [T612]",
             "it is plain, one for all lanes, or has the memory's lanes",
             |m, _| {
                 let words = m.memory("words", 2, bits(8).of(2), ReadUnderWrite::Old);
                 words.read_async(line(m, 3).trunc(1)).sum()
             },
         ),
-        ("`r` has 3 lanes, but 2 reset values", "`.reset(value)` gives all lanes the same value", |m, _| {
+        ("`r` has 3 lanes, but 2 reset values [T605]", "`.reset(value)` gives all lanes the same value", |m, _| {
             let register = m.reg("r", bits(8).of(3)).reset_each([1, 2]);
             register.next(0);
             register.sum()
         }),
         (
-            "`no name` cannot be the name of an attribute",
+            "`no name` cannot be the name of an attribute [T403]",
             "a name consists of letters, digits and `_`, and is not a reserved word of Verilog",
             |m, i| {
                 let r = m.reg("r", 8).attribute("no name", "1");
@@ -123,19 +129,19 @@ fn of_lanes() {
     let two_axes = "shapes have two at most: rows and columns";
     each_says(&[
         (
-            "a tree needs rows with equal numbers of lanes, but `a` has no lanes",
+            "a tree needs rows with equal numbers of lanes, but `a` has no lanes [T602]",
             "a grid is combined by `.rows()` and `.columns()`, one after the other, and their `sum()`, `minimum()` and so on",
             |_, i| tree(i.a, |a: Signal, b| a + b),
         ),
-        ("a stack of grids, of 2 x 2 lanes each, would have three axes", two_axes, |_, i| {
+        ("a stack of grids, of 2 x 2 lanes each, would have three axes [T607]", two_axes, |_, i| {
             stack([i.a.of(grid(2, 2))]).sum()
         }),
         (
-            "`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes",
+            "`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes [T610]",
             "it cuts a plain word into lanes of equal widths",
             |_, i| i.a.unpack(row(3)).sum(),
         ),
-        ("a list of constants has no lanes", "a row, and a side of a grid, is at least 1", |_, _| {
+        ("a list of constants has no lanes [T608]", "a row, and a side of a grid, is at least 1", |_, _| {
             constants(bits(8).of(row(0)), |lane| lane).sum()
         }),
         (
@@ -149,7 +155,7 @@ fn of_lanes() {
             |m, i| i.a.of(grid(2, 3)).columns().previous(line(m, 3)).sum(),
         ),
         (
-            "port `x` of `u_cell`, of 3 lanes, would have three axes in an array of 2 x 2 lanes",
+            "port `x` of `u_cell`, of 3 lanes, would have three axes in an array of 2 x 2 lanes [T607]",
             "shapes have two axes at most: rows and columns",
             |m, i| m.array("u_cell", grid(2, 2), &Shaped, |_| Link { x: i.a }).out.sum(),
         ),
@@ -176,8 +182,7 @@ impl Block for Shaped {
 #[test]
 fn of_more_lanes_than_are_looked_through() {
     each_says(&[(
-        "`w` of `Case` is on a path that comes back to it, of 83886080 lanes: more than 67108864 are not looked through \
-         for a combinational loop",
+        "`w` of `Case` is on a path that comes back to it, of 83886080 lanes: more than 67108864 are not looked through for a combinational loop [T311]",
         "put a register into the path, or make the array smaller",
         |m, i| {
             let w = m.wire("w", bit().of(1 << 24));
@@ -200,7 +205,7 @@ fn of_a_bad_slice_that_is_used_further() {
     ];
     for build in cases {
         let text = problems(&Case(build));
-        assert!(text.starts_with("the slice 4..9 is outside of `a`, which has 8 bits\n"), "{text}");
+        assert!(text.starts_with("the slice 4..9 is outside of `a`, which has 8 bits [T103]\n"), "{text}");
         assert!(text.ends_with("  help: a slice is `low..high` with low < high <= 8"), "{text}");
         assert!(!text.contains("`0`"), "{text}");
     }

@@ -16,7 +16,7 @@ fn lanes_that_do_not_meet() {
             let (three, four) = (lanes(m, "three", row(3)), lanes(m, "four", row(4)));
             (three + four).sum()
         },
-        "`+` needs equal shapes: `three` has 3 lanes, `four` has 4 lanes
+        "`+` needs equal shapes: `three` has 3 lanes, `four` has 4 lanes [T601]
          --> [(three + four).sum()]
          `three` is made at [let register = m.reg(name, bits(8).of(shape));]
          `four` is made at [let register = m.reg(name, bits(8).of(shape));]
@@ -27,7 +27,7 @@ fn lanes_that_do_not_meet() {
             let (square, line) = (lanes(m, "square", grid(3, 3)), lanes(m, "line", row(3)));
             mux(line.eq(2), square, 0).or_all()
         },
-        "`mux` needs equal shapes: `line.eq(2)` has 3 lanes, `square` has 3 x 3 lanes
+        "`mux` needs equal shapes: `line.eq(2)` has 3 lanes, `square` has 3 x 3 lanes [T601]
          --> [mux(line.eq(2), square, 0).or_all()]
          `line.eq(2)` is made at [mux(line.eq(2), square, 0).or_all()]
          `square` is made at [let register = m.reg(name, bits(8).of(shape));]
@@ -60,7 +60,7 @@ fn what_is_too_large_is_the_place() {
             x.next(0);
             x.rows().or_all().or_all() ^ i.a
         },
-        "register `x` has 8192 x 4096 lanes, more than 16777216
+        "register `x` has 8192 x 4096 lanes, more than 16777216 [T609]
          --> [let x = m.reg(\"x\", bits(8).of(grid(1 << 13, 1 << 12)));]
          help: make it smaller, or keep large data in a memory",
     );
@@ -69,7 +69,7 @@ fn what_is_too_large_is_the_place() {
             let all = m.array("u_all", 32, &Long, |_| Link { x: i.a });
             all.out.or_all() ^ i.a
         },
-        "`case_block` has too many lanes: 33554432, more than 16777216
+        "`case_block` has too many lanes: 33554432, more than 16777216 [T903]
          --> [let all = m.array(\"u_all\", 32, &Long, |_| Link { x: i.a });]
          help: make it smaller: fewer lanes, fewer instances in arrays, or fewer words",
     );
@@ -78,7 +78,7 @@ fn what_is_too_large_is_the_place() {
             let words = m.memory("words", u32::MAX, 128, ReadUnderWrite::Old);
             words.read(i.a.zext(32)).trunc(8)
         },
-        "`case_block` has a memory of too many 64-bit words in all lanes: 8589934590, more than 4294967296
+        "`case_block` has a memory of too many 64-bit words in all lanes: 8589934590, more than 4294967296 [T903]
          --> [let words = m.memory(\"words\", u32::MAX, 128, ReadUnderWrite::Old);]
          help: make it smaller: fewer lanes, fewer instances in arrays, or fewer words",
     );
@@ -93,7 +93,7 @@ fn what_has_no_lanes_is_given_some() {
             total.next(line);
             *total ^ i.a
         },
-        "`next` needs equal shapes: `total` has no lanes, `line` has 3 lanes
+        "`next` needs equal shapes: `total` has no lanes, `line` has 3 lanes [T601]
          --> [total.next(line);]
          `total` is made at [let total = m.reg(\"total\", 8);]
          `line` is made at [let register = m.reg(name, bits(8).of(shape));]
@@ -104,30 +104,36 @@ fn what_has_no_lanes_is_given_some() {
 #[test]
 fn what_is_asked_of_another_shape() {
     let cases: [(&str, Build); 13] = [
-        ("`.previous` needs a row, but `a` has no lanes", |_, i| i.a.previous(0)),
+        ("`.previous` needs a row, but `a` has no lanes [T602]", |_, i| i.a.previous(0)),
         ("`.last` needs a row, but `square` has 2 x 3 lanes", |m, _| lanes(m, "square", grid(2, 3)).last()),
-        ("`.columns()` needs a grid, but `line` has 3 lanes", |m, _| lanes(m, "line", row(3)).columns().sum().sum()),
+        ("`.columns()` needs a grid, but `line` has 3 lanes [T602]", |m, _| {
+            lanes(m, "line", row(3)).columns().sum().sum()
+        }),
         ("`.to_rows` needs a row, but `a` has no lanes", |_, i| i.a.to_rows(2).sum()),
-        ("`line` has 3 lanes, and only a plain signal can be that of 3 x 3 lanes", |m, _| {
+        ("`line` has 3 lanes, and only a plain signal can be that of 3 x 3 lanes [T601]", |m, _| {
             lanes(m, "line", row(3)).of(grid(3, 3)).sum()
         }),
-        ("lane 3 of a signal of 3 lanes", |m, _| lanes(m, "line", row(3)).lane(3)),
-        ("lane 3 of `.take` would be lane 3 of a signal of 3 lanes", |m, _| {
+        ("lane 3 of a signal of 3 lanes [T603]", |m, _| lanes(m, "line", row(3)).lane(3)),
+        ("lane 3 of `.take` would be lane 3 of a signal of 3 lanes [T603]", |m, _| {
             lanes(m, "line", row(3)).take(4, |i| i).sum()
         }),
-        ("the rule of `.take` is one that a row of wires cannot follow", |m, _| {
+        ("the rule of `.take` is one that a row of wires cannot follow [T611]", |m, _| {
             lanes(m, "line", row(3)).take(3, |i| i / 2 * 2).sum()
         }),
-        ("the index of `.pick`, `which`, has 2 lanes, but a lane of `line` has no lanes", |m, _| {
+        ("the index of `.pick`, `which`, has 2 lanes, but a lane of `line` has no lanes [T612]", |m, _| {
             lanes(m, "line", row(3)).pick(lanes(m, "which", row(2)))
         }),
         ("the edge of `.shifted`, `line`, has 3 lanes, but a column of `square` has 2 lanes", |m, _| {
             let square = lanes(m, "square", grid(2, 3));
             square.columns().previous(lanes(m, "line", row(3))).sum()
         }),
-        ("`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes", |_, i| i.a.unpack(row(3)).sum()),
-        ("a stack of grids, of 2 x 2 lanes each, would have three axes", |_, i| stack([i.a.of(grid(2, 2))]).sum()),
-        ("a tree needs rows with equal numbers of lanes, but `a` has no lanes", |_, i| tree(i.a, |a: Signal, b| a + b)),
+        ("`.unpack` cannot cut `a`, of 8 bits and no lanes, into 3 lanes [T610]", |_, i| i.a.unpack(row(3)).sum()),
+        ("a stack of grids, of 2 x 2 lanes each, would have three axes [T607]", |_, i| {
+            stack([i.a.of(grid(2, 2))]).sum()
+        }),
+        ("a tree needs rows with equal numbers of lanes, but `a` has no lanes [T602]", |_, i| {
+            tree(i.a, |a: Signal, b| a + b)
+        }),
     ];
     for (start, build) in cases {
         let text = problems(&Case(build));
@@ -139,7 +145,7 @@ fn what_is_asked_of_another_shape() {
 fn what_does_not_stack() {
     expect(
         |_, i| stack([i.a.of(3), i.a.of(4)]).sum(),
-        "`stack` needs equal shapes: `a.of(..)` has 3 lanes, `a.of(..)` has 4 lanes
+        "`stack` needs equal shapes: `a.of(..)` has 3 lanes, `a.of(..)` has 4 lanes [T601]
          --> [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
          `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
          `a.of(..)` is made at [|_, i| stack([i.a.of(3), i.a.of(4)]).sum(),]
@@ -147,7 +153,7 @@ fn what_does_not_stack() {
     );
     expect(
         |_, i| stack([i.a, i.b]).sum(),
-        "the lanes of a stack have different widths: lane 0 has 8 bits, lane 1 7 bits
+        "the lanes of a stack have different widths: lane 0 has 8 bits, lane 1 7 bits [T606]
          --> [|_, i| stack([i.a, i.b]).sum(),]
          help: make the change of width explicit, lane by lane",
     );
@@ -158,7 +164,7 @@ fn what_does_not_stack() {
 fn a_signed_lane_that_there_is_not() {
     expect(
         |m, i| (m.pipe("line", i.a.signed().of(3)).lane(3) + i.a.signed()).bits(),
-        "lane 3 of a signal of 3 lanes
+        "lane 3 of a signal of 3 lanes [T603]
          --> [|m, i| (m.pipe(\"line\", i.a.signed().of(3)).lane(3) + i.a.signed()).bits(),]
          help: lanes count from 0",
     );
@@ -176,13 +182,13 @@ fn what_is_declared_without_lanes() {
         ("memory `words` has no lanes", |m, i| {
             m.memory("words", 4, bits(8).of(row(0)), ReadUnderWrite::Old).read(i.a.trunc(2)).sum()
         }),
-        ("a list of constants has no lanes", |_, _| constants(bits(8).of(row(0)), u64::from).sum()),
+        ("a list of constants has no lanes [T608]", |_, _| constants(bits(8).of(row(0)), u64::from).sum()),
         ("an address of memory `words`, of 2 lanes, has 3 lanes: `0`", |m, i| {
             let words = m.memory("words", 4, bits(8).of(row(2)), ReadUnderWrite::Old);
             words.write(i.c, lit(2, 0).of(row(3)), i.a);
             words.read(0).sum()
         }),
-        ("`r` has 3 lanes, but 2 reset values", |m, _| {
+        ("`r` has 3 lanes, but 2 reset values [T605]", |m, _| {
             let register = m.reg("r", bits(8).of(row(3))).reset_each([1, 2]);
             register.next(0);
             register.sum()

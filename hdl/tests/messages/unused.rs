@@ -53,7 +53,7 @@ fn inputs_in_faulty_expressions_are_used() {
             r.next(cat![i.b, i.c]);
             *r
         }),
-        ("`r` is given a next value twice", |m, i| {
+        ("`r` is given a next value twice [T302]", |m, i| {
             let r = m.reg("r", 8);
             r.next(i.a);
             r.next(cat![i.b, i.c]);
@@ -87,6 +87,6 @@ fn inputs_in_faulty_expressions_are_used() {
 fn inputs_that_are_not_used() {
     assert_eq!(
         problems(&Careless),
-        "input `b` of `Careless` is never used\n  --> [In { a: bits(8), b: bits(7), c: bit() }]\n  help: remove it, or say `m.ignore(&i.b)` if that is intended"
+        "input `b` of `Careless` is never used [T312]\n  --> [In { a: bits(8), b: bits(7), c: bit() }]\n  help: remove it, or say `m.ignore(&i.b)` if that is intended"
     );
 }

@@ -232,7 +232,7 @@ fn a_code_that_is_none_fails_where_it_is_computed() {
 #[test]
 fn is_code_is_of_codes() {
     let text = elaborate(&Chosen(|_, i| mux(i.raw.is_code(), i.phase, Phase::Run))).unwrap_err().to_string();
-    assert!(text.starts_with("`is_code` needs a code, but `raw` is a number\n"), "{text}");
+    assert!(text.starts_with("`is_code` needs a code, but `raw` is a number [T206]\n"), "{text}");
 }
 
 bundle! {

@@ -28,7 +28,7 @@ fn a_problem_names_place_and_remedy() {
     modules[1].nodes[index].op = Op::Slice { of: NodeId(0), low: 6 };
     let text = Design::new(modules).unwrap_err().to_string();
     let (sentence, rest) = text.split_once('\n').unwrap();
-    assert_eq!(sentence, "`top.part` is the slice 6..9 of 8 bits");
+    assert_eq!(sentence, "`top.part` is the slice 6..9 of 8 bits [T902]");
     assert!(
         rest.starts_with("  --> hdl/tests/validate/common.rs:") && rest.contains("  help: this circuit was edited"),
         "{rest}"

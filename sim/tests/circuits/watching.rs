@@ -67,7 +67,10 @@ fn a_mistake_in_a_description_reads_well_where_main_ends_with_it() {
     }
     let error = Simulation::of(&Wrong).unwrap_err();
     let text = format!("Error: {error:?}");
-    assert!(text.starts_with("Error: \n`+` needs equal widths: `add_0` has 8 bits, `at` has 1 bit\n  --> "), "{text}");
+    assert!(
+        text.starts_with("Error: \n`+` needs equal widths: `add_0` has 8 bits, `at` has 1 bit [T101]\n  --> "),
+        "{text}"
+    );
     let unknown = format!("{:?}", tilewright_sim::Error::from(sum().peek("some").unwrap_err()));
     assert_eq!(unknown, "there is no signal `some`: did you mean `sum`?");
 }

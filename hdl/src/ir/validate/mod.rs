@@ -14,6 +14,7 @@ mod size;
 use super::{ClockId, Module, NodeId, Shape};
 use crate::circuit::Circuit;
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 use crate::signal::bits_text;
 use std::fmt;
@@ -47,7 +48,8 @@ pub(super) fn validate(modules: &[Module]) -> Vec<Problem> {
 }
 
 fn problem(loc: Loc, message: impl Into<String>) -> Problem {
-    Problem::new(loc, message).help("this circuit was edited: each part must follow the rules of `tilewright_hdl::ir`")
+    Problem::new(Mistake::BrokenRule, loc, message)
+        .help("this circuit was edited: each part must follow the rules of `tilewright_hdl::ir`")
 }
 
 /// The rules of one module.

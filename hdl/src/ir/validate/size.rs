@@ -4,6 +4,7 @@ use crate::bits::limbs_for;
 use crate::ir::{Instance, Memory, Module, Node};
 use crate::limits::{DEEPEST, MOST_LANES, MOST_LIMBS, MOST_MEMORY_LIMBS};
 use crate::loc::Loc;
+use crate::mistake::Mistake;
 use crate::problem::Problem;
 
 /// The size of a module, including everything in it.
@@ -25,7 +26,7 @@ pub(super) fn check(modules: &[Module], problems: &mut Vec<Problem>) {
         let mut limit = |what: &str, has: u64, most: u64, loc: Option<Loc>| {
             if has > most {
                 let message = format!("`{}` has {what}: {has}, more than {most}", module.name);
-                problems.push(Problem::new(loc.unwrap_or(module.loc), message).help(SMALLER));
+                problems.push(Problem::new(Mistake::TooLargeDesign, loc.unwrap_or(module.loc), message).help(SMALLER));
             }
         };
         // The place is the node that is too large by itself; otherwise the total is too large.
