@@ -68,14 +68,12 @@ fn commands_print_and_draw_what_is_shown() {
     for page in pages() {
         let text = fs::read_to_string(&page).unwrap();
         for block in blocks(&text, "text") {
-            let Some((command, output)) = block.strip_prefix("$ tilewright ").and_then(|it| it.split_once('\n')) else {
-                continue;
-            };
+            let Some((command, output)) = shown_command(block) else { continue };
             // Long campaigns and measurements are by hand.
             if command.starts_with("reproduce ") || command.starts_with("bench ") {
                 continue;
             }
-            shown.insert((command.to_owned(), output.to_owned(), page.clone()));
+            shown.insert((command, output.to_owned(), page.clone()));
         }
     }
     assert!(shown.len() >= 8, "only {} are found", shown.len());
@@ -88,6 +86,17 @@ fn commands_print_and_draw_what_is_shown() {
         let (_, printed, folder) = last.as_ref().unwrap();
         assert_shows(&output, printed, &format!("{}, {command}", named(&page)));
         assert_drawn(folder.path(), page.parent().unwrap());
+    }
+}
+
+/// The command that a block begins with, after `$ tilewright`, and what it prints. A line that ends with `\` continues in the next one.
+fn shown_command(block: &str) -> Option<(String, &str)> {
+    let (mut command, mut rest) = (String::new(), block.strip_prefix("$ tilewright ")?);
+    loop {
+        let (line, after) = rest.split_once('\n')?;
+        rest = after;
+        let Some(part) = line.strip_suffix('\\') else { return Some((command + line.trim_start(), rest)) };
+        command.push_str(part.trim_start());
     }
 }
 
