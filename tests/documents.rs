@@ -178,3 +178,17 @@ fn the_pictures_are_the_golden_images() {
         assert!(is_same_picture(&golden, Path::new(&shown)), "{shown} is another picture");
     }
 }
+
+/// Half of it: the other two machines take six seconds.
+#[test]
+fn the_first_pages_picture_is_what_compare_draws() {
+    let folder = tempfile::tempdir().unwrap();
+    tilewright("compare teapot --size 240x180 --machine vc1 --machine quadtree --owners half.png", folder.path());
+    let half = Frame::read_png(folder.path().join("half.png")).unwrap();
+    let shown = Frame::read_png(Path::new(ROOT).join("docs/hero.png")).unwrap();
+    assert_eq!(half.size().height(), shown.size().height());
+    let [half, shown] = [&half, &shown].map(|it| it.words.chunks(it.size().width() as usize));
+    for (y, (half, shown)) in half.zip(shown).enumerate() {
+        assert!(shown.starts_with(half), "line {y} of docs/hero.png is not what the command of docs/cli.md draws now");
+    }
+}
