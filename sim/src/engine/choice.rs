@@ -5,7 +5,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
 use crate::engine::Engine;
-use crate::engine::compiled::{self, Compiled, Slot};
+use crate::engine::compiled::{self, Compiled, SharedCode, Slot};
 use crate::engine::lockstep::Lockstep;
 use crate::engine::program::{Program, Triggers, ValueId};
 use crate::engine::{interpreter, reference};
@@ -62,6 +62,8 @@ pub(crate) struct Started {
     refused: Option<String>,
     /// The seed of each run.
     pub seeds: Vec<u64>,
+    /// What simulations of the circuit share.
+    code: Arc<SharedCode>,
     /// The engine, if it is the compiled one. It is stored apart from the others because a testbench calls it in
     /// every cycle, in less time than a dynamic dispatch would take.
     compiled: OnceCell<Box<Compiled>>,
@@ -73,13 +75,20 @@ impl Started {
     /// The circuit at its start on this engine, or on the interpreter if no code can be generated.
     pub fn new(program: Arc<Program>, chosen: EngineKind, seeds: Vec<u64>) -> Started {
         let refused = EngineKind::Compiled.refused();
-        Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
+        let code = Arc::default();
+        Started { program, chosen, refused, seeds, code, compiled: OnceCell::new(), other: OnceCell::new() }
     }
 
     /// The circuit at its start, with another engine or other seeds.
     pub fn again(&self, chosen: EngineKind, seeds: Vec<u64>) -> Started {
-        let (program, refused) = (self.program.clone(), self.refused.clone());
-        Started { program, chosen, refused, seeds, compiled: OnceCell::new(), other: OnceCell::new() }
+        let (program, refused, code) = (self.program.clone(), self.refused.clone(), self.code.clone());
+        Started { program, chosen, refused, seeds, code, compiled: OnceCell::new(), other: OnceCell::new() }
+    }
+
+    /// The circuit at its start, beside this one.
+    pub fn another(&self) -> Started {
+        self.code.share();
+        self.again(self.chosen, self.seeds.clone())
     }
 
     /// Acts as on a machine for which no code can be generated, for the given reason.
@@ -143,7 +152,7 @@ impl Started {
     fn begin(&self) {
         let program = || self.program.clone();
         let reference = || reference::Engine::new(program(), &self.seeds);
-        let compiled = || Box::new(Compiled::new(program(), &self.seeds).expect("it was asked before"));
+        let compiled = || Box::new(Compiled::new(program(), &self.seeds, &self.code).expect("it was asked before"));
         let other: Box<dyn Engine> = match self.kind() {
             EngineKind::Compiled => {
                 self.compiled.get_or_init(compiled);

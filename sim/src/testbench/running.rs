@@ -62,7 +62,7 @@ impl Running {
 
     /// The same circuit at its start, with the same engine and seeds.
     pub fn another(&self) -> Running {
-        Running::started(self.program.clone(), self.engine.again(self.engine.chosen(), self.engine.seeds.clone()))
+        Running::started(self.program.clone(), self.engine.another())
     }
 
     fn started(program: Arc<Program>, engine: Started) -> Running {

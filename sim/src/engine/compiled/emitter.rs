@@ -20,7 +20,7 @@ pub(super) struct MemoryAt {
     pub bank: usize,
     pub first: usize,
     pub address: usize,
-    /// If code runs for several units, the offset of the address in the data that moves with them.
+    /// If code runs for several units or simulations, the offset of the address in the data that moves with them.
     pub table: Option<usize>,
     pub words: Words,
     pub lanes: u32,

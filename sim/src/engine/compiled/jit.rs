@@ -7,11 +7,12 @@ use std::sync::{Arc, OnceLock};
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::{InstBuilder, UserFuncName, Value};
-use cranelift_codegen::isa::OwnedTargetIsa;
+use cranelift_codegen::isa::{OwnedTargetIsa, TargetIsa};
 
 use super::builder::{FunctionBuilder, POINTER, signature};
 use super::pages::CodePages;
 use super::scalar::Call;
+use super::shared::SharedCode;
 use super::target::{Unsupported, host};
 
 /// A generated function: takes the addresses of the state and of scratch memory and a number, and returns a number.
@@ -35,7 +36,7 @@ impl Code {
     ///
     /// # Safety
     ///
-    /// The [`Jit`] that made it is alive. `state` has the layout that the code was made for, and `scratch` has as
+    /// The [`Jit`] that gave it is alive. `state` has the layout that the code was made for, and `scratch` has as
     /// many limbs as the [`Jit`] says. Nobody else uses them.
     #[allow(unsafe_code, reason = "generated code is a foreign function")]
     #[inline]
@@ -98,11 +99,19 @@ impl Code {
     }
 }
 
-/// Makes functions and owns their memory.
+/// A function in memory.
+pub(super) struct Made {
+    code: Code,
+    /// Where it is.
+    _pages: CodePages,
+}
+
+/// Makes functions, and keeps them in memory.
 pub(super) struct Jit {
     target: OwnedTargetIsa,
     context: Context,
-    pages: Vec<CodePages>,
+    made: Vec<Arc<Made>>,
+    shared: Arc<SharedCode>,
     /// The objects that functions refer to by address.
     calls: Vec<Arc<Call>>,
     /// The most limbs of scratch memory that a function takes.
@@ -115,9 +124,15 @@ impl Jit {
         host().map(Jit::on)
     }
 
+    /// It takes functions that others of the same circuit have made.
+    pub fn sharing(self, shared: Arc<SharedCode>) -> Jit {
+        Jit { shared, ..self }
+    }
+
     /// Prepares for a machine.
     pub fn on(target: OwnedTargetIsa) -> Jit {
-        Jit { target, context: Context::new(), pages: Vec::new(), calls: Vec::new(), scratch: 0 }
+        let (made, calls, shared) = (Vec::new(), Vec::new(), Arc::default());
+        Jit { target, context: Context::new(), made, shared, calls, scratch: 0 }
     }
 
     /// Makes a function. `body` gets the builder in the entry block, the address of the state and the argument, and
@@ -149,21 +164,34 @@ impl Jit {
         let FunctionBuilder { calls, most_scratch, stack_of_called, .. } = builder;
         self.calls.extend(calls);
         self.scratch = self.scratch.max(most_scratch);
-        let code = match self.context.compile(&*self.target, &mut ControlPlane::default()) {
-            Ok(code) => &code.buffer,
-            Err(error) => panic!("generated code is not accepted: {:?}\n{}", error.inner, error.func.display()),
+        let (context, target) = (&mut self.context, &*self.target);
+        // What is made of a function changes it.
+        let origin = self.shared.is_shared().then(|| (context.func.stencil.clone(), stack_of_called));
+        let make = |context: &mut Context| made(context, target, stack_of_called);
+        let made = match origin {
+            Some(origin) => self.shared.find_or_make(origin, || make(context))?,
+            None => Arc::new(make(context)?),
         };
-        // Everything that code refers to is within it, or is in it as an address.
-        assert!(code.relocs().is_empty(), "generated code refers to what nobody fills in: {:?}", code.relocs());
-        let frame = code.frame_layout().map_or(0, |frame| frame.frame_to_fp_offset as usize);
-        let pages = CodePages::new(code.data(), code.alignment as usize)?;
-        let entry = pages.entry();
-        self.pages.push(pages);
-        // SAFETY: the function was just made with this signature, in the C convention of this machine.
-        #[allow(unsafe_code, reason = "a function pointer is made of an address")]
-        let entry = unsafe { transmute::<*const u8, Entry>(entry) };
-        Ok(Code { entry, stack: frame + stack_of_called })
+        let code = made.code;
+        self.made.push(made);
+        Ok(code)
     }
+}
+
+/// Makes the function of a context; `stack_of_called` is that of the functions that it calls.
+fn made(context: &mut Context, target: &dyn TargetIsa, stack_of_called: usize) -> Result<Made, Unsupported> {
+    let code = match context.compile(target, &mut ControlPlane::default()) {
+        Ok(code) => &code.buffer,
+        Err(error) => panic!("generated code is not accepted: {:?}\n{}", error.inner, error.func.display()),
+    };
+    // Everything that code refers to is within it, or is in it as an address.
+    assert!(code.relocs().is_empty(), "generated code refers to what nobody fills in: {:?}", code.relocs());
+    let frame = code.frame_layout().map_or(0, |frame| frame.frame_to_fp_offset as usize);
+    let pages = CodePages::new(code.data(), code.alignment as usize)?;
+    // SAFETY: the function was just made with this signature, in the C convention of this machine.
+    #[allow(unsafe_code, reason = "a function pointer is made of an address")]
+    let entry = unsafe { transmute::<*const u8, Entry>(pages.entry()) };
+    Ok(Made { code: Code { entry, stack: frame + stack_of_called }, _pages: pages })
 }
 
 impl std::fmt::Debug for Jit {

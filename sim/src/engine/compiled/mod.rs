@@ -31,6 +31,7 @@ mod quiet;
 mod rows;
 mod scalar;
 mod sequence;
+mod shared;
 mod start;
 mod store;
 mod strip;
@@ -62,6 +63,7 @@ use jit::{Code, Jit};
 use layout::{Layout, Place};
 use look::Looks;
 use rows::Rows;
+pub(crate) use shared::SharedCode;
 use store::Store;
 use strips::Strips;
 pub use target::Unsupported;
@@ -169,13 +171,13 @@ fn held_inputs(program: &Program) -> impl Iterator<Item = ValueId> {
 }
 
 impl Compiled {
-    /// The circuit at its start.
+    /// The circuit at its start; it shares code with others of it.
     ///
     /// # Errors
     ///
     /// Code cannot be generated for this machine.
-    pub fn new(program: Arc<Program>, seeds: &[u64]) -> Result<Compiled, Unsupported> {
-        let jit = Jit::new()?;
+    pub fn new(program: Arc<Program>, seeds: &[u64], code: &Arc<SharedCode>) -> Result<Compiled, Unsupported> {
+        let jit = Jit::new()?.sharing(code.clone());
         let (declared, Fields { program, parts }) = (&program, fields::split(&program));
         let Packed { program, places: bits } = pack::pack(program);
         demands::check(&program);
@@ -185,7 +187,11 @@ impl Compiled {
         // Generated code skips units.
         let apart = apart.filter(|_| !program.passes.evaluated);
         let unchecked = layout.place(1, 1);
-        let (memories, banks) = bank::banks(&program, &layout.strips);
+        let (mut memories, banks) = bank::banks(&program, &layout.strips);
+        if code.is_shared() {
+            // Each simulation has memories of its own, whose addresses code looks up.
+            memories.iter_mut().for_each(|memory| memory.table = Some(layout.place(1, 64).offset));
+        }
         let inputs = held_inputs(&program).collect();
         let has_idle = program.clocks.len() > 1 && apart.is_none();
         let idle = if has_idle { Idle::of(&program, &places) } else { Vec::new() };

@@ -16,6 +16,10 @@ unsafe impl Send for Pages {}
 /// Machine code, which is executable and not writable.
 pub(super) struct CodePages(Pages);
 
+// SAFETY: nothing but its end, which one thread sees, changes the pages.
+#[allow(unsafe_code, reason = "any thread may read and run code")]
+unsafe impl Sync for CodePages {}
+
 impl CodePages {
     /// Pages that begin with this code.
     #[allow(unsafe_code, reason = "writes code, and has it run")]

@@ -104,8 +104,13 @@ pub(super) fn places(program: &Program, layout: &mut Layout) -> (Vec<Option<Plac
 }
 
 impl Compiled {
-    /// Writes the addresses of the units' memories.
+    /// Writes the addresses of the memories that code looks up, and of the units'.
     pub(super) fn tell_memories(&mut self) {
+        for memory in &self.memories {
+            if let Some(at) = memory.table {
+                self.state.put_word(at, 8, 64, &[memory.address as u64]);
+            }
+        }
         let Some(apart) = &self.apart else { return };
         for (&unit, &(table, _)) in &apart.tables {
             let addresses: Vec<u64> =

@@ -1,0 +1,93 @@
+//! Code that simulations of one circuit share: to make it takes most of the time that each of them needs to begin.
+
+use std::hash::{Hash, Hasher};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use cranelift_codegen::ir::function::FunctionStencil;
+use rustc_hash::{FxHashMap, FxHasher};
+
+use super::jit::Made;
+use super::target::Unsupported;
+
+/// What code is made of: the function, and the bytes of stack that those which it calls take.
+pub(super) type Origin = (FunctionStencil, usize);
+
+/// The functions of simulations of one circuit, by what they were made of.
+#[derive(Default)]
+pub(crate) struct SharedCode {
+    /// There are several simulations. One alone makes nothing twice, and so keeps nothing here.
+    is_shared: AtomicBool,
+    functions: Mutex<FxHashMap<u64, Vec<(Origin, Arc<Made>)>>>,
+}
+
+impl SharedCode {
+    /// There will be another simulation of the circuit.
+    pub fn share(&self) {
+        self.is_shared.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether there are several simulations.
+    pub fn is_shared(&self) -> bool {
+        self.is_shared.load(Ordering::Relaxed)
+    }
+
+    /// The code that has this origin, which `make` makes if nobody has. Simulations on several threads wait for each
+    /// other, as they mostly need the same functions.
+    ///
+    /// # Errors
+    ///
+    /// Those of `make`.
+    pub(super) fn find_or_make(
+        &self,
+        origin: Origin,
+        make: impl FnOnce() -> Result<Made, Unsupported>,
+    ) -> Result<Arc<Made>, Unsupported> {
+        let mut hasher = FxHasher::default();
+        origin.hash(&mut hasher);
+        // A function is entered when it is complete, so a panic leaves nothing half done.
+        let mut functions = self.functions.lock().unwrap_or_else(PoisonError::into_inner);
+        let alike = functions.entry(hasher.finish()).or_default();
+        if let Some((_, made)) = alike.iter().find(|(other, _)| *other == origin) {
+            return Ok(made.clone());
+        }
+        let made = Arc::new(make()?);
+        alike.push((origin, made.clone()));
+        Ok(made)
+    }
+
+    /// How many functions simulations share.
+    #[cfg(test)]
+    pub fn len(&self) -> usize {
+        self.functions.lock().unwrap_or_else(PoisonError::into_inner).values().map(Vec::len).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cranelift_codegen::ir::InstBuilder;
+
+    use super::super::jit::Jit;
+    use super::*;
+
+    /// Makes a function that returns this number.
+    fn add_function(jit: &mut Jit, number: i64) {
+        jit.function(|b, _, _| {
+            let number = b.ins().iconst(super::super::builder::POINTER, number);
+            b.ins().return_(&[number]);
+        });
+    }
+
+    #[test]
+    fn what_is_made_of_the_same_is_made_once() {
+        let shared = Arc::new(SharedCode::default());
+        let mut jits = [(); 2].map(|()| Jit::new().unwrap().sharing(shared.clone()));
+        add_function(&mut jits[0], 7);
+        assert_eq!(shared.len(), 0, "one alone keeps nothing");
+        shared.share();
+        for (number, functions) in [(7, 1), (8, 2)] {
+            jits.iter_mut().for_each(|jit| add_function(jit, number));
+            assert_eq!(shared.len(), functions);
+        }
+    }
+}
