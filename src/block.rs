@@ -12,10 +12,10 @@ use tilewright_sim::{EngineKind, Simulation};
 /// A block of the catalogue with parameters.
 #[derive(Args)]
 pub struct BlockArguments {
-    /// A block's name; `tilewright list blocks` has all of them
+    /// Name of a block; `tilewright list blocks` shows all names
     #[arg(value_name = "BLOCK", value_parser = blocks(), hide_possible_values = true)]
     block: &'static Entry,
-    /// A parameter's value, as often as needed; `tilewright list BLOCK` has their names and ranges
+    /// Value of a parameter; may be repeated. `tilewright list BLOCK` shows names and ranges
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     settings: Vec<(String, u64)>,
 }
@@ -77,7 +77,7 @@ pub fn entries() -> impl Iterator<Item = &'static Entry> {
 fn setting(text: &str) -> Result<(String, u64), &'static str> {
     let (name, value) = text.split_once('=').ok_or("write it as NAME=VALUE, such as width=16")?;
     let value = value.parse().map_err(|problem: ParseIntError| match problem.kind() {
-        IntErrorKind::PosOverflow => "the value is larger than that of any parameter",
+        IntErrorKind::PosOverflow => "no parameter has a value as large as this",
         _ => "the value has to be a whole number, such as width=16",
     })?;
     Ok((name.to_owned(), value))
@@ -107,7 +107,7 @@ pub fn check_memories(design: &Design) -> Result<(), Failure> {
     if bytes > MOST_BYTES {
         let [needed, most] = [bytes.div_ceil(1 << 20), MOST_BYTES >> 20];
         let sentence = format!(
-            "the block's memories take {needed} MiB in a simulation, and {most} MiB is the limit: --set smaller parameters"
+            "the block's memories take {needed} MiB in a simulation, and the limit is {most} MiB: --set smaller parameters"
         );
         return Err(Failure::new(Exit::BadInput, sentence));
     }

@@ -1,4 +1,4 @@
-//! `tilewright compare`: one scene on all machines, and a table of what each took.
+//! `tilewright compare`: one scene on all machines, and a table of clocks, state and load.
 
 use crate::engine::EngineArguments;
 use crate::golden;
@@ -20,7 +20,7 @@ use tilewright_machines::{History, Recorder};
 use tilewright_scenes::golden::render_watched;
 use tilewright_scenes::{Frame, Projection, Scene, Size};
 
-/// Renders a scene on all machines, compares the frames, and prints what each machine took
+/// Renders a scene on all machines, compares the frames, and prints a table of the machines
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -29,28 +29,30 @@ Examples:
   tilewright compare star --size 64x48 --json
   tilewright compare star --size 64x48 --owners owners.png --animate frame.png
 
-Each machine is as `render` builds it without options, but a VC-1 has as many pages as the scene needs; `render` has those options, and a machine's whole report. The clocks are those of a frame, and the lines
-below the table say what is in them. Tested are the pixels that processors were given for some polygon, drawn those that it covers, each as often as
-it is. At work is how much of the time the processors worked on the mean, of a pipe its busiest part; and what takes longest, in parts of the frame's time, limits it.
-Faces are cut into triangles for all machines, as not all of them draw polygons.
+Each machine is built as `render` builds it without options, but a VC-1 gets as many pages as the scene needs. `render` has options for each machine, and prints its whole report.
 
---owners and --animate have the machines side by side, as `render` has each of them. In an animation each takes its own time, from its first pixel to its last.
+The clocks are those of a frame; the lines below the table say what they include. \"Tested\" counts the pixels that processors test for some polygon,
+\"drawn\" those that the polygon covers. A pixel counts once for each such polygon. \"At work\" is the mean share of the time in which the processors work;
+for a pipe, that of its busiest part. \"Limited by\" names what takes longest, with its share of the frame's time.
+Faces are cut into triangles for all machines, because not all of them draw polygons.
 
-Exit code 1 means that a frame differs from the golden image, which the machines then do not have in common. The picture of -o is that of the first machine,
-or of the first that differs, with the picture of the differences beside it as `render` leaves it.")]
+--owners and --animate show the machines side by side, each as `render` shows it. In an animation each machine takes its own time, from its first pixel to its last.
+
+Exit code 1 means that a frame differs from the golden image. The picture of -o is the frame of the first machine, or of the first that differs.
+A picture of the differences is then written beside it, as by `render`.")]
 pub struct Compare {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Only these machines, as often as needed [default: all]
+    /// Render on this machine only; may be repeated [default: all machines]
     #[arg(long = "machine", value_name = "MACHINE", value_parser = names::of::<Machine>("machine"))]
     machines: Vec<Machine>,
     /// The frame, a PNG file; `-` is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Who drew which pixel on each machine, a PNG file (`-`: standard output)
+    /// A PNG file (`-`: standard output) that shows which unit drew each pixel on each machine
     #[arg(long, value_name = "FILE")]
     owners: Option<PathBuf>,
-    /// The frame coming into being on each machine, an animated PNG file (`-`: standard output), in the colours of the units
+    /// An animated PNG file (`-`: standard output) of the frame being drawn on each machine, in the colours of its units
     #[arg(long, value_name = "FILE")]
     animate: Option<PathBuf>,
     #[command(flatten)]
@@ -60,7 +62,7 @@ pub struct Compare {
     json: bool,
 }
 
-/// What came of a scene.
+/// The result for a scene.
 #[derive(Serialize)]
 pub struct Comparison {
     format: u32,
@@ -74,7 +76,7 @@ pub struct Comparison {
     /// The first frame, or the first that differs.
     #[serde(skip)]
     frame: Option<Frame>,
-    /// What each machine did, if that is to be known, and what came of it.
+    /// What each machine did, if that is recorded, and its frame.
     #[serde(skip)]
     histories: Vec<(&'static str, History, Frame)>,
 }
@@ -119,13 +121,13 @@ impl Compare {
         match (self.json, comparison.identical) {
             (true, _) => terminal::print_json(&comparison)?,
             (false, true) => terminal::report(&comparison.to_string())?,
-            // Of a failure there is a report in any case.
+            // A failure is reported in any case.
             (false, false) => terminal::print(&legible(&comparison.to_string()))?,
         }
         Ok(comparison.exit())
     }
 
-    /// That no file which is written is another one, or one that is read.
+    /// Checks that no file is written twice, or both read and written.
     fn check_distinct(&self, scene: &[PathBuf]) -> Result<(), Failure> {
         let difference = self.output.as_ref().and_then(|path| beside(path, DIFFERENCE));
         let written = self.output.iter().chain(&difference).chain(&self.owners).chain(&self.animate);
@@ -173,7 +175,7 @@ impl Comparison {
         Ok(comparison)
     }
 
-    /// What each machine painted, if that is known.
+    /// What each machine painted, if that was recorded.
     fn painted<'a>(&'a self) -> Vec<Painted<'a>> {
         let painted = |(name, history, frame): &'a (&str, History, Frame)| Painted {
             history,
@@ -224,7 +226,7 @@ impl Comparison {
     }
 }
 
-/// That pictures of all machines have room on a sheet.
+/// Checks that the pictures of all machines fit on a sheet.
 fn check_room(size: Size, machines: usize) -> Result<(), Failure> {
     if sheet(size, machines).is_some() {
         return Ok(());
@@ -235,15 +237,15 @@ fn check_room(size: Size, machines: usize) -> Result<(), Failure> {
     Err(Failure::new(Exit::BadInput, sentence))
 }
 
-/// The scene with each triangle as a face: a face of more corners is one polygon where its corners are within a unit of depth of one plane, and then may
-/// be a unit beside its triangles, which are all that some machines draw.
+/// The scene with each triangle as a face. A machine that draws polygons takes a larger face as one polygon if its corners are within a unit of depth of
+/// a plane. Its depths may then differ by a unit from those of its triangles, which are all that other machines draw.
 fn in_triangles(scene: &Scene) -> Result<Scene, Failure> {
     let mesh = scene.mesh.clone();
     let singles = vec![1; mesh.triangles().len()];
     Ok(Scene { mesh: mesh.with_faces(singles)?, ..scene.clone() })
 }
 
-/// The columns of the table, and which of them are of words.
+/// The columns of the table, and which of them contain words.
 const COLUMNS: [&str; 11] = [
     "machine",
     "processors",

@@ -21,9 +21,9 @@ Examples:
   tilewright diagram patch-table --around stage1 -o stage1.svg
   tilewright diagram image-merger --set units=8 --ascii
 
-Boxes are ports, instances, memories and registers. An array is a stack with its count. An arrow is any path through logic: thick for a stream,
-dashed for control, which selects or enables. A large diagram leaves out control and draws related registers as one box; the key says how many
-arrows are missing. A browser shows full names where the mouse rests.")]
+Boxes are ports, instances, memories and registers. An array is a stack with its count. An arrow is a path through logic: thick for a stream,
+dashed for control, which selects or enables. A large diagram leaves out control and draws related registers as one box. Its key says how many
+arrows are missing. A browser shows full names under the mouse.")]
 pub struct Diagram {
     #[command(flatten)]
     block: BlockArguments,
@@ -36,7 +36,7 @@ pub struct Diagram {
     /// Levels of instances to show: 1 is the block alone, 2 opens its instances, and so on
     #[arg(long, value_name = "N", default_value = "1", value_parser = number(1..=MOST_LEVELS))]
     depth: u32,
-    /// Show only what feeds this port, register, memory, instance or named net, and what it feeds; one in an opened instance is `u_merger.count`
+    /// Show only what feeds this port, register, memory, instance or named net, and what it feeds. In an opened instance a name is written `u_merger.count`
     #[arg(long, value_name = "NET")]
     around: Option<String>,
     /// Arrows to follow from the net of --around, forwards and backwards
@@ -66,7 +66,7 @@ impl Diagram {
     /// Draws it, and reports.
     pub fn run(self) -> Result<Exit, Failure> {
         if self.output.is_none() && !self.ascii {
-            let sentence = "there is nowhere to draw: name a file with -o FILE.svg, or pass --ascii for text";
+            let sentence = "there is no output: name a file with -o FILE.svg, or pass --ascii for text";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let (entry, values) = self.block.find()?;

@@ -1,4 +1,4 @@
-//! The engine that a command is given, and what is said where it cannot run.
+//! The engine that a command is given, and the warning where it cannot run.
 
 use crate::names;
 use crate::shell::terminal;
@@ -17,14 +17,14 @@ pub struct EngineArguments {
 /// An engine by its name on the command line.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
 enum Engine {
-    /// The plainest engine: very slow, and what the others are held to
+    /// The plainest engine: very slow; the others are compared with it
     Reference,
     /// An interpreter: slow
     Interpreter,
-    /// Machine code made for the circuit, which falls back to the interpreter on a computer without it
+    /// Machine code compiled from the circuit; the interpreter where none can be generated
     #[default]
     Compiled,
-    /// Machine code beside the reference engine, signal by signal, which takes thousands of times as long: exit code 1 at the first signal that differs
+    /// Machine code and the reference engine, compared signal by signal; thousands of times slower. Exit code 1 at the first signal that differs
     Both,
 }
 
@@ -53,7 +53,7 @@ pub fn tell_refused(reason: &str) {
 }
 
 fn warning(reason: &str) -> String {
-    format!("the interpreter runs alone, with the same results but slowly: {reason}")
+    format!("the interpreter runs instead of machine code, slowly but with the same results: {reason}")
 }
 
 #[cfg(test)]
@@ -69,7 +69,7 @@ mod tests {
         for asked in [EngineKind::Compiled, EngineKind::Both] {
             assert_eq!(sim().on(asked).fallback(), None);
             let mut without = sim().without_code("no code can be generated for this machine (a typewriter)").on(asked);
-            let sentence = "the interpreter runs alone, with the same results but slowly: \
+            let sentence = "the interpreter runs instead of machine code, slowly but with the same results: \
                             no code can be generated for this machine (a typewriter)";
             assert_eq!(without.fallback().map(warning).as_deref(), Some(sentence));
             without.step();

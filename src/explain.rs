@@ -1,4 +1,4 @@
-//! `tilewright explain`: what each pass of the simulator makes of a block.
+//! `tilewright explain`: a block after each pass of the simulator.
 
 use crate::block::{BlockArguments, check_memories, design};
 use crate::names::Names;
@@ -7,7 +7,7 @@ use clap::Args;
 use serde::Serialize;
 use tilewright_sim::{Pass, Passes, explain};
 
-/// Shows what each pass of the simulator makes of a block
+/// Shows a block after each pass of the simulator
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -15,12 +15,12 @@ Examples:
   tilewright explain image-merger --set units=8 --pass lift
   tilewright explain patch-table --pass lower --pass plan --json
 
-A line has a value's name or number, its lanes and its width in bits, how it is computed, and where the block's source says so.
-Each pass is shown with those before it.")]
+A line shows a value: its name or number, its lanes, its width in bits, how it is computed, and the source line that describes it.
+Each pass works on the result of the passes before it.")]
 pub struct Explain {
     #[command(flatten)]
     block: BlockArguments,
-    /// Only what this pass leaves, as often as needed; all of them otherwise
+    /// Show the block after this pass only; may be repeated [default: all passes]
     #[arg(long = "pass", value_name = "NAME", value_parser = passes())]
     passes: Vec<Pass>,
     /// Print the report as JSON

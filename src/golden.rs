@@ -31,10 +31,10 @@ pub struct Golden {
     /// Light each pixel by itself, with textures and highlights, instead of the corners of triangles
     #[arg(long)]
     deferred: bool,
-    /// Samples of a pixel
+    /// Samples per pixel
     #[arg(long, value_name = "N", default_value = "1", value_parser = ["1", "8"])]
     samples: String,
-    /// Shade what the samples of a pixel have in common, instead of each
+    /// Shade once what the samples of a pixel have in common, instead of each sample
     #[arg(long, requires = "deferred")]
     shade_once: bool,
     /// Print the report as JSON
@@ -47,19 +47,19 @@ struct Report {
     format: u32,
     scene: String,
     size: [u32; 2],
-    /// With the lines and spheres.
+    /// Lines and spheres included.
     polygons: u32,
     lines: u32,
     spheres: u32,
     /// In one pass; eight samples take two.
     packets: usize,
-    /// Of all words, depth and colour; 16 hexadecimal digits. Frames of deferred shading or of several samples have the greatest depths.
+    /// The checksum of all words, depth and colour: 16 hexadecimal digits. Frames of deferred shading or of several samples have the greatest depth everywhere.
     checksum: String,
     #[serde(flatten)]
     style: Option<Style>,
 }
 
-/// What differs from other machines' frames.
+/// How the frame differs from other machines' frames.
 #[derive(Serialize)]
 struct Style {
     deferred: bool,
@@ -68,7 +68,7 @@ struct Style {
 }
 
 impl Style {
-    /// What stands behind the pixels.
+    /// The text behind the number of pixels.
     fn text(&self) -> String {
         let samples = if self.samples == 8 { " of 8 samples" } else { "" };
         let shading = match (self.deferred, self.shaded_once) {
@@ -80,7 +80,7 @@ impl Style {
     }
 }
 
-/// What is to be drawn.
+/// The scene as it is drawn.
 enum Picture {
     /// In one pass, or in two for eight samples.
     Gouraud(Vec<Projection>),
@@ -126,12 +126,12 @@ impl Golden {
 
     fn picture(&self, scene: &Scene) -> Result<Picture, Failure> {
         if self.shade_once && self.samples != "8" {
-            let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
+            let sentence = "--shade-once needs several samples per pixel: add --samples 8";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         if !scene.spheres.is_empty() {
             if self.deferred || self.samples == "8" {
-                let sentence = "the scene has spheres, which are drawn in the colours of vertices, a sample a pixel: \
+                let sentence = "the scene has spheres, which are drawn without deferred shading and with one sample per pixel: \
                                 leave out --deferred and --samples";
                 return Err(Failure::new(Exit::BadInput, sentence));
             }
@@ -182,7 +182,7 @@ impl Picture {
     }
 }
 
-/// The software rasterizer's frame, as `render` makes it: it is given what to tell of its progress, which may break it off.
+/// The software rasterizer's frame, which `render` draws. `render` reports its progress to the function that it is given, and stops if that says so.
 ///
 /// # Errors
 /// Ctrl-C.

@@ -1,4 +1,4 @@
-//! The machines that there are, and the options of each.
+//! The machines, and the options of each.
 
 mod figures;
 mod job;
@@ -69,7 +69,7 @@ impl Machine {
         }
     }
 
-    /// The options of `render` that it alone has.
+    /// The options of `render` for this machine alone.
     pub fn options(self) -> Vec<MachineOption> {
         match self {
             Machine::Vc1 => options::<vc1::Vc1Options>(),
@@ -83,7 +83,7 @@ impl Machine {
 /// An option of `render`, as its help shows it.
 #[derive(Clone, Serialize)]
 pub struct MachineOption {
-    /// With what is given to it, such as `--patch EDGE`.
+    /// The option with its value, such as `--patch EDGE`.
     pub option: String,
     pub meaning: String,
 }
@@ -117,20 +117,20 @@ pub struct MachineArguments {
     pub pixelflow: pixelflow::PixelFlowOptions,
 }
 
-/// Which of two pixels of equal depth is seen, where a machine draws in the order of submission.
+/// Which of two pixels of equal depth is visible, on machines that draw in the sequence of submission.
 #[derive(Args)]
 #[command(next_help_heading = "Options of --machine quadtree and --machine pixel-planes-5")]
 pub struct OrderOptions {
-    /// Let depth alone decide, and of equal depths the first drawn stay, here and in the golden image
+    /// Compare depth alone and keep the first drawn of equal depths, on the machine and in the golden image
     #[arg(long)]
     pub strict: bool,
 }
 
 impl MachineArguments {
-    /// That each option given is one of that machine.
+    /// Checks that each option given is one of that machine.
     ///
     /// # Errors
-    /// One is another machine's.
+    /// An option is another machine's.
     pub fn check(&self, machine: Machine) -> Result<(), Failure> {
         let given = [
             (Machine::Vc1, self.vc1.given()),

@@ -1,4 +1,4 @@
-//! The command line: one file a subcommand, and what they share in `shell`.
+//! The command line: one file for each subcommand, and what they share in `shell`.
 
 mod bench;
 mod block;
@@ -37,7 +37,7 @@ use std::process::ExitCode;
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
-    /// Print no progress, no `wrote FILE` and no report in words; warnings and errors stay
+    /// Print no progress, no `wrote FILE` and no report in words; print warnings and errors
     #[arg(short, long, global = true)]
     quiet: bool,
 }
@@ -45,22 +45,22 @@ struct CommandLine {
 const AFTER_HELP: &str = "\
 Exit codes:
   0    done
-  1    a check failed: a frame differs from the golden image, an assertion of the hardware does not hold, or simulators or engines disagree
+  1    a check failed: a frame differs from the golden image, an assertion of the hardware fails, or simulators or engines disagree
   2    bad usage or bad input
   3    an output cannot be written
-  4    a program that was asked for is not installed, or fails
+  4    an external program is not installed, or fails
   70   a mistake in tilewright itself
   71   out of memory
-  129  as 130, by a terminal that went away (SIGHUP)
-  130  interrupted; a waveform that was being written opens
-  143  as 130, by another program (SIGTERM)
+  129  as 130, because the terminal closed (SIGHUP)
+  130  interrupted; a waveform that was being written can be opened
+  143  as 130, by a request of another program (SIGTERM)
 
-Results go to standard output, everything else to standard error. With `-o -` or `--vcd -` standard output takes the picture or the waveform,
-and all text goes to standard error. `--quiet` leaves out progress, `wrote FILE` and reports, but not the tables of list
-and bench, waves in text, --json, warnings and errors.
-A file appears whole or not at all, keeps its permissions and, where the system allows it, its owner; through a link, its target is written.
-A waveform alone grows in its place.
-`tilewright help COMMAND` has the options and examples of a command.";
+Results go to standard output, everything else to standard error. With `-o -` or `--vcd -` the picture or the waveform goes to standard output,
+and all text to standard error. `--quiet` leaves out progress, `wrote FILE` and reports. It keeps the tables of list and bench, waves in text,
+--json, warnings and errors.
+A file is written whole or not at all. It keeps its permissions and, where the system allows it, its owner. A link is followed to its target.
+Only a waveform grows in place.
+`tilewright help COMMAND` shows the options and examples of a command.";
 
 #[derive(Subcommand)]
 enum Command {

@@ -13,10 +13,10 @@ use std::path::PathBuf;
 Examples:
   tilewright manual -o man/man1
 
-`man -M man tilewright-render` then shows a page. In ~/.local/share/man/man1, or /usr/local/share/man/man1 for all users, `man` finds the pages by itself.
-They say what `tilewright help COMMAND` says. A package of this program has its build run this command, and `tilewright completions`.")]
+`man -M man tilewright-render` then shows a page. `man` finds pages by itself in ~/.local/share/man/man1, or in /usr/local/share/man/man1 for all users.
+The pages contain the same text as `tilewright help COMMAND`. The build of a package should run this command, and `tilewright completions`.")]
 pub struct Manual {
-    /// The folder for the pages, which is made if it is not there; all of them are written, or none
+    /// Folder for the pages, created if missing; either all pages are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 }
@@ -34,7 +34,7 @@ impl Manual {
 /// The names of the pages' files, and what is in them.
 fn pages() -> Vec<(String, Vec<u8>)> {
     let mut whole = CommandLine::command().disable_help_subcommand(true);
-    // Subcommands get their full names, and the options of all commands.
+    // Subcommands get their full names, and the global options.
     whole.build();
     let commands = std::iter::once(&whole).chain(whole.get_subcommands());
     let page = |command: &clap::Command| {

@@ -1,35 +1,35 @@
-//! Names on the command line: `_` and `-` are alike in them, and a wrong name is answered with the one that is meant.
+//! Names on the command line: `_` and `-` mean the same, and the error for a wrong name suggests a similar one.
 
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Arg, Command, Error, ValueEnum};
 use std::ffi::OsStr;
 
-/// Names that look less alike than this, from 0 to 1, are not suggested. For options clap has 0.7, by which `nothing` is near `join`.
+/// The least similarity of a suggested name, from 0 to 1. clap uses 0.7 for options, by which `nothing` is near `join`.
 const NEAR: f64 = 0.75;
 
 /// A parser of one of several names; completions get all of them.
 #[derive(Clone)]
 pub struct Names<T> {
-    /// What is named, such as `machine`.
+    /// The kind of thing that is named, such as `machine`.
     what: &'static str,
     all: Vec<(PossibleValue, T)>,
-    /// The command that has all names, where they are too many for a sentence.
+    /// The command that lists all names, if they are too many for a sentence.
     list: Option<&'static str>,
 }
 
 impl<T> Names<T> {
-    /// Those of some values.
+    /// The names of some values.
     pub fn new(what: &'static str, all: impl IntoIterator<Item = (&'static str, T)>) -> Names<T> {
         Names::described(what, all.into_iter().map(|(name, value)| (PossibleValue::new(name), value)))
     }
 
-    /// Those of some values that the help describes.
+    /// The names of some values that the help describes.
     pub fn described(what: &'static str, all: impl IntoIterator<Item = (PossibleValue, T)>) -> Names<T> {
         Names { what, all: all.into_iter().collect(), list: None }
     }
 
-    /// Has errors name this command instead of all names.
+    /// Makes errors name this command instead of all names.
     pub fn listed_by(self, command: &'static str) -> Names<T> {
         Names { list: Some(command), ..self }
     }
@@ -63,23 +63,23 @@ impl<T: Clone + Send + Sync + 'static> TypedValueParser for Names<T> {
     }
 }
 
-/// Whether two names are the same but for `_` and `-`.
+/// Whether two names are equal except for `_` and `-`.
 pub fn are_alike(given: &str, known: &str) -> bool {
     let plain = |c| if c == '_' { '-' } else { c };
     given.chars().map(plain).eq(known.chars().map(plain))
 }
 
-/// The name that is most like a wrong one, if one is.
+/// The name that is most similar to a wrong one, if any is.
 pub fn near<'a>(given: &str, known: &[&'a str]) -> Option<&'a str> {
     let plain = |name: &str| name.to_lowercase().replace('_', "-");
     let given = plain(given);
     let likeness = |name: &str| strsim::jaro(&given, &plain(name));
     let near = known.iter().map(|name| (likeness(name), *name)).filter(|(likeness, _)| *likeness > NEAR);
-    // Of equally good ones the first.
+    // The first of equally similar ones.
     near.rev().max_by(|(left, _), (right, _)| left.total_cmp(right)).map(|(_, name)| name)
 }
 
-/// The sentence for a wrong name: after `lead`, which says so, the name that is meant, and those that there are.
+/// The sentence for a wrong name: `lead`, which says what is wrong, then a similar name, then all names.
 pub fn unknown(lead: &str, given: &str, known: &[&str]) -> String {
     let all = known.join(", ");
     match near(given, known) {
@@ -88,11 +88,11 @@ pub fn unknown(lead: &str, given: &str, known: &[&str]) -> String {
     }
 }
 
-/// As [`unknown`], where a command has all names.
+/// As [`unknown`], with a command that lists all names.
 pub fn not_listed(lead: &str, given: &str, known: &[&str], command: &str) -> String {
     match near(given, known) {
-        Some(name) => format!("{lead}: did you mean `{name}`? `{command}` has all of them"),
-        None => format!("{lead}: `{command}` has all of them"),
+        Some(name) => format!("{lead}: did you mean `{name}`? `{command}` shows all names"),
+        None => format!("{lead}: `{command}` shows all names"),
     }
 }
 
@@ -134,11 +134,11 @@ mod tests {
         let few = Names::new("block", [("fifo", 1), ("lifo", 2)]).listed_by("tilewright list blocks");
         assert_eq!(parsed(&few, "lifo"), Ok(2));
         let sentence =
-            "error: there is no block `fif`: did you mean `fifo`? `tilewright list blocks` has all of them\n";
+            "error: there is no block `fif`: did you mean `fifo`? `tilewright list blocks` shows all names\n";
         assert_eq!(parsed(&few, "fif"), Err(sentence.to_owned()));
         assert_eq!(
             parsed(&few, "crt"),
-            Err("error: there is no block `crt`: `tilewright list blocks` has all of them\n".to_owned())
+            Err("error: there is no block `crt`: `tilewright list blocks` shows all names\n".to_owned())
         );
     }
 

@@ -8,10 +8,10 @@ use tilewright_sim::Simulation;
 /// Simulated picoseconds between two looks at the interruption flag.
 const SLICE: u64 = 10_000_000;
 
-/// The most clocks that are kept in memory: they take about a kilobyte each.
+/// The most clocks that are kept in memory; each takes about a kilobyte.
 const MOST_KEPT: u64 = 200_000;
 
-/// That the scenario is short enough for `what`, which keeps all of its clocks in memory.
+/// Checks that the scenario is short enough for `what`, which keeps all of its clocks in memory.
 ///
 /// # Errors
 /// It is too long.
@@ -20,14 +20,16 @@ pub fn check_length(sim: &Simulation, scenario: &Scenario, what: &str) -> Result
     if clocks <= MOST_KEPT {
         return Ok(());
     }
-    let sentence = format!("the scenario takes {clocks} clocks, {what} at most {MOST_KEPT}: --set smaller parameters");
+    let sentence = format!(
+        "the scenario takes {clocks} clocks, but {what} can have {MOST_KEPT} at most: --set smaller parameters"
+    );
     Err(Failure::new(Exit::BadInput, sentence))
 }
 
 /// Resets the simulation and plays the scenario, to its end or until `end` picoseconds have passed. Traces stay open.
 ///
 /// # Errors
-/// Ctrl-C; an assertion does not hold; a trace cannot be written.
+/// Ctrl-C; an assertion fails; a trace cannot be written.
 pub fn play(sim: &mut Simulation, scenario: &Scenario, end: u64) -> Result<(), Failure> {
     let progress = Progress::new();
     let ended = sim.play_watched(scenario, SLICE, |sim, played| {

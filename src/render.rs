@@ -1,4 +1,4 @@
-//! `tilewright render`: a frame from a machine's hardware, its cycle report, and the comparison with the golden image.
+//! `tilewright render`: a frame drawn by a machine's hardware, a report of its clocks, and a comparison with the golden image.
 
 mod frames;
 
@@ -36,18 +36,20 @@ Examples:
   tilewright render teapot --size 64x48 --owners owners.png --timeline time.svg
   tilewright render star --machine pixel-planes-5 --size 64x48 --region 16 --animate frame.png
 
---owners, --timeline and --animate are drawn from what is seen of the machine. A pixel is of the processing element whose word was the least that a local frame buffer took; of the video processor
-whose buffer has it; of the renderer that has its region, which is darker along its left and upper border; or of the node whose word won the composition, in most samples. It
-comes when a local frame buffer or a video buffer took it, when the last instruction of its primitive had ended, or when the frame buffer took it. Images of an animation are equally
-spaced in the machine's time from the first pixel to the last one, and the last one stays longer.
+--owners, --timeline and --animate show what was observed on the running machine. The owner of a pixel, and the time at which it appears, are
+  vc1              the processing element with the least word that a local frame buffer took for it; when that was taken
+  quadtree         the video processor that has it in its buffer; when the buffer took it
+  pixel-planes-5   the renderer of its region, which has a darker left and upper border; when the last instruction of its primitive had ended
+  pixelflow        the node whose word won the composition, in most of the samples; when the frame buffer took it
+Images of an animation are equally spaced in the machine's time from the first pixel to the last one. The last image stays longer.
 
-Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that does, and beside the frame
-stands a picture of the differences, such as frame.difference.png; an identical frame removes one that an earlier run left there.
-If that picture cannot be written, a warning says so and the exit code stays 1.")]
+Exit code 1 means that the frame differs from the golden image, or that with --engine both the engines differ. The report names the first pixel that differs.
+Beside the frame, a picture such as frame.difference.png shows the differences. An identical frame removes such a picture of an earlier run.
+If the picture cannot be written, a warning says so, and the exit code is still 1.")]
 pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The machine; the options of each are below
+    /// The machine; options for each machine are listed below
     #[arg(long, value_enum, value_parser = names::of::<Machine>("machine"), default_value_t = Machine::Vc1)]
     machine: Machine,
     /// The frame, a PNG file; `-` is standard output
@@ -61,7 +63,7 @@ pub struct Render {
     golden: Option<PathBuf>,
     #[command(flatten)]
     engine: EngineArguments,
-    /// Write the waveform of the run, a VCD file (`-`: standard output); that of a whole frame takes about a gigabyte unless it is filtered
+    /// Write the waveform of the run to a VCD file (`-`: standard output). A whole frame takes about a gigabyte unless it is filtered
     #[arg(long, value_name = "FILE", help_heading = WAVEFORM)]
     vcd: Option<PathBuf>,
     #[command(flatten)]
@@ -116,7 +118,7 @@ impl Render {
         let (frame, report) = job.render(&run)?;
         progress::phase("comparing");
         let verdict = golden.judge(&frame);
-        let title = format!("{} on {}: what each unit did when", scene.name, self.machine.name());
+        let title = format!("{} on {}: what each unit did over time", scene.name, self.machine.name());
         let mut files: Vec<(Output, Vec<u8>)> = output.map(|output| (output, frame.to_png())).into_iter().collect();
         files.extend(pictures.made(&title, &frame));
         write_all(files)?;
@@ -126,7 +128,7 @@ impl Render {
         self.tell(scene, &report, &verdict, verdict.identical)
     }
 
-    /// Prints what the run took and what the comparison gave.
+    /// Prints the report and the result of the comparison.
     fn tell<R, V>(&self, scene: &Scene, report: &R, golden: &V, identical: bool) -> Result<Exit, Failure>
     where
         R: Serialize + Display,
@@ -142,14 +144,14 @@ impl Render {
             })?,
             false => {
                 let text = format!("{}: {report}\n\n{golden}\n", scene.name);
-                // Of a failure there is a report in any case.
+                // A failure is reported in any case.
                 if identical { terminal::report(&text)? } else { terminal::print(&legible(&text))? }
             }
         }
         Ok(if identical { Exit::Done } else { Exit::CheckFailed })
     }
 
-    /// That no file which is written, frames among them, is another one, or one that is read.
+    /// Checks that no file, frames included, is written twice, or both read and written.
     fn check_distinct(&self, frames: &[PathBuf], scene: &Scene) -> Result<(), Failure> {
         let differences: Vec<PathBuf> = frames.iter().filter_map(|path| beside(path, DIFFERENCE)).collect();
         let written = frames.iter().chain(&differences).chain(&self.vcd).map(PathBuf::as_path);

@@ -1,4 +1,4 @@
-//! GTKWave's save file: which signals it shows when it opens a waveform, in which format.
+//! GTKWave's save file: the signals that it shows when it opens a waveform, and their formats.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,7 +10,7 @@ use vcd::{Header, Parser, Scope, ScopeItem, VarType};
 const BINARY: &str = "@28";
 const HEXADECIMAL: &str = "@22";
 
-/// What all of them begin with; those that GTKWave saves begin otherwise.
+/// The first line of every file that Tilewright writes; GTKWave writes another.
 pub const FIRST_LINE: &str = "[*] Tilewright\n";
 
 /// GTKWave's zoom is the power of two of the time that this many pixels show.
@@ -18,8 +18,8 @@ const STRETCH: f64 = 200.0;
 /// The width of the wave that a window of 1400 pixels has beside long names, in pixels.
 const WIDTH: f64 = 900.0;
 
-/// The save file of a waveform file with that header that covers these picoseconds: it shows all of its time, and the signals of the
-/// top module, or with `all` every signal.
+/// The save file for a waveform with that header and these picoseconds. It shows the whole time, and the signals of the top module, or with
+/// `all` every signal.
 ///
 /// # Panics
 /// The header is not one that the simulation writes.
@@ -32,7 +32,7 @@ pub fn of(waveform: &Path, header: &[u8], times: Range<u64>, all: bool) -> Strin
 fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
     let start = times.start;
     let zoom = zoom(times.end.saturating_sub(start));
-    // The marker at -1 is none.
+    // -1 means that there is no marker.
     let mut text = format!("{FIRST_LINE}[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1400 700\n*-{zoom:.2} -1\n");
     for item in &header.items {
         if let ScopeItem::Scope(top) = item {
@@ -43,7 +43,7 @@ fn print(header: &Header, name: &str, times: Range<u64>, all: bool) -> String {
     text
 }
 
-/// The power of two of picoseconds in [`STRETCH`] pixels with which the whole duration, in picoseconds, fits into [`WIDTH`].
+/// The zoom at which the whole duration, in picoseconds, fits into [`WIDTH`]: [`STRETCH`] pixels show 2^zoom picoseconds.
 fn zoom(duration: u64) -> f64 {
     (duration.max(1) as f64 * STRETCH / WIDTH).log2().max(0.0)
 }

@@ -13,7 +13,7 @@ pub struct SceneArguments {
     /// A built-in scene's name, or the path of a .toml, .obj, .gltf, .glb, .ply or .stl file
     #[arg(value_name = "SCENE")]
     scene: OsString,
-    /// Pixels of the frame [default: what the scene asks for]
+    /// Size of the frame in pixels [default: what the scene asks for]
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<Size>,
 }
@@ -31,15 +31,15 @@ impl SceneArguments {
     }
 }
 
-/// Sets the triangles of a scene up; passes on what was odd about its files, and if nothing of it is to be seen.
+/// Sets up the triangles of a scene. Warns of oddities in its files, and if nothing is visible.
 ///
 /// # Errors
-/// The scene's camera or lights are no good, nothing is in front of the camera, or there are spheres.
+/// The scene's camera or lights are invalid, nothing is in front of the camera, or there are spheres.
 pub fn triangles(scene: &Scene) -> Result<Projection, Failure> {
     moved_triangles(scene, [0, 0])
 }
 
-/// As [`triangles`], with every vertex moved by so many 1/16 pixel.
+/// As [`triangles`], with every vertex shifted; the unit is 1/16 pixel.
 ///
 /// # Errors
 /// As [`triangles`].
@@ -50,7 +50,7 @@ pub fn moved_triangles(scene: &Scene, shift: [i32; 2]) -> Result<Projection, Fai
     Ok(projection)
 }
 
-/// Sets the faces of a scene up, as [`triangles`] does its triangles.
+/// Sets up the faces of a scene, as [`triangles`] does for triangles.
 ///
 /// # Errors
 /// As [`triangles`].
@@ -59,20 +59,20 @@ pub fn polygons(scene: &Scene) -> Result<Polygons, Failure> {
     polygons_and_spheres(scene)
 }
 
-/// Sets the faces and the spheres of a scene up.
+/// Sets up the faces and the spheres of a scene.
 ///
 /// # Errors
-/// As [`triangles`], but for spheres; and a sphere is too near, too large or too slender.
+/// As [`triangles`], except that spheres are allowed; or a sphere is too near, too large or too slender.
 pub fn polygons_and_spheres(scene: &Scene) -> Result<Polygons, Failure> {
     let polygons = project_polygons(scene, scene.size)?;
     warn_without_textures(scene, polygons.warning());
     Ok(polygons)
 }
 
-/// Sets the triangles of a scene up, as [`triangles`] does, for each pass that so many samples take.
+/// Sets up the triangles of a scene, as [`triangles`] does, for each pass of these samples.
 ///
 /// # Errors
-/// As [`triangles`]; or the frame is too large for so many samples.
+/// As [`triangles`]; or the frame is too large for these samples.
 pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failure> {
     without_spheres(scene)?;
     let passes = project_samples(scene, scene.size, samples)?;
@@ -80,10 +80,10 @@ pub fn samples(scene: &Scene, samples: Samples) -> Result<Vec<Projection>, Failu
     Ok(passes)
 }
 
-/// Sets the triangles of a scene up for deferred shading, as [`triangles`] does for colours.
+/// Sets up the triangles of a scene for deferred shading, as [`triangles`] does for colours.
 ///
 /// # Errors
-/// As [`triangles`]; or a texture cannot be read, or the frame is too large for so many samples.
+/// As [`triangles`]; or a texture cannot be read, or the frame is too large for these samples.
 pub fn deferred(scene: &Scene, samples: Samples) -> Result<Deferred, Failure> {
     without_spheres(scene)?;
     let deferred = project_deferred(scene, scene.size, samples)?;
@@ -91,16 +91,17 @@ pub fn deferred(scene: &Scene, samples: Samples) -> Result<Deferred, Failure> {
     Ok(deferred)
 }
 
-/// That there is no sphere in a scene, for machines that draw none.
+/// Checks that a scene has no spheres, for machines that cannot draw them.
 fn without_spheres(scene: &Scene) -> Result<(), Failure> {
     if scene.spheres.is_empty() {
         return Ok(());
     }
-    let sentence = "the scene has spheres, which pixel-planes-5 alone draws: use `tilewright render` with --machine pixel-planes-5";
+    let sentence =
+        "the scene has spheres, which only pixel-planes-5 draws: use `tilewright render` with --machine pixel-planes-5";
     Err(Failure::new(Exit::BadInput, sentence))
 }
 
-/// As [`warn`], where only corners are lit.
+/// As [`warn`], for machines that light vertices only.
 fn warn_without_textures(scene: &Scene, warning: Option<String>) {
     let left_out = scene.mesh.materials().filter(|materials| materials.are_textured()).map(|_| {
         let name = &scene.name;
@@ -110,7 +111,7 @@ fn warn_without_textures(scene: &Scene, warning: Option<String>) {
 }
 
 fn warn(scene: &Scene, warnings: impl IntoIterator<Item = String>) {
-    // A command that sets a scene up for several machines says it once.
+    // A command that sets up a scene for several machines warns once.
     static SAID: Mutex<Vec<String>> = Mutex::new(Vec::new());
     let mut said = SAID.lock().unwrap_or_else(PoisonError::into_inner);
     for warning in scene.warnings.iter().cloned().chain(warnings) {

@@ -1,4 +1,4 @@
-//! Which part of a run goes to a waveform file.
+//! The part of a run that goes to a waveform file.
 
 use crate::shell::output::Waveform;
 use crate::shell::{Exit, Failure, terminal};
@@ -8,46 +8,46 @@ use std::path::Path;
 use tilewright_hdl::Bundle;
 use tilewright_sim::Simulation;
 
-/// The heading of what is about a waveform file.
+/// The heading of the options for a waveform file.
 pub const WAVEFORM: &str = "Waveform";
 
 /// Filters of a waveform file.
 #[derive(Args, Clone, Default)]
 #[command(next_help_heading = WAVEFORM)]
 pub struct TraceOptions {
-    /// Only signals whose path matches, such as `u_cell[*].value`, also written as in the Verilog: `*` stands for anything but a dot, `**` for anything
+    /// Record only signals with a matching path, such as `u_cell[*].value`, or the path in the Verilog. `*` matches anything but a dot, `**` anything
     #[arg(long, value_name = "GLOB")]
     scope: Vec<String>,
-    /// Only from this simulated time on, such as 250ns or 1.5us
+    /// Record only from this simulated time on, such as 250ns or 1.5us
     #[arg(long, value_name = "TIME", value_parser = picoseconds)]
     from: Option<u64>,
-    /// Only up to this simulated time
+    /// Record only up to this simulated time
     #[arg(long, value_name = "TIME", value_parser = picoseconds)]
     to: Option<u64>,
 }
 
 impl TraceOptions {
-    /// Whether only some signals are asked for.
+    /// Whether the user asks for some signals only.
     pub fn is_scoped(&self) -> bool {
         !self.scope.is_empty()
     }
 
-    /// The simulated time that is asked for, in picoseconds.
+    /// The simulated time to record, in picoseconds.
     pub fn times(&self) -> Range<u64> {
         self.from.unwrap_or(0)..self.to.unwrap_or(u64::MAX)
     }
 
-    /// Warns of a waveform without a moment in it, as the run ended at `end` picoseconds.
+    /// Warns if the run ended at `end` picoseconds, before the waveform begins.
     pub fn warn_if_empty(&self, end: u64) {
         if self.times().start > end {
             terminal::warn(&format!("the run ended at {end} ps, before --from, so the waveform shows nothing"));
         }
     }
 
-    /// That there is a waveform if there are filters; `option` is what names it.
+    /// Checks that filters come with a waveform; `option` is the option that names its file.
     ///
     /// # Errors
-    /// There is none, or no time between `--from` and `--to`.
+    /// There is no waveform, or no time between `--from` and `--to`.
     pub fn check(&self, waveform: Option<&Path>, option: &str) -> Result<(), Failure> {
         let bad = |sentence: String| Err(Failure::new(Exit::BadInput, sentence));
         if self.times().is_empty() {
@@ -59,7 +59,7 @@ impl TraceOptions {
         Ok(())
     }
 
-    /// Has a simulation write the waveform, with these filters; its header.
+    /// Makes a simulation write the waveform with these filters; returns its header.
     ///
     /// # Errors
     /// A filter matches nothing, or it cannot be written.
@@ -81,11 +81,11 @@ fn picoseconds(text: &str) -> Result<u64, String> {
     let units = [("ps", 1), ("ns", 1_000), ("us", 1_000_000), ("ms", 1_000_000_000), ("s", 1_000_000_000_000)];
     let parsed = units.into_iter().find_map(|(unit, size)| exact(text.strip_suffix(unit)?, size));
     parsed.ok_or_else(|| {
-        "write a number and its unit, one of ps, ns, us, ms, s, such as 250ns or 1.5us, of 213 days at most".to_owned()
+        "give a number with one of the units ps, ns, us, ms, s, such as 250ns or 1.5us, and at most 213 days".to_owned()
     })
 }
 
-/// `number` times `unit`, if that is a whole number; decimals are exact, unlike those of a float.
+/// `number` times `unit`, if that is a whole number. Decimals are exact, unlike those of a float.
 fn exact(number: &str, unit: u64) -> Option<u64> {
     let (whole, decimals) = number.split_once('.').unwrap_or((number, ""));
     let scale = 10_u64.checked_pow(decimals.len().try_into().ok()?)?;

@@ -8,7 +8,7 @@ use std::fmt;
 use std::path::Path;
 use tilewright_scenes::{Comparison, Frame, SceneError, Size, compare, compare_colours};
 
-/// What a frame is compared with.
+/// The reference that a frame is compared with.
 pub enum Golden {
     /// The software rasterizer's frame: depth and colour.
     Rendered(Frame),
@@ -17,10 +17,10 @@ pub enum Golden {
 }
 
 impl Golden {
-    /// The picture in that file, or without one the software rasterizer's frame, which `draw` makes.
+    /// The picture in that file, or without a file the software rasterizer's frame, which `draw` makes.
     ///
     /// # Errors
-    /// The file cannot be read, or is of another size than the frame; those of `draw`.
+    /// The file cannot be read, or has another size than the frame; an error of `draw`.
     pub fn new(
         file: Option<&Path>,
         size: Size,
@@ -31,7 +31,7 @@ impl Golden {
         if picture.size() != size {
             return Err(SceneError::File {
                 path: path.to_owned(),
-                problem: format!("holds {} pixels, the frame {size}", picture.size()),
+                problem: format!("has {} pixels, and the frame has {size}", picture.size()),
                 remedy: format!("pass --size {}, or name another picture", picture.size()),
             }
             .into());
@@ -49,14 +49,14 @@ impl Golden {
     }
 }
 
-/// What a comparison with the golden image gave.
+/// The result of a comparison with the golden image.
 #[derive(Serialize)]
 pub struct Verdict {
     /// Whether size and all pixels are equal.
     pub identical: bool,
-    /// How many pixels differ; none if the sizes do.
+    /// The number of pixels that differ; `None` if the sizes differ.
     differing: u64,
-    /// The first that does, row by row from the upper left.
+    /// The first pixel that differs, row by row from the upper left.
     first: Option<Pixel>,
     #[serde(skip)]
     sentence: String,
@@ -70,13 +70,13 @@ pub struct Verdict {
 struct Pixel {
     x: u32,
     y: u32,
-    /// Depth above colour, 12 hexadecimal digits; against a picture, which has no depth, the colour's 6 alone.
+    /// Depth above colour, 12 hexadecimal digits; for a picture, which has no depth, the 6 digits of the colour.
     frame: String,
     golden: String,
 }
 
 impl Verdict {
-    /// How many pixels differ; where the sizes do, all of the frame's count as one.
+    /// The number of pixels that differ; if the sizes differ, the whole frame counts as one.
     pub fn differing(&self) -> u64 {
         self.differing.max(u64::from(!self.identical))
     }
@@ -103,11 +103,11 @@ impl fmt::Display for Verdict {
     }
 }
 
-/// What the difference picture's name ends in instead of the frame's `png`.
+/// The extension of the difference picture, instead of the frame's `png`.
 pub const DIFFERENCE: &str = "difference.png";
 
-/// Writes the picture of the differences beside the frame; without one, removes what an earlier run left there. A file that is
-/// no picture stays. What fails is a warning alone: the verdict matters more.
+/// Writes the picture of the differences beside the frame; without differences, removes that of an earlier run. A file that is
+/// not a picture stays. Failures are warnings only: the verdict matters more.
 pub fn leave_difference(frame: &Path, picture: Option<&Frame>) {
     let Some(path) = beside(frame, DIFFERENCE) else { return };
     let name = path.display();
@@ -115,7 +115,7 @@ pub fn leave_difference(frame: &Path, picture: Option<&Frame>) {
     let is_ours = is_there && Frame::read_png(&path).is_ok();
     match picture {
         Some(_) if is_there && !is_ours => {
-            terminal::warn(&format!("{name} is no picture and stays as it is: remove it to see the differences there"));
+            terminal::warn(&format!("{name} is not a picture and is kept: remove it to see the differences there"));
         }
         Some(picture) => {
             let written = Output::at(&path).and_then(|output| output.write(&picture.to_png()));
@@ -123,7 +123,9 @@ pub fn leave_difference(frame: &Path, picture: Option<&Frame>) {
         }
         None if is_ours => match std::fs::remove_file(&path) {
             Ok(()) => terminal::talk(&format!("removed {name}")),
-            Err(_) => terminal::warn(&format!("{name} is of an earlier run and cannot be removed: remove it")),
+            Err(_) => terminal::warn(&format!(
+                "{name} was written by an earlier run and cannot be removed: remove it by hand"
+            )),
         },
         None => {}
     }

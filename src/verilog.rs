@@ -12,7 +12,7 @@ use tilewright_gen::{VerilogFile, testbench, verilog};
 use tilewright_hdl::{Recording, Scenario};
 use tilewright_sim::{EngineKind, Simulation};
 
-/// Writes a block as Verilog, a file a module
+/// Writes a block as Verilog, one file for each module
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -20,12 +20,12 @@ Examples:
   tilewright verilog merging-unit -o out/ --testbench
   tilewright verilog image-merger --set units=8 -o out/ --testbench --json
 
-The testbench replays the block's scenario and compares every output at every clock edge; it prints `PASS: n cycles`, or the first
-mismatch, and then stops so that the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.")]
+The testbench replays the block's scenario and compares every output at every clock edge. It prints `PASS: n cycles` or the first mismatch.
+After a mismatch the printed commands end with a non-zero status. It runs in Icarus Verilog and in Verilator.")]
 pub struct Verilog {
     #[command(flatten)]
     block: BlockArguments,
-    /// The folder for the files, which is made if it is not there; all of them are written, or none
+    /// Folder for the files, created if missing; either all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// Write a testbench as well, recorded from a run of the block's scenario
@@ -46,7 +46,7 @@ struct Report<'a> {
     /// Cycles that the testbench compares, if there is one.
     cycles: Option<usize>,
     files: Vec<String>,
-    /// The lines that run the testbench, if there is one.
+    /// The commands that run the testbench, if there is one.
     commands: Vec<String>,
 }
 
@@ -93,11 +93,11 @@ fn record(sim: &mut Simulation, scenario: &Scenario) -> Result<Recording, Failur
     Ok(recording.take())
 }
 
-/// With this the simulators say what is covered.
+/// With this macro the simulators print what is covered.
 const COVERS: &str = "-DTILEWRIGHT_COVERS";
 
-/// The lines that run the testbench, the last of the files, in two simulators; each in a shell of its own, so that one can follow
-/// the other. `-n` has Icarus ask nothing where a bench stops; the macro has covers printed.
+/// The commands that run the testbench, the last of the files, in two simulators. Each has a shell of its own, so that one can follow
+/// the other. `-n` stops Icarus from asking what to do at `$stop`, and the macro prints covers.
 fn simulators(folder: &Path, files: &[VerilogFile]) -> Vec<String> {
     let folder = quoted(folder);
     let sources: Vec<&str> = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".v")).collect();

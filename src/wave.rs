@@ -1,4 +1,4 @@
-//! `tilewright wave`: a block's scenario as a waveform file, ready to be looked at, as text, or as a picture.
+//! `tilewright wave`: a block's scenario as a waveform file, as text, or as a picture.
 
 use crate::block::{BlockArguments, design, simulation};
 use crate::engine::EngineArguments;
@@ -33,20 +33,23 @@ Examples:
   tilewright wave image-merger --set units=8 -o merger.vcd --scope 'u_merging_unit[*].**' --to 2us
   tilewright wave merging-unit -o mu.svg
 
-Beside the waveform file stands a .gtkw file with which GTKWave opens it with the signals in place, unless -o names a pipe or a device.
-One that GTKWave or somebody else wrote stays as it is. An -o that ends in .svg is a picture of the waves that the text has, light or dark as the reader's screen is.
-With --to the run ends there, unless the wave is shown as text, which has all of it. Values in text and in pictures are hexadecimal unless --radix says otherwise; signed ones are decimal then, and codes have their names always. Exit code 1 means that an assertion of the block does not hold, or that with --engine both
-the engines differ.")]
+Beside the waveform file a .gtkw file is written, unless -o names a pipe or a device. With it GTKWave opens the waveform with the signals selected.
+A .gtkw file that Tilewright did not write is kept. If -o ends in .svg, the file is a picture of the ports' waves, light or dark like the reader's screen.
+
+--to ends the run at that time, except that text always shows the whole scenario. Without --radix, values in text and in pictures are hexadecimal,
+and signed values are decimal. Codes are always shown by name.
+
+Exit code 1 means that an assertion of the block fails, or that with --engine both the engines differ.")]
 pub struct Wave {
     #[command(flatten)]
     block: BlockArguments,
-    /// The waveform, a VCD file, or a picture of it if the name ends in .svg; `-` is standard output. Without it the wave is shown as text
+    /// The waveform, a VCD file, or a picture if the name ends in .svg; `-` is standard output [default: show the wave as text]
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(waveform))]
     output: Option<PathBuf>,
-    /// Print the ports' waves as text, beside -o as well
+    /// Print the ports' waves as text, also with -o
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
-    /// What the numbers of a wave in text, or of a picture, are written in [default: hex, and decimal where they are signed]
+    /// Radix of the numbers in text and in pictures [default: hex, and decimal for signed numbers]
     #[arg(long, value_name = "RADIX", value_parser = names::of::<Radix>("radix"))]
     radix: Option<Radix>,
     #[command(flatten)]
@@ -93,7 +96,7 @@ struct Report<'a> {
     /// How often each clock rose, by its name.
     clocks: BTreeMap<String, u64>,
     files: Vec<String>,
-    /// The lines that open the waveform.
+    /// The commands that open the waveform.
     commands: Vec<String>,
 }
 
@@ -120,7 +123,7 @@ impl Wave {
         let header = waveform.as_ref().map(|waveform| self.filters.attach(waveform, &mut sim)).transpose()?;
         let end = if self.is_text() { u64::MAX } else { self.filters.times().end };
         let played = play(&mut sim, &scenario, end);
-        // An interrupted or failed run leaves its waves too.
+        // An interrupted or failed run keeps its waves, too.
         let mut ended = Failure::both(played, sim.finish().map_err(Failure::from));
         let mut files = Vec::new();
         if let (Some(waveform), Some(header), true) = (&waveform, &header, Failure::leaves_a_waveform(&ended)) {
@@ -160,21 +163,21 @@ impl Wave {
         self.output.as_ref().and_then(|path| path.extension()).is_some_and(|it| it.eq_ignore_ascii_case("svg"))
     }
 
-    /// That the options fit to what is written.
+    /// Checks that the options fit the kind of output.
     fn check(&self) -> Result<(), Failure> {
         let sentence = if self.json && self.output.is_none() {
-            "--json reports on a waveform file: name it with -o FILE"
+            "--json needs a waveform file: name it with -o FILE"
         } else if self.radix.is_some() && !self.is_text() && !self.is_picture() {
-            "--radix is about numbers in text, and a waveform file has bits: leave out -o, or name a picture with -o, such as wave.svg"
+            "--radix is for text and pictures, and -o names a waveform file: leave out -o, or name a picture with -o, such as wave.svg"
         } else if self.filters.is_scoped() && self.is_picture() {
-            "a picture has the ports of the block, as the text has: leave out --scope, or name a waveform file with -o, such as wave.vcd"
+            "a picture always shows the ports of the block: leave out --scope, or name a waveform file with -o, such as wave.vcd"
         } else {
             return self.filters.check(self.output.as_deref(), "-o");
         };
         Err(Failure::new(Exit::BadInput, sentence))
     }
 
-    /// That a picture is not of more clocks than anybody looks at.
+    /// Checks that a picture does not have too many clocks.
     fn check_drawn(&self, sim: &Simulation, scenario: &Scenario) -> Result<(), Failure> {
         let Range { start, end } = self.filters.times();
         let time = end.min(scenario.end_ps).saturating_sub(start);
@@ -183,7 +186,7 @@ impl Wave {
             return Ok(());
         }
         let sentence = format!(
-            "a picture of {clocks} clocks is too long to be looked at, {MOST_DRAWN} are the most: pass --from and --to, such as --to 2us"
+            "the picture would have {clocks} clocks, and the limit is {MOST_DRAWN}: pass --from and --to, such as --to 2us"
         );
         Err(Failure::new(Exit::BadInput, sentence))
     }
@@ -197,7 +200,7 @@ impl Wave {
         check_length(sim, scenario, what)?;
         let program = sim.program();
         let ports = program.inputs.iter().chain(&program.outputs);
-        // A port that has lanes is shown lane by lane.
+        // A port with lanes is shown lane by lane.
         let path = |name: &str, lanes: u32| if lanes > 1 { format!("{name}[*]") } else { name.to_owned() };
         let probes: Vec<Probe> = ports.map(|port| Probe::Path(path(&port.name, port.lanes))).collect();
         let wave = sim.record(probes);
@@ -214,13 +217,17 @@ impl Wave {
     }
 }
 
-/// A waveform's name, which is not that of the save file beside it.
+/// The name of a waveform, which must not be that of the save file beside it.
 fn waveform(path: PathBuf) -> Result<PathBuf, &'static str> {
     let is_save_file = path.extension().is_some_and(|it| it == "gtkw");
-    if is_save_file { Err("the .gtkw file is written beside the waveform: name the waveform .vcd") } else { Ok(path) }
+    if is_save_file {
+        Err("the .gtkw file is written beside the waveform: name the waveform itself, such as wave.vcd")
+    } else {
+        Ok(path)
+    }
 }
 
-/// Whether a save file is not there yet, or of an earlier run; if not, says that it stays.
+/// Whether a save file is missing or was written by an earlier run. If neither, warns that it is kept.
 fn is_ours(path: &Path) -> bool {
     let mut begin = String::new();
     let read = |file: File| file.take(save_file::FIRST_LINE.len() as u64).read_to_string(&mut begin);
@@ -228,14 +235,14 @@ fn is_ours(path: &Path) -> bool {
     let ours = !path.exists() || is_read && begin == save_file::FIRST_LINE;
     if !ours {
         terminal::warn(&format!(
-            "{} is not of tilewright and stays as it is: remove it to have it written",
+            "{} was not written by tilewright and is kept: remove it to have it written",
             path.display()
         ));
     }
     ours
 }
 
-/// The lines that open a waveform.
+/// The commands that open a waveform.
 fn viewers(waveform: &Path, save: &Path) -> Vec<String> {
     let (waveform, save) = (quoted(waveform), quoted(save));
     vec![format!("gtkwave {waveform} {save}"), format!("surfer {waveform}")]

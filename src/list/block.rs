@@ -1,4 +1,4 @@
-//! All that there is to tell of a block, at the default values of its parameters.
+//! The full description of a block, at the default values of its parameters.
 
 use crate::shell::Failure;
 use serde::Serialize;
@@ -13,12 +13,12 @@ use tilewright_hdl::ir::{Clock, Kind, Latency, Module, NodeId};
 pub struct BlockItem {
     name: &'static str,
     summary: &'static str,
-    /// The machine that it is a part of, if it is one's.
+    /// The machine that it is a part of, if it belongs to one.
     machine: Option<&'static str>,
-    /// What it does, as its Verilog says.
+    /// What it does, as in its Verilog.
     description: String,
     scenario: &'static str,
-    /// Clocks from its inputs to its outputs, counted where they are one number.
+    /// Clocks from its inputs to its outputs, as a count if there is one number.
     latency: String,
     /// The paper.
     source: String,
@@ -34,20 +34,20 @@ pub struct BlockItem {
 struct ClockItem {
     port: String,
     reset: Option<String>,
-    /// Of its scenario.
+    /// The description of its scenario.
     picoseconds: Option<u64>,
 }
 
 #[derive(Serialize)]
 struct PortItem {
     name: String,
-    /// Bits of a lane.
+    /// Bits per lane.
     width: u32,
-    /// How many there are side by side.
+    /// The number of lanes.
     lanes: u32,
-    /// What its bits are, and in what shape, such as `signed, 4 lanes`.
+    /// Its kind and its shape, such as `signed, 4 lanes`.
     form: String,
-    /// What is said of the records that it is the first port of, and of itself.
+    /// The comment of the port, after those of the records that begin with it.
     meaning: String,
 }
 
@@ -61,10 +61,10 @@ struct ParameterItem {
 }
 
 impl BlockItem {
-    /// An entry of a catalogue, which is a part of that machine.
+    /// An entry of that machine's catalogue.
     ///
     /// # Errors
-    /// It cannot be had, which would be a mistake in the catalogue.
+    /// The block cannot be elaborated, which would be a mistake in the catalogue.
     pub fn of(machine: Option<&'static str>, entry: &'static Entry) -> Result<BlockItem, Failure> {
         let values = entry.values([])?;
         let design = entry.design(&values)?;
@@ -96,7 +96,7 @@ impl BlockItem {
     }
 }
 
-/// As the Verilog's header has it.
+/// As in the header of the Verilog.
 fn latency(stated: &str, counted: Option<Latency>) -> String {
     match counted {
         None => words(stated),
@@ -120,7 +120,7 @@ impl ClockItem {
     }
 }
 
-/// Ports of one direction, each with what is said of it; of a record that is said once, at its first port.
+/// Ports of one direction, each with its comment. The comment of a record stands at its first port.
 fn ports<'a>(
     module: &Module,
     ports: impl Iterator<Item = (&'a str, &'a str, NodeId, Option<Kind>)>,
@@ -144,14 +144,14 @@ fn ports<'a>(
     ports.map(port).collect()
 }
 
-/// What the bits of a port are, and in what shape; nothing of a plain number.
+/// The kind and the shape of a port; nothing for a plain number.
 fn form(kind: Kind, shape: Shape) -> String {
     let kind = Some(kind).filter(|kind| *kind != Kind::Number).map(|kind| kind.to_string());
     let shape = Some(shape).filter(|shape| !shape.is_plain()).map(|shape| shape.to_string());
     kind.into_iter().chain(shape).collect::<Vec<_>>().join(", ")
 }
 
-/// A path without the numbers of elements: what is said of a list is said of each of them.
+/// A path without the numbers of elements: the comment of a list is that of each element.
 fn without_numbers(path: &str) -> String {
     let names = path.split('.').filter(|name| !name.starts_with(|c: char| c.is_ascii_digit()));
     names.collect::<Vec<_>>().join(".")

@@ -1,4 +1,4 @@
-//! All that there is to tell of each thing, for people and as JSON.
+//! The full description of each thing, as text and as JSON.
 
 use super::block::BlockItem;
 use super::shown::{Part, Shown};
@@ -13,7 +13,7 @@ use tilewright_rtl::catalog::GROUPS;
 use tilewright_scenes::{Scene, builtin};
 use tilewright_sim::Pass;
 
-/// What can be read, by the endings of the files' names.
+/// The files that can be read, by extension.
 pub const FILES: [(&str, &str); 5] = [
     (".toml", "a scene: its mesh, camera, lights, surface and size"),
     (".obj", "a mesh, a Wavefront OBJ file, with the materials of its .mtl files"),
@@ -22,7 +22,7 @@ pub const FILES: [(&str, &str); 5] = [
     (".stl", "a mesh, an STL file, text or binary"),
 ];
 
-/// The things that are asked for.
+/// The things that the user asks for.
 #[derive(Serialize)]
 pub struct Lists {
     format: u32,
@@ -34,7 +34,7 @@ pub struct Lists {
     passes: Vec<Thing>,
 }
 
-/// Something of which there is one line to tell.
+/// A thing with a description of one line.
 #[derive(Serialize)]
 pub struct Thing {
     name: String,
@@ -60,10 +60,10 @@ pub struct SceneItem {
 }
 
 impl Lists {
-    /// All of what is asked for.
+    /// The descriptions of what the user asks for.
     ///
     /// # Errors
-    /// A block cannot be had, which would be a mistake in its catalogue.
+    /// A block cannot be elaborated, which would be a mistake in its catalogue.
     pub fn of(shown: Shown) -> Result<Lists, Failure> {
         let things = |part, all: Vec<(String, &'static str)>| {
             let asked = all.into_iter().filter(|(name, _)| shown.has(part, name));

@@ -1,4 +1,4 @@
-//! `tilewright list`: what there is to render, to run and to print.
+//! `tilewright list`: what can be rendered, run and printed.
 
 mod block;
 mod items;
@@ -11,7 +11,7 @@ use clap::Args;
 use items::Lists;
 use shown::Shown;
 
-/// Lists scenes, machines, blocks, designs of bench and passes of explain; or tells all of one of them
+/// Lists scenes, machines, blocks, designs of bench and passes of explain, or describes one of them in full
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -21,18 +21,18 @@ Examples:
   tilewright list quadtree
   tilewright list --json
 
-Without a name every thing has one line. A block's name shows its ports, parameters, latency, source and scenario, a machine's name its options.
-`scenes`, `files`, `machines`, `blocks`, `designs` and `passes` are the parts of the list, and `all` tells all of everything.")]
+Without a name the list has one line for each thing. The name of a block shows its ports, parameters, latency, source and scenario; the name of a
+machine, its options. `scenes`, `files`, `machines`, `blocks`, `designs` and `passes` are the parts of the list, and `all` describes everything in full.")]
 pub struct List {
-    /// What to tell all of: a block, a machine, a scene, a part of the list, or `all`
+    /// What to describe: a block, a machine, a scene, a part of the list, or `all`
     #[arg(value_name = "NAME", value_parser = names(), hide_possible_values = true)]
     name: Option<Shown>,
-    /// Print the same as JSON, always with all that there is to tell
+    /// Print the full descriptions as JSON
     #[arg(long)]
     json: bool,
 }
 
-/// The parser of what is to be shown.
+/// The parser of the name.
 fn names() -> Names<Shown> {
     Names::new("block, machine, scene or part of the list", Shown::all()).listed_by("tilewright list")
 }

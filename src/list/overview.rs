@@ -1,4 +1,4 @@
-//! One line for each thing.
+//! The list with one line for each thing.
 
 use super::items::{FILES, SceneItem};
 use super::shown::Part;
@@ -17,7 +17,7 @@ pub fn text(parts: &[Part]) -> String {
     let rest = match parts.len() {
         1 => "",
         _ => {
-            "\n`tilewright list NAME` tells all of a block, a machine or a scene, and `tilewright list all` of everything.\n"
+            "\n`tilewright list NAME` describes a block, a machine or a scene in full; `tilewright list all` describes everything.\n"
         }
     };
     sections.join("\n") + rest

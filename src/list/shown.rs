@@ -1,4 +1,4 @@
-//! What of the list is asked for.
+//! Which part of the list the user asks for.
 
 use crate::block::entries;
 use crate::machine::Machine;
@@ -6,16 +6,16 @@ use clap::ValueEnum;
 use std::collections::BTreeSet;
 use tilewright_scenes::builtin;
 
-/// What is asked for.
+/// The user's choice.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
     /// A line for each thing.
     Overview,
     /// A line for each thing of one part.
     Part(Part),
-    /// All of what has that name; a machine as a whole is also a block.
+    /// The full description of the things of that name; a machine as a whole is also a block.
     Named(&'static str),
-    /// All of everything.
+    /// The full description of everything.
     All,
 }
 
@@ -46,7 +46,7 @@ impl Part {
 }
 
 impl Shown {
-    /// Everything that can be asked for, by name.
+    /// All choices, by name.
     pub fn all() -> Vec<(&'static str, Shown)> {
         let parts = Part::ALL.map(|part| (part.name(), Shown::Part(part)));
         let machines = Machine::value_variants().iter().map(|machine| machine.name());
@@ -56,7 +56,7 @@ impl Shown {
         [("all", Shown::All)].into_iter().chain(parts).chain(things).collect()
     }
 
-    /// The parts that are shown with a line for each thing; `None` where all is told.
+    /// The parts that are shown with one line for each thing; `None` for full descriptions.
     pub fn part(self) -> Option<&'static [Part]> {
         match self {
             Shown::Overview => Some(&Part::ALL),

@@ -1,4 +1,4 @@
-//! What a machine takes for a frame, in terms that all machines share.
+//! A frame in numbers that all machines share: clocks, state, pixels, load.
 
 use super::Machine;
 use super::job::{Job, Run};
@@ -12,32 +12,32 @@ use tilewright_hdl::ir::State;
 use tilewright_hdl::{Block, elaborate};
 use tilewright_scenes::{Frame, Scene};
 
-/// A frame in numbers that are counted in the simulated machine, or follow from its structure.
+/// The numbers of a frame, counted in the simulated machine or derived from its structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Figures {
-    /// Units that draw side by side.
+    /// Units that draw in parallel.
     pub processors: u32,
-    /// What they are.
+    /// What these units are.
     pub processor: String,
     /// Bits of all registers of the circuit.
     pub register_bits: u64,
-    /// Bits of all its memories that are written.
+    /// Bits of all memories that the circuit writes.
     pub memory_bits: u64,
-    /// Clocks of a frame, of the processors' clock.
+    /// Clocks of a frame, in the processors' clock.
     pub clocks: u64,
     /// Simulated time of a frame.
     pub picoseconds: u64,
-    /// What that time has in it.
+    /// What that time includes.
     pub time: String,
-    /// Pixels that processors were given to test for a polygon, whether it covers them or not.
+    /// Pixels that processors test for a polygon, covered or not.
     pub tested: u64,
-    /// Pixels that polygons cover, each as often as it is drawn.
+    /// Pixels that polygons cover; a pixel counts once for each polygon that draws it.
     pub drawn: u64,
-    /// Working clocks of all processors in parts of all their clocks in a frame, from 0 to 1.
+    /// Working clocks of all processors over all their clocks in a frame, from 0 to 1.
     pub at_work: f64,
     /// What takes longest.
     pub limit: String,
-    /// Its clocks in parts of those of the frame, from 0 to 1.
+    /// Its clocks over those of the frame, from 0 to 1.
     pub limit_share: f64,
 }
 
@@ -53,16 +53,16 @@ impl Figures {
     }
 }
 
-/// A job whose frame can be put beside those of other machines.
+/// A job whose frame can be compared with those of other machines.
 pub trait Compared: Job {
-    /// What the frame of that report took.
+    /// The numbers of the frame of that report.
     ///
     /// # Errors
     /// There is no such machine.
     fn figures(&self, report: &Self::Report) -> Result<Figures, Failure>;
 }
 
-/// What draws a scene, and says what the frame took.
+/// Draws a scene, and returns the numbers of the frame.
 pub type Draw = fn(&Scene, &Run) -> Result<(Frame, Figures), Failure>;
 
 /// A machine that takes part in comparisons.
@@ -94,7 +94,7 @@ fn drawn(job: &impl Compared, run: &Run) -> Result<(Frame, Figures), Failure> {
     Ok((frame, figures))
 }
 
-/// The bits that a circuit keeps.
+/// The bits of a circuit's registers and memories.
 ///
 /// # Errors
 /// Its description has a mistake.

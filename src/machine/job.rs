@@ -12,9 +12,9 @@ use tilewright_machines::{Recorder, Watch};
 use tilewright_scenes::{Frame, Size};
 use tilewright_sim::{EngineKind, Simulation};
 
-/// What is drawn, and the machine that it is drawn by.
+/// What is drawn, and the machine that draws it.
 pub trait Job {
-    /// What the machine says of a frame.
+    /// The machine's report on a frame.
     type Report: Serialize + Display;
 
     /// The size of the frame.
@@ -38,7 +38,7 @@ pub struct Run<'a> {
     pub engine: EngineArguments,
     pub filters: &'a TraceOptions,
     pub waveform: Option<&'a Waveform>,
-    /// Where the machine is to leave what it did, if that is to be known.
+    /// Where the machine records what it does, if that is asked for.
     pub recorder: Option<&'a Recorder>,
 }
 
@@ -48,7 +48,7 @@ impl Run<'_> {
         self.engine.kind()
     }
 
-    /// Attaches the waveform, if one is asked for, to a machine that has been put on its engine.
+    /// Attaches the waveform, if one is asked for, to a machine. Its engine has to be chosen before.
     ///
     /// # Errors
     /// A filter matches nothing, or the waveform cannot be written.
@@ -57,7 +57,7 @@ impl Run<'_> {
         self.waveform.map_or(Ok(()), |waveform| self.filters.attach(waveform, sim).map(|_| ()))
     }
 
-    /// Renders with a line of progress, which Ctrl-C breaks off; `picoseconds` is the simulated time of what came of it.
+    /// Renders with a line of progress, and stops at Ctrl-C; `picoseconds` is the simulated time of a result.
     ///
     /// # Errors
     /// Those of the run.

@@ -22,21 +22,21 @@ pub struct PixelPlanesOptions {
     /// Renderers [default: 16]
     #[arg(long, value_name = "N", value_parser = number(1..=Config::MOST_RENDERERS))]
     renderers: Option<u32>,
-    /// Pixels along the side of a region [default: 128]
+    /// Side of a region in pixels [default: 128]
     #[arg(long, value_name = "PIXELS",
           value_parser = PossibleValuesParser::new(["8", "16", "32", "64", "128", "256"]).map(|side| side.parse::<u32>().unwrap_or_default()))]
     region: Option<u32>,
-    /// Geometry processors, which make the instructions [default: 32]
+    /// Geometry processors, which generate the instructions [default: 32]
     #[arg(long, value_name = "N", value_parser = number(1..=Config::MOST_GEOMETRY))]
     geometry: Option<u32>,
-    /// What the ring brings to renderers and frame buffer in Mbit/s, a multiple of 40 [default: 5000]
+    /// Bandwidth of the ring to the renderers and the frame buffer in Mbit/s, a multiple of 40 [default: 5000]
     #[arg(long, value_name = "MBITS", value_parser = value_parser!(u32))]
     ring: Option<u32>,
-    /// Send edges in one length that is enough for any, each in its own length, or each as the least half-plane that is the same in the region
-    /// [default: least]
+    /// How edges are sent. `fixed` uses one length that fits any edge, `own` the length of each edge, and `least` the least half-plane with the same
+    /// pixels of the region inside [default: least]
     #[arg(long, value_name = "FORM", value_parser = forms())]
     edges: Option<Edges>,
-    /// Have tree and memory work on one instruction at a time
+    /// Let tree and memory work on one instruction at a time, without overlap
     #[arg(long)]
     one_at_a_time: bool,
 }
@@ -47,7 +47,7 @@ fn forms() -> Names<Edges> {
 }
 
 impl PixelPlanesOptions {
-    /// One that is given, if any is.
+    /// The first of these options that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
         let PixelPlanesOptions { renderers, region, geometry, ring, one_at_a_time, edges } = self;
         first_given([
@@ -111,8 +111,8 @@ impl Job for PixelPlanesJob {
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
         if run.waveform.is_some() {
-            let sentence = "each renderer of pixel-planes-5 is a simulation of its own, so there is no waveform of a frame: \
-                            leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine, or `tilewright wave renderer`";
+            let sentence = "each renderer of pixel-planes-5 is simulated separately, so a frame has no waveform: \
+                            leave out --vcd, or use `tilewright wave pixel-planes-5` for a small machine, or `tilewright wave renderer`";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let mut machine = self.machine.clone().on(run.engine());
@@ -137,12 +137,12 @@ impl Compared for PixelPlanesJob {
             clocks,
             picoseconds: clocks * PERIOD.picoseconds(),
             time: format!(
-                "from one frame sent to the next, as the next one's geometry, {:.3} ms of {} processors, runs meanwhile",
+                "from one frame sent to the next; meanwhile {1} processors compute the geometry of the next frame in {0:.3} ms",
                 milliseconds(report.geometry.clocks),
                 report.machine.geometry
             ),
             tested: report.tested(),
-            // Its pixels count nothing.
+            // Its pixels do not count.
             drawn: fragments_of(&self.polygons),
             at_work: working as f64 / (clocks.max(1) * report.renderers.len() as u64) as f64,
             limit: limit.unit.to_string(),

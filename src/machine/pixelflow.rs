@@ -22,33 +22,33 @@ use tilewright_scenes::{Field, Frame, Polygons, Projection, Scene, Size};
 #[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine pixelflow")]
 pub struct PixelFlowOptions {
-    /// Nodes, one of which holds the frame [default: 20]
+    /// Nodes, one of which has the frame buffer [default: 20]
     #[arg(long, value_name = "N", value_parser = number(2..=Config::MOST_NODES))]
     nodes: Option<u32>,
-    /// Nodes that shade, of the base system [default: 4]
+    /// Nodes that shade; the non-texturing system has none [default: 4]
     #[arg(long, value_name = "N", value_parser = number(1..=Config::MOST_NODES))]
     shaders: Option<u32>,
-    /// Pixels of each node's array, which are those of a region; powers of two from 8 to 256 [default: 128x64]
+    /// Width and height of each node's pixel array, and so of a region; powers of two from 8 to 256 [default: 128x64]
     #[arg(long, value_name = "WxH", value_parser = array)]
     array: Option<[u32; 2]>,
-    /// The software: regions one after another, with deferred shading; the same, where the front end sorts in a pass of its own and makes instructions while others are
-    /// drawn; or all regions in the pixels' memory, in the colours of vertices [default: base]
+    /// The software. `base` draws region after region with deferred shading. `pre-sorting` does, too, but its front end sorts in a pass of its own and makes
+    /// instructions while others are drawn. `non-texturing` keeps all regions in the pixels' memory and interpolates the colours of vertices [default: base]
     #[arg(long, value_name = "SYSTEM", value_parser = names::of::<System>("system"))]
     system: Option<System>,
-    /// Samples of a pixel; eight are those of two renderings at twice the width and height, which the base system draws region by region, and the
+    /// Samples per pixel. Eight samples are two renderings at twice the width and height. The base system draws them region by region, the
     /// non-texturing system sample by sample [default: 1]
     #[arg(long, value_name = "N", value_parser = ["1", "8"])]
     samples: Option<String>,
-    /// Shade what the eight samples of a pixel have in common, instead of each: they are drawn one after another, and come to the same shader
+    /// Shade once what the eight samples of a pixel have in common, instead of each sample. They are drawn one after another and go to the same shader
     #[arg(long)]
     shade_once: bool,
-    /// Draw one field of an interlaced display: the even lines of the frame, from line 0 on, or the odd ones
+    /// Draw one field of an interlaced display: the even lines of the frame, starting with line 0, or the odd lines
     #[arg(long, value_name = "FIELD", value_parser = names::of::<FieldName>("field"))]
     field: Option<FieldName>,
-    /// Draw a frame for each eye, side by side: both at once, each on half of the nodes, or one after another on all
+    /// Draw a frame for each eye, side by side. `halved` draws both at once, each on half of the nodes; `sequential` draws one after the other on all nodes
     #[arg(long, value_name = "HOW", value_parser = names::of::<StereoName>("way to share the nodes"))]
     stereo: Option<StereoName>,
-    /// The distance between the eyes, in the unit of the scene; their lines of sight are parallel
+    /// Distance between the eyes in units of the scene; the lines of sight are parallel
     /// [default: a thirtieth of the distance to what the camera looks at]
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true)]
     eyes: Option<f64>,
@@ -91,7 +91,7 @@ fn array(text: &str) -> Result<[u32; 2], String> {
 }
 
 impl PixelFlowOptions {
-    /// One that is given, if any is.
+    /// The first of these options that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
         let PixelFlowOptions { nodes, shaders, array, system, samples, shade_once, field, stereo, eyes } = self;
         first_given([
@@ -107,7 +107,7 @@ impl PixelFlowOptions {
         ])
     }
 
-    /// What makes several frames, if anything does.
+    /// The option that makes several frames, if one does.
     pub fn several(&self) -> Option<&'static str> {
         first_given([("--stereo", self.stereo.is_some())])
     }
@@ -124,13 +124,12 @@ impl PixelFlowOptions {
     /// A scene for both eyes, if that is asked for.
     ///
     /// # Errors
-    /// As [`PixelFlowOptions::job`]; or there is no such distance between the eyes.
+    /// As [`PixelFlowOptions::job`]; or the distance between the eyes is out of range.
     pub fn stereo_job(&self, scene: &Scene) -> Result<Option<StereoJob>, Failure> {
         match self.stereo {
             Some(stereo) => StereoJob::new(self, scene, &self.config(scene)?, stereo.into()).map(Some),
             None if self.eyes.is_some() => {
-                let sentence =
-                    "--eyes is about two frames, and there is one: add --stereo halved or --stereo sequential";
+                let sentence = "--eyes needs a frame for each eye: add --stereo halved or --stereo sequential";
                 Err(Failure::new(Exit::BadInput, sentence))
             }
             None => Ok(None),
@@ -146,7 +145,7 @@ impl PixelFlowOptions {
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         if self.shade_once && self.samples.as_deref() != Some("8") {
-            let sentence = "--shade-once is about the samples of a pixel, and there is one: add --samples 8";
+            let sentence = "--shade-once needs several samples per pixel: add --samples 8";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         if self.shade_once && system == System::NonTexturing {
@@ -170,7 +169,7 @@ impl PixelFlowOptions {
     fn frame(&self, scene: &Scene, machine: Machine, config: Config) -> Result<PixelFlowJob, Failure> {
         let (system, samples) = (self.system(), self.samples());
         if config.field.is_some() && samples == Samples::Eight(Shading::EachSample) && system.shades() {
-            let sentence = "the base system draws no --field of --samples 8, but whole frames: leave out one of them, \
+            let sentence = "the base system cannot draw a --field with --samples 8: leave out one of them, \
                             add --shade-once, or pass --system non-texturing";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
@@ -202,7 +201,7 @@ pub struct PixelFlowJob {
     work: Work,
 }
 
-/// What is drawn, by which system.
+/// What is drawn, and by which system.
 enum Work {
     Deferred(Deferred),
     /// With the background.
@@ -251,8 +250,8 @@ impl Job for PixelFlowJob {
 
     fn render(&self, run: &Run) -> Result<(Frame, Report), Failure> {
         if run.waveform.is_some() {
-            let sentence = "each node of pixelflow is a simulation of its own, so there is no waveform of a frame: \
-                            leave out --vcd, and see `tilewright wave pixelflow-node`";
+            let sentence = "each node of pixelflow is simulated separately, so a frame has no waveform: \
+                            leave out --vcd, or use `tilewright wave pixelflow-node` for one node";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let mut machine = self.machine.clone().on(run.engine());
@@ -275,7 +274,7 @@ impl Compared for PixelFlowJob {
         let (array, port) = (state(&pixels)?, state(&pixels.network_port())?);
         let buffer = state(&report.frame_buffer)?;
         let bits = |of: fn(&tilewright_hdl::ir::State) -> u64| nodes * (of(&array) + 2 * of(&port)) + of(&buffer);
-        // An array has a clock for two of the network.
+        // The array has one clock for two of the network.
         let clocks = report.latency() / 2;
         let busy: u64 = report.rasterizers.iter().chain(&report.shaders).map(|node| node.busy).sum();
         let [width, height] = report.array;
@@ -298,7 +297,9 @@ impl Compared for PixelFlowJob {
             memory_bits: bits(|it| it.memories),
             clocks,
             picoseconds: report.latency() * 5000,
-            time: "from the front end, which takes the paper's time, to the last region in the frame buffer".to_owned(),
+            time:
+                "from the start of the front end, which takes the paper's time, to the last region in the frame buffer"
+                    .to_owned(),
             tested: report.drawn as u64 * u64::from(width) * u64::from(height),
             drawn,
             at_work: busy as f64 / (clocks.max(1) * nodes) as f64,

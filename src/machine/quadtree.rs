@@ -19,37 +19,38 @@ use tilewright_scenes::{Frame, Polygons, Scene, Size};
 #[derive(Args, Default)]
 #[command(next_help_heading = "Options of --machine quadtree")]
 pub struct QuadtreeOptions {
-    /// Video processors side by side and one below the other, each 1, 2, 4, 8 or 16 [default: 4x4]
+    /// Columns and rows of video processors, each 1, 2, 4, 8 or 16 [default: 4x4]
     #[arg(long, value_name = "PxQ", value_parser = matrix)]
     matrix: Option<(u32, u32)>,
-    /// What divides the windows: parts of `stack`, `pipe` and `tree`, each with its levels, as in stack:2+pipe:3+tree:1; one part may leave them out and has the rest [default: pipe]
+    /// What divides the windows: `stack`, `pipe` and `tree`, joined by +, each with its number of levels, as in stack:2+pipe:3+tree:1.
+    /// One part may omit the number and then has the remaining levels [default: pipe]
     #[arg(long, value_name = "FORM", value_parser = form)]
     form: Option<String>,
     /// How the edges of a window are tested [default: parallel]
     #[arg(long, value_name = "TEST", value_parser = tests())]
     test: Option<Test>,
-    /// Pixels by which windows are tested wider than their samples, even, 0 to 8 [default: 0]
+    /// Pixels by which a tested window is wider than its samples; even, 0 to 8 [default: 0]
     #[arg(long, value_name = "PIXELS")]
     aperture: Option<u32>,
-    /// Packets that the queue before the broadcast holds [default: 2]
+    /// Size of the queue before the broadcast, in packets [default: 2]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
     broadcast_queue: Option<u32>,
-    /// Packets that the queue of each video processor holds [default: 4]
+    /// Size of the queue before each video processor, in packets [default: 4]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
     packet_queue: Option<u32>,
-    /// Windows that the queue before each unit of a pipe or tree holds [default: 2]
+    /// Size of the queue before each unit of a pipe or tree, in windows [default: 2]
     #[arg(long, value_name = "N", value_parser = number(1..=Queues::MOST))]
     window_queue: Option<u32>,
 }
 
 /// The ways to test the edges of a window, by name.
 fn tests() -> Names<Test> {
-    let serial = PossibleValue::new("serial").help("One after another, by one adder");
-    let parallel = PossibleValue::new("parallel").help("All at once, by an adder each");
+    let serial = PossibleValue::new("serial").help("One adder tests the edges one after another");
+    let parallel = PossibleValue::new("parallel").help("An adder for each edge tests all of them at once");
     Names::described("test", [(serial, Test::Serial), (parallel, Test::Parallel)])
 }
 
-/// What divides the windows, of parts that there are; the machine knows which of them go together.
+/// What divides the windows. Only the names of parts are checked; the machine checks which of them go together.
 fn form(text: &str) -> Result<String, String> {
     const PARTS: [&str; 3] = ["stack", "pipe", "tree"];
     let parts = text.split('+').map(|part| part.split(':').next().unwrap_or(part));
@@ -64,12 +65,12 @@ fn form(text: &str) -> Result<String, String> {
 /// A matrix such as `4x4`.
 fn matrix(text: &str) -> Result<(u32, u32), String> {
     let sides = text.split_once('x').and_then(|(p, q)| Some((p.parse().ok()?, q.parse().ok()?)));
-    let (p, q) = sides.ok_or("give the video processors side by side and one below the other, such as 4x4")?;
+    let (p, q) = sides.ok_or("give the columns and rows of video processors, such as 4x4")?;
     Matrix::new(p, q).map(|_| (p, q)).map_err(|error| error.to_string())
 }
 
 impl QuadtreeOptions {
-    /// One that is given, if any is.
+    /// The first of these options that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
         let QuadtreeOptions { matrix, form, test, broadcast_queue, packet_queue, window_queue, aperture } = self;
         first_given([
@@ -160,7 +161,7 @@ impl Compared for QuadtreeJob {
             memory_bits: hardware.memories,
             clocks: report.drawing_clocks(),
             picoseconds: drawing.map_or(0, |phase| phase.picoseconds),
-            time: "drawing of packets that are there; who makes them is not part of the machine".to_owned(),
+            time: "drawing alone; the packets are made outside of the machine".to_owned(),
             tested: report.stages.last().map_or(0, |stage| stage.tests.all),
             drawn: report.fragments,
             at_work: busiest.map_or(0.0, |stage| stage.load[0]),

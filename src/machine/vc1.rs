@@ -25,61 +25,61 @@ pub struct Vc1Options {
     /// Processing elements [default: 16]
     #[arg(long, value_name = "N", value_parser = number(1..=Config::MAX_PROCESSORS))]
     processors: Option<u32>,
-    /// Pages of image memory in each local frame buffer, or `auto` for as many as avoid overflows [default: those of 65536 pixels, or the whole screen]
+    /// Pages of image memory in each local frame buffer; `auto` gives enough to avoid overflows [default: pages for 65536 pixels, or for a smaller screen]
     #[arg(long, value_name = "N", value_parser = pages)]
     pages: Option<Pages>,
-    /// Frames, one of each view of a camera that turns; FILE.png becomes FILE-001.png and so on [default: 1]
+    /// Number of frames, each from the next view of an orbiting camera; FILE.png becomes FILE-001.png and so on [default: 1]
     #[arg(long, value_name = "N", value_parser = number(1..=1000u32))]
     frames: Option<u32>,
-    /// By how much the camera turns from frame to frame [default: a full turn in all frames]
+    /// Degrees by which the camera orbits from frame to frame [default: a full circle over all frames]
     #[arg(long, value_name = "DEGREES", requires = "frames", allow_negative_numbers = true)]
     turn: Option<f64>,
-    /// The area in pixels above which a polygon is sent to all processing elements, each of which draws its rows; or `off` [default: 500]
+    /// Area in pixels above which a polygon is sent to all processing elements, and each draws its own rows of it; `off` sends none [default: 500]
     #[arg(long, value_name = "PIXELS", value_parser = threshold)]
     apr: Option<Threshold>,
-    /// Polygons of a cluster, which is dealt as a whole [default: 32]
+    /// Polygons per cluster; a cluster is assigned as a whole [default: 32]
     #[arg(long, value_name = "N", value_parser = number(1..=u32::MAX))]
     cluster: Option<u32>,
-    /// How clusters of polygons are dealt to the processing elements: by the clocks that they are expected to take, once in the first view or anew in
-    /// each, or by the count of polygons alone [default: once]
+    /// How clusters of polygons are assigned to the processing elements. `once` balances the clocks expected for the first view, `each` those of every
+    /// view, and `count` the number of polygons [default: once]
     #[arg(long, value_name = "HOW", value_parser = assigns())]
     assign: Option<Assign>,
-    /// The host sends the whole scene over the bus before each frame, instead of once
+    /// Send the whole scene over the bus before each frame, instead of once
     #[arg(long)]
     immediate: bool,
-    /// Frames of which each picture is the average, with the vertices moved by parts of a pixel
+    /// Frames averaged into each picture; their vertices are shifted by fractions of a pixel
     #[arg(long, value_name = "N",
           value_parser = PossibleValuesParser::new(["2", "4", "8", "16"]).map(|passes| passes.parse::<u32>().unwrap_or_default()))]
     accumulate: Option<u32>,
-    /// The upper left corner of a cursor of 8x8 pixels, which the host writes into each frame on display
+    /// Upper left corner of a cursor of 8x8 pixels, which the host writes into each displayed frame
     #[arg(long, value_name = "X,Y", value_parser = cursor, conflicts_with = "accumulate")]
     cursor: Option<Cursor>,
-    /// The edge of a patch in pixels [default: 4]
+    /// Side of a patch in pixels [default: 4]
     #[arg(long, value_name = "EDGE",
           value_parser = PossibleValuesParser::new(["4", "8", "16"]).map(|edge| edge.parse::<u32>().unwrap_or_default()))]
     patch: Option<u32>,
-    /// Refreshes of the display in a second, such as 59.94 [default: 60]
+    /// Refresh rate of the display in Hz, such as 59.94 [default: 60]
     #[arg(long, value_name = "HZ")]
     refresh: Option<f64>,
-    /// The lines of the vertical blanking in which the displayed frame changes [default: at-start]
+    /// When the displayed frame may change: at the start of the vertical blanking, or anywhere in it [default: at-start]
     #[arg(long, value_name = "WHEN", value_parser = swaps())]
     swap: Option<Blanking>,
-    /// Clocks of the merger after each scan line [default: 20]
+    /// Overhead of the merger after each scan line, in clocks [default: 20]
     #[arg(long, value_name = "CLOCKS", value_parser = number(1..=Config::MAX_OVERHEAD))]
     overhead: Option<u32>,
-    /// Clocks of the processing elements that a word of 32 bits is on the broadcast bus [default: 6]
+    /// Time of a 32-bit word on the broadcast bus, in clocks of the processing elements [default: 6]
     #[arg(long, value_name = "CLOCKS", value_parser = number(1..=255u32))]
     bus: Option<u32>,
-    /// Words that the receive queue of a processing element holds [default: 64]
+    /// Size of each processing element's receive queue, in words [default: 64]
     #[arg(long, value_name = "WORDS", value_parser = number(10..=4096u32))]
     queue: Option<u32>,
     #[arg(long, value_name = "NAME=CLOCKS", value_parser = cost::cost, help = cost::help())]
     cost: Vec<Cost>,
 }
 
-/// The ways to deal polygons, by name.
+/// The ways to assign polygons, by name.
 fn assigns() -> Names<Assign> {
-    Names::new("way to deal polygons", [("once", Assign::Once), ("each", Assign::Each), ("count", Assign::Count)])
+    Names::new("way to assign polygons", [("once", Assign::Once), ("each", Assign::Each), ("count", Assign::Count)])
 }
 
 /// The lines in which the frame changes, by name.
@@ -93,7 +93,7 @@ const LEAST_PAGES: u32 = 2;
 const MOST_PAGES: u32 = (MAX_SIDE / 4) * (MAX_SIDE / 4);
 
 impl Vc1Options {
-    /// One that is given, if any is.
+    /// The first of these options that is given, if any is.
     pub fn given(&self) -> Option<&'static str> {
         let Vc1Options {
             processors,
@@ -135,7 +135,7 @@ impl Vc1Options {
         ])
     }
 
-    /// What makes several frames, if anything does.
+    /// The option that makes several frames, if one does.
     pub fn several(&self) -> Option<&'static str> {
         let frames = self.frames.is_some_and(|frames| frames > 1);
         first_given([("--frames", frames), ("--accumulate", self.accumulate.is_some())])
@@ -150,23 +150,23 @@ impl Vc1Options {
         Ok(Vc1Job { config: turn.config, views: turn.views()?, background: scene.background })
     }
 
-    /// A turn around a scene, if it is of several pictures.
+    /// An orbit around a scene, if there are several pictures.
     ///
     /// # Errors
-    /// As [`Vc1Options::job`]; the turn is no number.
+    /// As [`Vc1Options::job`]; the angle is not a finite number.
     pub fn turn<'a>(&self, scene: &'a Scene) -> Result<Option<Turn<'a>>, Failure> {
         let pictures = self.frames.unwrap_or(1);
         let degrees = self.turn.unwrap_or(360.0 / f64::from(pictures));
         if !degrees.is_finite() {
             return Err(Failure::new(
                 Exit::BadInput,
-                format!("a turn of {degrees} degrees: give a number, such as 7.5"),
+                format!("--turn {degrees}: give a finite number of degrees, such as 7.5"),
             ));
         }
         (pictures > 1).then(|| self.turn_of(scene, pictures, degrees)).transpose()
     }
 
-    /// A turn of that many pictures, on the machine that is asked for.
+    /// An orbit of that many pictures, on the machine that the options describe.
     fn turn_of<'a>(&self, scene: &'a Scene, pictures: u32, degrees: f64) -> Result<Turn<'a>, Failure> {
         let mut turn = Turn { config: self.config(scene)?, scene, pictures, degrees };
         turn.config.pages = match self.pages {
@@ -199,7 +199,7 @@ impl Vc1Options {
     }
 }
 
-/// As many pages as the frames of a turn need, of which it holds one view at a time.
+/// As many pages as the frames of an orbit need. Only one view is in memory at a time.
 fn sufficient_pages(turn: &Turn) -> Result<u32, Failure> {
     let mut failure = None;
     let views = (0..turn.frames()).map_while(|number| turn.view(number).map_err(|it| failure = Some(it)).ok());
@@ -227,10 +227,10 @@ fn pages(text: &str) -> Result<Pages, String> {
 
 fn cursor(text: &str) -> Result<Cursor, String> {
     let place = text.split_once(',').and_then(|(x, y)| Some(Cursor { x: x.parse().ok()?, y: y.parse().ok()? }));
-    place.ok_or_else(|| "give two whole numbers of pixels, from the left and from above, such as 100,50".to_owned())
+    place.ok_or_else(|| "give two whole numbers of pixels, from the left and from the top, such as 100,50".to_owned())
 }
 
-/// The area above which a polygon is sent to all, in pixels; none if all are drawn where they are.
+/// The area in pixels above which a polygon is sent to all processing elements; `None` if no polygon is.
 #[derive(Clone, Copy)]
 struct Threshold(Option<u32>);
 

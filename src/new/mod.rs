@@ -1,4 +1,4 @@
-//! `tilewright new`: a crate with a block of hardware, to begin with.
+//! `tilewright new`: a crate with a first block of hardware.
 
 mod name;
 mod origin;
@@ -17,8 +17,8 @@ use std::path::{Path, PathBuf};
 Examples:
   tilewright new my-block --git https://example.org/tilewright.git
 
-The crate is a folder of its name, which must not be there yet. It needs the crates tilewright-hdl, -sim and -gen: --path takes them out of a folder with
-Tilewright's sources, as in `tilewright new my-block --path ../tilewright`, and --git out of a repository. In the crate, `cargo test` runs the block clock by clock,
+The crate is a new folder of that name. It needs the crates tilewright-hdl, -sim and -gen. --path takes them from a folder with Tilewright's sources,
+as in `tilewright new my-block --path ../tilewright`, and --git from a repository. In the crate, `cargo test` runs the block clock by clock,
 `cargo run --example wave` shows its wave, and `cargo run --example verilog` prints its Verilog.")]
 pub struct New {
     /// The crate's name: lower-case letters, digits, `-` and `_`, a letter first
@@ -40,7 +40,7 @@ impl New {
         let folder = Path::new(&self.name);
         // A link that points nowhere is there too.
         if fs::symlink_metadata(folder).is_ok() {
-            let sentence = format!("{}: is there already: choose another name, or remove it", self.name);
+            let sentence = format!("{}: exists already: choose another name, or remove it", self.name);
             return Err(Failure::new(Exit::BadInput, sentence));
         }
         let files = template::files(&self.name, &origin)?;

@@ -1,4 +1,4 @@
-//! Where a new crate has Tilewright from.
+//! Where a new crate gets Tilewright from.
 
 use crate::shell::{Exit, Failure};
 use std::path::{Component, Path, PathBuf};
@@ -13,10 +13,10 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// What is asked for, or the repository that the program itself names; that is empty if it names none.
+    /// The user's choice, or `repository`, which the program itself names; that is empty if it names none.
     ///
     /// # Errors
-    /// Nothing is asked for and nothing named; or the folder has no sources of Tilewright.
+    /// Neither the user nor the program names a place; or the folder does not have Tilewright's sources.
     pub fn of(path: Option<PathBuf>, git: Option<String>, repository: &str) -> Result<Origin, Failure> {
         match (path, git) {
             (Some(path), _) => Origin::folder(&path),
@@ -33,7 +33,7 @@ impl Origin {
         let manifest = path.join("hdl/Cargo.toml");
         if !manifest.is_file() {
             let sentence = format!(
-                "{}: has no sources of Tilewright, as {} is not there: name the folder that has them with --path",
+                "{}: does not have Tilewright's sources, as {} is missing: name their folder with --path",
                 path.display(),
                 manifest.display()
             );
@@ -43,10 +43,10 @@ impl Origin {
         Ok(Origin::Folder(seen.components().filter(|part| *part != Component::CurDir).collect()))
     }
 
-    /// What the manifest says of the crate that is in that folder of Tilewright.
+    /// The manifest's entry for the crate in that folder of Tilewright.
     ///
     /// # Errors
-    /// The path is no text, as a manifest has to be.
+    /// The path is not UTF-8, as a manifest has to be.
     pub fn dependency(&self, folder: &str) -> Result<String, Failure> {
         match self {
             Origin::Git(url) => Ok(format!("git = {}", quoted(url))),
@@ -54,7 +54,7 @@ impl Origin {
                 Some(path) => Ok(format!("path = {}", quoted(path))),
                 None => {
                     let sentence =
-                        format!("{}: is no text, which a manifest has to be: rename the folder", path.display());
+                        format!("{}: is not UTF-8, as a manifest has to be: rename the folder", path.display());
                     Err(Failure::new(Exit::BadInput, sentence))
                 }
             },
@@ -62,7 +62,7 @@ impl Origin {
     }
 }
 
-/// A text as TOML has it, whose strings are those of JSON.
+/// A text as a string of TOML, which is that of JSON.
 fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string().replace('\u{7f}', "\\u007f")
 }
@@ -80,11 +80,11 @@ mod tests {
         assert_eq!(origin(None, None, named), Ok(Origin::Git(named.to_owned())));
         assert_eq!(origin(None, Some("/srv/t.git"), named), Ok(Origin::Git("/srv/t.git".to_owned())));
         assert!(origin(None, None, "").unwrap_err().ends_with("with --path, or a repository with --git"));
-        // The folder of the sources is that in which this test runs.
+        // This test runs in the folder of the sources.
         assert_eq!(origin(Some("."), None, named), Ok(Origin::Folder("..".into())));
         let sources = env!("CARGO_MANIFEST_DIR");
         assert_eq!(origin(Some(sources), None, ""), Ok(Origin::Folder(sources.into())));
-        assert!(origin(Some("hdl"), None, "").unwrap_err().starts_with("hdl: has no sources of Tilewright"));
+        assert!(origin(Some("hdl"), None, "").unwrap_err().starts_with("hdl: does not have Tilewright's sources"));
     }
 
     #[test]

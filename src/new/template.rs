@@ -1,13 +1,13 @@
-//! The files of a new crate. The tests of the command line compile the sources as they are, and run the block's test.
+//! The files of a new crate. Tests of the command line compile these sources and run the block's test.
 
 use super::origin::Origin;
 use crate::shell::Failure;
 
-/// What the crate is called in the templates, and in their code.
+/// The crate's name in the templates, and in their code.
 const NAME: &str = "my-block";
 const IDENTIFIER: &str = "my_block";
 
-/// Each file with its place in the crate.
+/// Each file with its path in the crate.
 const FILES: [(&str, &str); 6] = [
     (".gitignore", "/target\n*.vcd\n"),
     ("Cargo.toml", include_str!("template/manifest.toml")),
@@ -17,13 +17,13 @@ const FILES: [(&str, &str); 6] = [
     ("src/lib.rs", include_str!("template/lib.rs")),
 ];
 
-/// The crates that it needs: the placeholder of each, and its folder.
+/// The crates that it needs: a placeholder and a folder for each.
 const CRATES: [(&str, &str); 3] = [("{ HDL }", "hdl"), ("{ GEN }", "gen"), ("{ SIM }", "sim")];
 
 /// The files of a crate of that name.
 ///
 /// # Errors
-/// Where Tilewright is cannot be said in a manifest.
+/// A manifest cannot contain the path of Tilewright.
 pub fn files(name: &str, origin: &Origin) -> Result<Vec<(&'static str, String)>, Failure> {
     let identifier = name.replace('-', "_");
     let mut files = FILES.map(|(place, text)| (place, text.replace(NAME, name).replace(IDENTIFIER, &identifier)));

@@ -1,29 +1,29 @@
-//! An animation: images one after another, each as what it changes of the one before; an animated PNG.
+//! An animated PNG. Each image contains only what differs from the one before.
 
 use png::{AdaptiveFilterType, BitDepth, BlendOp, ColorType, Compression, DisposeOp, Encoder, FilterType};
 use tilewright_scenes::{Frame, Size};
 
-/// Images that are to be written.
+/// The images to write.
 pub struct Film {
     size: Size,
-    /// What was shown last.
+    /// The last image.
     shown: Frame,
     images: Vec<Image>,
 }
 
-/// What an image changes.
+/// The difference between two images.
 struct Image {
-    /// From the left and from above, and the size.
+    /// The distance from the left and from the top, and the size.
     at: [u32; 2],
     size: [u32; 2],
     /// Red, green, blue, and whether it changes.
     pixels: Vec<u8>,
-    /// How long it is shown.
+    /// The time for which it is shown.
     milliseconds: u16,
 }
 
 impl Film {
-    /// One that begins with that image.
+    /// An animation that begins with that image.
     pub fn new(first: Frame, milliseconds: u16) -> Film {
         let size = first.size();
         let pixels = first.rgb_bytes().chunks(3).flat_map(|rgb| [rgb[0], rgb[1], rgb[2], 255]).collect();
@@ -31,7 +31,7 @@ impl Film {
         Film { size, shown: first, images: vec![image] }
     }
 
-    /// Goes on with another image of that size; the one before stays longer if nothing changes.
+    /// Appends another image of that size. If nothing changes, the one before is shown longer.
     pub fn add(&mut self, next: Frame, milliseconds: u16) {
         match self.change(&next, milliseconds) {
             Some(image) => self.images.push(image),
@@ -40,7 +40,7 @@ impl Film {
         self.shown = next;
     }
 
-    /// The smallest box with all that changes.
+    /// The smallest box that contains all changes.
     fn change(&self, next: &Frame, milliseconds: u16) -> Option<Image> {
         let width = self.size.width();
         let differs = |x: u32, y: u32| self.shown.rgb(x, y) != next.rgb(x, y);
@@ -61,7 +61,7 @@ impl Film {
         })
     }
 
-    /// The bytes of the file, which begins again after the last image. Who knows nothing of animations sees the last one.
+    /// The bytes of the file. The animation repeats after the last image. A viewer without animations shows the last image.
     pub fn to_png(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.encode(&mut bytes).expect("a PNG fits in memory, and all parts are of its size");
@@ -103,7 +103,7 @@ pub mod tests {
     use super::*;
     use tilewright_scenes::frame::word;
 
-    /// The images of an animated PNG, as a reader shows them, and for how many milliseconds each.
+    /// The images of an animated PNG as a viewer shows them, with the milliseconds of each.
     pub fn played(bytes: &[u8]) -> Vec<(Vec<[u8; 3]>, u16)> {
         let mut reader = png::Decoder::new(bytes).read_info().expect("a PNG file");
         let (width, count) =

@@ -3,7 +3,7 @@
 use tilewright_scenes::Frame;
 use tilewright_scenes::frame::word;
 
-/// Pixels of a letter's width and height, and of what is between two; a name has a line more, for what goes below it.
+/// Width, spacing and height of a letter in pixels; descenders are part of the height.
 const WIDE: u32 = 5;
 const BETWEEN: u32 = 1;
 const HIGH: u32 = 9;
@@ -41,7 +41,7 @@ fn letter(of: char) -> [u8; HIGH as usize] {
     found.map_or([0; HIGH as usize], |(_, rows)| *rows)
 }
 
-/// Writes a name of a machine from a place on, as far as there is room for it.
+/// Writes a machine's name at a place, as far as it fits.
 pub fn write(picture: &mut Frame, [left, top]: [u32; 2], room: u32, name: &str) {
     for (number, rows) in (0..).zip(name.chars().map(letter)) {
         for (row, bits) in (0..).zip(rows) {

@@ -1,4 +1,4 @@
-//! Pictures of a run beside its frame: who drew which pixel, what each unit did when, and the frame coming into being.
+//! Pictures of a run: the unit that drew each pixel, the activity of each unit over time, and the frame as it is drawn.
 
 mod film;
 mod label;
@@ -15,19 +15,19 @@ use std::path::{Path, PathBuf};
 use tilewright_machines::Recorder;
 use tilewright_scenes::Frame;
 
-/// Which of them are asked for.
+/// The pictures that the user asks for.
 #[derive(Args, Default)]
 #[command(next_help_heading = "Pictures of the run")]
 pub struct PictureOptions {
-    /// Who drew which pixel, a PNG file (`-`: standard output): a colour for each unit that draws, as light as the frame; grey is where nothing was drawn
+    /// A PNG file (`-`: standard output) that shows which unit drew each pixel: a colour for each unit, as light as the frame, and grey where nothing was drawn
     #[arg(long, value_name = "FILE")]
     owners: Option<PathBuf>,
-    /// What each unit did when, in the classes of clocks that the report has, as a chart in an SVG file (`-`: standard output); beside a unit that draws is its
-    /// colour of --owners
+    /// An SVG file (`-`: standard output) that shows what each unit did over time, in the classes of clocks of the report. A square beside a unit has its colour
+    /// of --owners
     #[arg(long, value_name = "FILE")]
     timeline: Option<PathBuf>,
-    /// The frame coming into being, an animated PNG file (`-`: standard output): each pixel comes when the machine wrote it, in the colours of the frame, or with
-    /// --owners in those of the units
+    /// An animated PNG file (`-`: standard output) of the frame being drawn. Each pixel appears when the machine wrote it, in its colour of the frame, or with
+    /// --owners in that of the unit
     #[arg(long, value_name = "FILE")]
     animate: Option<PathBuf>,
 }
@@ -49,14 +49,14 @@ impl PictureOptions {
         all.into_iter().filter_map(|(name, path)| Some((name, path.as_deref()?)))
     }
 
-    /// That they can be made of a run of one frame, or of what that `other` option makes.
+    /// Checks that the run has one frame, as the pictures need; the `other` option makes several.
     ///
     /// # Errors
     /// They cannot.
     pub fn check(&self, other: Option<&str>) -> Result<(), Failure> {
         check_film(self.animate.as_deref())?;
         let Some((name, other)) = self.first().zip(other) else { return Ok(()) };
-        let sentence = format!("{name} is about one frame, and {other} makes several: leave one of them out");
+        let sentence = format!("{name} shows one frame, and {other} makes several: leave one of them out");
         Err(Failure::new(Exit::BadInput, sentence))
     }
 
@@ -75,7 +75,7 @@ impl PictureOptions {
     }
 }
 
-/// That an animation is not to be what is not written here.
+/// Checks that an animation is not to be a GIF, which is not supported.
 ///
 /// # Errors
 /// It is.
@@ -83,17 +83,15 @@ pub fn check_film(path: Option<&Path>) -> Result<(), Failure> {
     let is_gif = |path: &&Path| path.extension().is_some_and(|it| it.eq_ignore_ascii_case("gif"));
     match path.filter(is_gif) {
         Some(path) => {
-            let sentence = format!(
-                "{}: an animation is an animated PNG, which has all colours and is smaller than a GIF: name it .png",
-                path.display()
-            );
+            let sentence =
+                format!("{}: animations are written as animated PNG, not as GIF: name the file .png", path.display());
             Err(Failure::new(Exit::BadInput, sentence))
         }
         None => Ok(()),
     }
 }
 
-/// The files of pictures that are to be made.
+/// The files of the pictures to make.
 pub struct Pictures {
     owners: Option<Output>,
     timeline: Option<Output>,
@@ -102,12 +100,12 @@ pub struct Pictures {
 }
 
 impl Pictures {
-    /// Where the machine is to leave what it did, if any picture is asked for.
+    /// Where the machine records what it does, if any picture needs it.
     pub fn recorder(&self) -> Option<&Recorder> {
         self.recorder.as_ref()
     }
 
-    /// Makes them, of a scene on a machine, of which this frame came.
+    /// Makes the pictures of a run that gave this frame.
     pub fn made(self, title: &str, frame: &Frame) -> Vec<(Output, Vec<u8>)> {
         let Some(history) = self.recorder.and_then(|recorder| recorder.take()) else { return Vec::new() };
         let paint = if self.owners.is_some() { Paint::Owners } else { Paint::Frame };

@@ -1,4 +1,4 @@
-//! Who drew which pixel: a colour for each unit.
+//! The unit that drew each pixel: a colour for each unit.
 
 use tilewright_report::palette;
 use tilewright_scenes::Frame;
@@ -7,14 +7,15 @@ use tilewright_scenes::frame::{rgb_of, word};
 /// Where nothing was drawn.
 pub const NOBODY: [u8; 3] = [38, 40, 44];
 
-/// How light a unit's colour is where the frame is black, in parts of what it is where that is white; and how light that is, in parts of the palette's colour.
+/// The lightness of a unit's colour where the frame is black, as a part of that where it is white; and the latter, as a part of the palette's colour.
 const DARKEST: f64 = 0.45;
 const LIGHTEST: f64 = 1.2;
 
-/// How light the first pixels of a region are, in parts of what they would be.
+/// The lightness of the first pixels of a region, as a part of what it would be elsewhere.
 const BORDER: f64 = 0.7;
 
-/// A frame in the colours of units: by pixel the number of the unit that it is of, if it is of one. Pixels at the left and upper borders of regions are darker.
+/// A frame in the colours of units. For each pixel there is the number of the unit that drew it, if one did. Pixels at the left and upper borders of regions are
+/// darker.
 pub fn picture(frame: &Frame, owners: &[Option<u32>], region: Option<[u32; 2]>) -> Frame {
     let width = frame.size().width();
     let colour = |(number, (shown, owner)): (u32, (&u64, &Option<u32>))| match owner {
@@ -30,7 +31,7 @@ pub fn is_border(x: u32, y: u32, region: Option<[u32; 2]>) -> bool {
     region.is_some_and(|[width, height]| x.is_multiple_of(width) || y.is_multiple_of(height))
 }
 
-/// The colour of a unit's pixel, which has that colour in the frame.
+/// The colour of a unit's pixel that has that colour in the frame.
 pub fn colour(owner: u32, shown: [u8; 3], is_border: bool) -> [u8; 3] {
     let light = f64::from(shown.into_iter().max().unwrap_or(0)) / 255.0;
     let border = if is_border { BORDER } else { 1.0 };

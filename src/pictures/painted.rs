@@ -1,4 +1,4 @@
-//! What a machine painted, as a picture and as it came into being, alone or beside what others did.
+//! What a machine painted, as a picture and as an animation, alone or beside other machines.
 
 use super::film::Film;
 use super::label;
@@ -7,21 +7,21 @@ use tilewright_machines::{History, Write};
 use tilewright_scenes::frame::{rgb_of, word};
 use tilewright_scenes::{Frame, Size};
 
-/// Images of an animation behind the first one, which is empty; for how long each is shown; and the last one.
+/// Images of an animation after the first one, which is empty; the time of each; and the time of the last one.
 const IMAGES: u64 = 40;
 const MILLISECONDS: u16 = 90;
 const PAUSE: u16 = 2500;
 
-/// What is between two pictures, in pixels, and what is behind them.
+/// The gap between two pictures, in pixels, and the colour of the background.
 const GAP: u32 = 8;
 const BEHIND: [u8; 3] = [22, 24, 27];
 
-/// In whose colours.
+/// The colours of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
-    /// The frame's.
+    /// The colours of the frame.
     Frame,
-    /// Those of the units.
+    /// The colours of the units.
     Owners,
 }
 
@@ -29,15 +29,15 @@ pub enum Paint {
 #[derive(Clone, Copy)]
 pub struct Painted<'a> {
     pub history: &'a History,
-    /// What came of it.
+    /// The frame that it gave.
     pub frame: &'a Frame,
     pub paint: Paint,
-    /// What is written above it.
+    /// The text above it.
     pub label: Option<&'a str>,
 }
 
 impl Painted<'_> {
-    /// The picture in the end.
+    /// The finished picture.
     pub fn last(&self) -> Frame {
         match self.paint {
             Paint::Frame => self.frame.clone(),
@@ -45,7 +45,7 @@ impl Painted<'_> {
         }
     }
 
-    /// Before anything was painted.
+    /// The picture before anything was painted.
     fn first(&self) -> Frame {
         let colour = if self.paint == Paint::Frame { self.history.background } else { NOBODY };
         Frame::blank(self.frame.size(), colour)
@@ -60,7 +60,7 @@ impl Painted<'_> {
         }
     }
 
-    /// The images, equally spaced in the machine's time from the first pixel to the last one; the last one is what came of it.
+    /// The images, equally spaced in the machine's time from the first pixel to the last one. The last image is the finished picture.
     fn images(&self) -> Vec<Frame> {
         let writes = &self.history.writes;
         let begin = writes.first().map_or(0, |write| write.time);
@@ -74,7 +74,7 @@ impl Painted<'_> {
             }
             images.push(image.clone());
         }
-        // A cursor is no machine's.
+        // No machine paints the cursor.
         *images.last_mut().expect("there are some") = self.last();
         images
     }
@@ -86,7 +86,7 @@ pub fn all_on_a_sheet(pictures: &[Painted]) -> Frame {
     placed(pictures, all.iter())
 }
 
-/// All of them coming into being: an animated PNG. Each takes its own time, from its first pixel to its last.
+/// An animated PNG of all pictures being drawn. Each takes its own time, from its first pixel to its last.
 pub fn animation(pictures: &[Painted]) -> Vec<u8> {
     let images: Vec<Vec<Frame>> = pictures.iter().map(Painted::images).collect();
     let image = |number: usize| placed(pictures, images.iter().map(|of_one| &of_one[number]));
@@ -97,7 +97,7 @@ pub fn animation(pictures: &[Painted]) -> Vec<u8> {
     film.to_png()
 }
 
-/// One alone as it is, or several in rows with their labels.
+/// A single picture as it is, or several in rows with their labels.
 fn placed<'a>(pictures: &[Painted], images: impl Iterator<Item = &'a Frame>) -> Frame {
     let mut images = images.peekable();
     if let [Painted { label: None, .. }] = pictures {
@@ -120,10 +120,10 @@ fn placed<'a>(pictures: &[Painted], images: impl Iterator<Item = &'a Frame>) -> 
 
 /// Above each picture.
 const HEAD: u32 = label::HEIGHT + GAP;
-/// How wide a row may be before there are two.
+/// The greatest width of a row; wider sheets have two.
 const ROW: u32 = 1400;
 
-/// The size of so many pictures of that size, all in one row or half of them below the others, and how many are in a row; none if there is no such picture.
+/// The size of a sheet of `count` pictures, in one row or in two, and the number of pictures in a row; `None` if the sheet would be too large.
 pub fn sheet(size: Size, count: usize) -> Option<(Size, u32)> {
     let count = count as u32;
     let wide = |columns: u32| columns * (size.width() + GAP) + GAP;

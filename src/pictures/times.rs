@@ -1,19 +1,20 @@
-//! What units did when, as a chart.
+//! What units did over time, as a chart.
 
 use tilewright_machines::{History, Lane, Span};
 use tilewright_report::{Lane as Bars, Origin, Timeline};
 
-/// Classes in which a unit waits for others that have still to do.
+/// Classes in which a unit waits for others that still work.
 const WAITING: [&str; 6] =
     ["stalled", "sync", "swap", "waiting for instructions", "waiting for the store", "waiting for the blanking"];
 
 const NOTE: &str = "A square is the unit's colour in the picture of --owners.";
 
-/// Columns of a chart, and how many spans of a lane are drawn one by one.
+/// Columns of a chart, and the most spans of a lane that are drawn one by one.
 const COLUMNS: u64 = 240;
 const FEW: usize = 120;
 
-/// The chart. A lane of few spans has each of them, one of many has the share of each class in each part of the time. Who draws has its colour beside its name.
+/// The chart. A lane with few spans shows each of them. A lane with many shows the share of each class in each part of the time. A unit that draws has its
+/// colour beside its name.
 pub fn chart(history: &History, title: &str) -> Timeline {
     let mut kinds: Vec<&str> = Vec::new();
     for span in history.lanes.iter().flat_map(|lane| &lane.spans) {
@@ -53,16 +54,16 @@ fn bars(lane: &Lane, kinds: &[&'static str], end: u64) -> Bars {
     })
 }
 
-/// From when to when, and what was done in which share of that time.
+/// Begin and end, and the share of each class in that time.
 type Column = (u64, u64, Vec<(&'static str, f64)>);
 
-/// The shares in equal parts of the time; parts that are alike are one.
+/// The shares in equal parts of the time; equal neighbours are joined.
 fn columns(lane: &Lane, kinds: &[&'static str], end: u64) -> Vec<Column> {
     let edge = |number: u64| end * number / COLUMNS;
     let mut amounts = vec![vec![0.0; kinds.len()]; COLUMNS as usize];
     for span in &lane.spans {
         let Some(kind) = kinds.iter().position(|kind| *kind == span.what) else { continue };
-        // The column of a time begins at it or before.
+        // The column of a time begins at that time or before.
         let first = (span.from * COLUMNS / end.max(1)).min(COLUMNS - 1);
         for column in (first..COLUMNS).take_while(|column| edge(*column) < span.to) {
             amounts[column as usize][kind] += part(span, edge(column), edge(column + 1));
@@ -82,13 +83,13 @@ fn columns(lane: &Lane, kinds: &[&'static str], end: u64) -> Vec<Column> {
     all
 }
 
-/// How much of a span is in that time.
+/// The part of a span in that time.
 fn part(span: &Span, from: u64, to: u64) -> f64 {
     let common = span.to.min(to).saturating_sub(span.from.max(from));
     span.amount as f64 * common as f64 / (span.to - span.from) as f64
 }
 
-/// In parts of all that a lane can do in that time; to the millionth, so that what is alike is equal.
+/// As a share of the lane's capacity in that time, rounded to a millionth, so that equal neighbours compare equal.
 fn share(amount: f64, lane: &Lane, from: u64, to: u64) -> f64 {
     (1e6 * amount / (lane.rate * (to - from) as f64)).round() / 1e6
 }
@@ -107,7 +108,7 @@ mod tests {
         History { size, background: [0; 3], region: None, painters: Vec::new(), writes: Vec::new(), lanes }
     }
 
-    /// The bars of a lane as they are in the chart: what, in how many milliseconds.
+    /// The bars of a lane in the chart: class and milliseconds.
     fn sum(chart: &Timeline, lane: &str, what: &str) -> f64 {
         let text = chart.csv_text();
         let cells = text.lines().map(|line| line.rsplitn(7, ',').collect::<Vec<_>>());
@@ -116,7 +117,7 @@ mod tests {
             .sum()
     }
 
-    /// Few spans and many are the same sums, whatever the columns are.
+    /// Few spans and many give the same sums, whatever the columns are.
     #[test]
     fn bars_have_the_clocks_of_the_spans() {
         let period = 1_000_000;

@@ -12,7 +12,7 @@ use crate::verdict::{Golden, Verdict, leave_difference};
 use serde::Serialize;
 use tilewright_scenes::Scene;
 
-/// What the comparisons of all frames gave.
+/// The results of comparing all frames.
 #[derive(Serialize)]
 struct Verdicts {
     /// Whether all are identical.
@@ -21,7 +21,7 @@ struct Verdicts {
 }
 
 impl Render {
-    /// Renders the frames of a turn, compares, writes the files and reports. A run that is broken off leaves those shown so far.
+    /// Renders the frames of an orbit, compares them, writes the files and reports. An interrupted run leaves the frames shown so far.
     pub(super) fn render_turn(&self, scene: &Scene, turn: &Turn) -> Result<Exit, Failure> {
         self.check_turn()?;
         let paths: Vec<PathBuf> = self
@@ -31,7 +31,7 @@ impl Render {
             .collect();
         self.check_distinct(&paths, scene)?;
         let waveform = self.vcd.as_deref().map(Waveform::at).transpose()?;
-        // That the folder can be written to is seen before the machine is built.
+        // Check that the folder can be written before the machine is built.
         let _ = paths.first().map(|path| Output::at(path)).transpose()?;
         let run = Run { engine: self.engine, filters: &self.filters, waveform: waveform.as_ref(), recorder: None };
         let mut frames = Vec::new();
@@ -48,10 +48,10 @@ impl Render {
         self.tell(scene, &report, &verdicts, verdicts.identical)
     }
 
-    /// That each frame has a file of its own, and its own golden image.
+    /// Checks that each frame has a file and a golden image of its own.
     fn check_turn(&self) -> Result<(), Failure> {
         let sentence = if self.golden.is_some() {
-            "--golden has one picture, and --frames makes several: leave one of them out"
+            "--golden names one picture, and --frames makes several: leave one of them out"
         } else if self.output.as_deref().is_some_and(is_standard_output) {
             "standard output takes one picture, and --frames makes several: name a file with -o, such as turn.png"
         } else {

@@ -3,7 +3,7 @@
 use super::{Exit, Failure, terminal, text};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 
-/// Runs a command; if it panics, the user gets a sentence and [`Exit::Crash`]. The panic unwinds first, so that what drops on its
+/// Runs a command. If it panics, the user gets a sentence and [`Exit::Crash`]. The panic unwinds first, so that values dropped on its
 /// way closes its files.
 pub fn guard(command: impl FnOnce() -> Result<Exit, Failure>) -> Result<Exit, Failure> {
     panic::set_hook(Box::new(|panic| terminal::tell(&text::legible(&sentence(panic)))));

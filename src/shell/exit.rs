@@ -11,7 +11,7 @@ use tilewright_scenes::SceneError;
 pub enum Exit {
     /// Done.
     Done = 0,
-    /// A frame differs from the golden image, an assertion of the hardware does not hold, or simulators or engines disagree.
+    /// A frame differs from the golden image, an assertion of the hardware fails, or simulators or engines disagree.
     CheckFailed = 1,
     /// Bad usage or bad input.
     BadInput = 2,
@@ -37,14 +37,14 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// Why a command did not come to its end.
+/// Why a command failed.
 #[derive(Debug)]
 pub struct Failure {
     /// The exit code.
     pub exit: Exit,
-    /// For the user: what is wrong, where, and what to do.
+    /// The sentence for the user: what is wrong, where, and what to do.
     pub sentence: String,
-    /// What went wrong after that.
+    /// The next failure, if there was one.
     next: Option<Box<Failure>>,
 }
 
@@ -54,12 +54,12 @@ impl Failure {
         Failure { exit, sentence: sentence.into(), next: None }
     }
 
-    /// The same of one of several machines, which its sentence then names first.
+    /// The same failure on one of several machines; its sentence then begins with the machine's name.
     pub fn of(self, machine: &str) -> Failure {
         Failure { sentence: format!("{machine}: {}", self.sentence), ..self }
     }
 
-    /// What came of two things that were both done: the first failure decides the exit code, and all are told.
+    /// The result of two actions that were both tried. The first failure decides the exit code, and all are printed.
     pub fn both<T>(first: Result<T, Failure>, second: Result<(), Failure>) -> Result<T, Failure> {
         match (first, second) {
             (Ok(done), Ok(())) => Ok(done),
@@ -72,12 +72,12 @@ impl Failure {
         Failure { next: Some(Box::new(next)), ..self }
     }
 
-    /// Its sentences and those of what went wrong after it.
+    /// Its sentence and those of the failures after it.
     pub fn sentences(&self) -> impl Iterator<Item = &str> {
         self.chain().map(|failure| failure.sentence.as_str())
     }
 
-    /// Whether the waveform of a run that ended so has been written: not all of it was if an output failed.
+    /// Whether the waveform of a run with that result is complete: it is not if an output failed.
     pub fn leaves_a_waveform<T>(ended: &Result<T, Failure>) -> bool {
         ended.as_ref().err().is_none_or(|failure| failure.chain().all(|it| it.exit != Exit::NoOutput))
     }

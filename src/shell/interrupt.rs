@@ -1,4 +1,4 @@
-//! Signals. The first Ctrl-C, SIGTERM or SIGHUP asks a run to stop and close its files, the second one ends the program at once.
+//! Signals. The first Ctrl-C, SIGTERM or SIGHUP asks a run to stop and close its files. The second one ends the program at once.
 
 use super::{Exit, terminal};
 use signal_hook::consts::{SIGABRT, SIGINT, SIGTERM};
@@ -13,13 +13,13 @@ use std::time::Duration;
 /// Whether a signal has come, and which.
 static ASKED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 static SIGNAL: LazyLock<Arc<AtomicUsize>> = LazyLock::new(Arc::default);
-/// Whether the command knows.
+/// Whether the command has seen the signal.
 static SEEN: AtomicBool = AtomicBool::new(false);
 
-/// How long a command that does not look is waited for.
+/// The time that a command has to see the signal.
 const PATIENCE: Duration = Duration::from_secs(2);
 
-/// The signals that ask a run to stop, and how it ends then.
+/// The signals that ask a run to stop, each with its exit code.
 const STOPS: &[(i32, Exit)] = &[
     (SIGINT, Exit::Interrupted),
     (SIGTERM, Exit::Terminated),
@@ -27,12 +27,12 @@ const STOPS: &[(i32, Exit)] = &[
     (signal_hook::consts::SIGHUP, Exit::HungUp),
 ];
 
-/// From now on a signal raises the returned flag. Only for a command that looks at it; others end at once, as usual.
+/// From now on a signal raises the returned flag. Only for commands that look at it; other commands end at once, as usual.
 pub fn flag() -> &'static AtomicBool {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let heeded = STOPS.iter().filter(|(signal, _)| !is_ignored(*signal));
-        // What cannot be caught ends the program at once, which is no reason to refuse to run.
+        // A signal that cannot be caught ends the program at once, which is no reason to refuse to run.
         let caught = heeded.map(|(signal, exit)| catch(*signal, *exit)).filter(Result::is_ok).count();
         if caught > 0 {
             let _ = thread::Builder::new().spawn(wait_for_the_command);
@@ -41,7 +41,7 @@ pub fn flag() -> &'static AtomicBool {
     &ASKED
 }
 
-/// Whether the command is to stop, which it will now do.
+/// Whether the command has to stop. It is then expected to stop.
 pub fn asked() -> bool {
     let asked = flag().load(Relaxed);
     if asked {
@@ -50,12 +50,12 @@ pub fn asked() -> bool {
     asked
 }
 
-/// What a loop is told that looks whether the command is to stop.
+/// For loops: whether to go on, or to stop because of a signal.
 pub fn go_on() -> ControlFlow<()> {
     if asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
 }
 
-/// How a command ends that was asked to stop.
+/// The exit code of a command that a signal stopped.
 pub fn exit() -> Exit {
     let signal = SIGNAL.load(Relaxed);
     STOPS.iter().find(|stop| stop.0 as usize == signal).map_or(Exit::Interrupted, |stop| stop.1)
@@ -63,9 +63,9 @@ pub fn exit() -> Exit {
 
 /// Turns what would kill the program without a word into an exit code, or into the error of a write.
 pub fn tame() {
-    // Without memory Rust says how many bytes it wanted, without stack which thread, and aborts.
+    // Out of memory or stack, Rust prints the bytes or the thread, and aborts.
     let _ = flag::register_conditional_shutdown(SIGABRT, Exit::NoMemory as i32, Arc::new(true.into()));
-    // A file that has reached the limit of `ulimit -f`.
+    // A file has reached the limit of `ulimit -f`.
     #[cfg(unix)]
     let _ = flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
@@ -77,14 +77,14 @@ fn catch(signal: i32, exit: Exit) -> io::Result<()> {
     Ok(())
 }
 
-/// Whether who started the program wants it to ignore a signal, as `nohup` does; known on Linux alone.
+/// Whether the program was started with a signal ignored, as by `nohup`; known on Linux only.
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
-/// Ends the program some time after a signal, unless the command has looked and ends by itself.
+/// Ends the program some time after a signal, unless the command has seen it and ends by itself.
 fn wait_for_the_command() {
     while !ASKED.load(Relaxed) {
         thread::sleep(Duration::from_millis(20));

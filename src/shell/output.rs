@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use tilewright_scenes::{Place, SceneError, WholeFile};
 use tilewright_sim::Vcd;
 
-/// An output that is written at once: a file appears whole or not at all.
+/// An output that is written in one step: a file is written whole or not at all.
 pub struct Output {
     name: String,
     to: To,
@@ -67,19 +67,19 @@ pub fn write_all(outputs: impl IntoIterator<Item = (Output, impl AsRef<[u8]>)>) 
     Ok(())
 }
 
-/// The file of a waveform, which grows while a simulation runs; a run that is broken off leaves what there is.
+/// The file of a waveform, which grows while a simulation runs. An interrupted run leaves what it has written.
 pub struct Waveform {
     name: String,
     file: File,
-    /// Whether what was in it goes away.
+    /// Whether its old content is removed.
     is_plain: bool,
-    /// The file, if it was made for this.
+    /// The path, if the file was created for this run.
     made: Option<PathBuf>,
     is_standard: bool,
 }
 
 impl Waveform {
-    /// Opens a file of that name, or makes it, without changing what is in it; `-` is standard output.
+    /// Opens or creates a file of that name, without changing its content; `-` is standard output.
     ///
     /// # Errors
     /// It cannot be written, or another run writes it.
@@ -97,16 +97,16 @@ impl Waveform {
         let is_new = is_plain && !real.exists();
         let opened = OpenOptions::new().write(true).create(is_plain).truncate(false).open(real);
         let file = opened.map_err(|error| SceneError::unwritable(path, &error))?;
-        // Not every file system has locks; what is no plain file needs none.
+        // Not every file system has locks. Only plain files need one.
         if is_plain && matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
-            let sentence = format!("{name}: another run is writing it: wait for that, or name another file");
+            let sentence = format!("{name}: another run is writing it: wait until it ends, or name another file");
             return Err(Failure::new(Exit::NoOutput, sentence));
         }
         let made = is_new.then(|| real.to_owned());
         Ok(Waveform { name, file, is_plain, made, is_standard: false })
     }
 
-    /// What a simulation writes there.
+    /// The waveform that a simulation writes to this file.
     ///
     /// # Errors
     /// The system has no room for another open file.
@@ -114,10 +114,10 @@ impl Waveform {
         Ok(Vcd::into(&self.name, self.file.try_clone().map_err(|error| self.unwritable(&error))?))
     }
 
-    /// Makes room: what was in the file goes away.
+    /// Removes the old content of the file.
     ///
     /// # Errors
-    /// The system does not let it.
+    /// The system refuses it.
     pub fn clear(&self) -> Result<(), Failure> {
         if self.is_plain {
             self.file.set_len(0).map_err(|error| self.unwritable(&error))?;
@@ -146,20 +146,20 @@ impl Drop for Waveform {
     }
 }
 
-/// Standard output, for something else than text.
+/// Standard output, for data that is not text.
 fn taken() -> Result<File, Failure> {
     take_standard_output();
     standard_output().map_err(|error| SceneError::unwritable(Path::new(STANDARD_OUTPUT), &error).into())
 }
 
-/// A folder for outputs, which is made with those above it; what was made goes away again unless it is kept.
+/// A folder for outputs. It is created with its parents, and what was created is removed again unless it is kept.
 pub struct Folder {
     path: PathBuf,
     made: Vec<PathBuf>,
 }
 
 impl Folder {
-    /// Refuses standard output where several files are written.
+    /// Refuses standard output for several files.
     ///
     /// # Errors
     /// It is standard output.
@@ -173,7 +173,7 @@ impl Folder {
         }
     }
 
-    /// Makes a folder and those above it, unless they are there.
+    /// Creates a folder and its parents where they are missing.
     ///
     /// # Errors
     /// It cannot be made.
@@ -181,14 +181,14 @@ impl Folder {
         Folder::make_with(path, &[])
     }
 
-    /// The same with folders of those names in it.
+    /// The same, with subfolders of those names.
     ///
     /// # Errors
     /// One cannot be made.
     pub fn make_with(path: &Path, inner: &[&str]) -> Result<Folder, Failure> {
         let paths: Vec<PathBuf> = inner.iter().map(|name| path.join(name)).collect();
         let missing = path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-        // The inner ones go away before those that they are in.
+        // Inner folders are removed before outer ones.
         let made = paths.iter().map(PathBuf::as_path).filter(|folder| !folder.exists()).chain(missing);
         let folder = Folder { path: path.to_owned(), made: made.map(Path::to_owned).collect() };
         for path in std::iter::once(path).chain(paths.iter().map(PathBuf::as_path)) {
@@ -197,7 +197,7 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Writes files into the folder, all or none, and leaves it where it is; gives their paths.
+    /// Writes files into the folder, all or none, and keeps the folder. Returns their paths.
     ///
     /// # Errors
     /// One cannot be written.
@@ -215,12 +215,12 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        // What is not empty belongs to somebody else by now.
+        // A folder that is not empty has other files by now.
         self.made.iter().for_each(|folder| drop(fs::remove_dir(folder)));
     }
 }
 
-/// A path as a shell takes it.
+/// A path quoted for a shell.
 pub fn quoted(path: &Path) -> String {
     let text = path.to_string_lossy();
     let plain = |c: char| c.is_alphanumeric() || "-_./+,:@%=".contains(c);

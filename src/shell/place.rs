@@ -1,4 +1,4 @@
-//! Which file a path is: the file system is asked, as one file can have many names.
+//! Which file a path leads to. One file can have many names, so the file system is asked.
 
 use super::terminal::STANDARD_OUTPUT;
 use super::{Exit, Failure};
@@ -7,12 +7,12 @@ use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 use tilewright_scenes::behind_links;
 
-/// What tells files apart.
+/// The identity of a file.
 #[derive(Debug, PartialEq)]
 enum Identity {
-    /// The device that it is on, and its number there.
+    /// Its device, and its number there.
     Number(u64, u64),
-    /// Where it will be, or is where files have no numbers.
+    /// Its path, if it does not exist yet or files have no numbers.
     Path(PathBuf),
 }
 
@@ -35,14 +35,13 @@ pub fn shown(path: &Path) -> String {
     if is_dash(path) { STANDARD_OUTPUT.to_owned() } else { path.display().to_string() }
 }
 
-/// The file of that extension beside an output, or `None` if the output is no plain file, such as a pipe: beside that no
-/// file belongs.
+/// The file of that extension beside an output, or `None` if the output is not a plain file, such as a pipe.
 pub fn beside(path: &Path, extension: &str) -> Option<PathBuf> {
     let is_plain = !is_standard_output(path) && fs::metadata(path).map_or(true, |there| there.is_file());
     is_plain.then(|| path.with_extension(extension))
 }
 
-/// That no output is also another output, or where errors go, or one of the files that are read.
+/// Checks that no output is another output, standard error, or a file that is read.
 ///
 /// # Errors
 /// Two are the same file, whatever their names.

@@ -1,6 +1,6 @@
 //! A line of progress on a terminal; nothing where standard error is not one.
 //!
-//! Work that knows how far it is shows it by a [`Progress`]. All other work has a line too, once it takes more than a second: a thread draws it.
+//! Work that knows its progress shows it with a [`Progress`]. For all other work that takes more than a second, a thread draws a line.
 
 use super::terminal::is_quiet;
 use std::io::{self, IsTerminal, Write};
@@ -8,41 +8,41 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Work that shows how far it is; its line goes away when dropped.
+/// Work that shows its progress. Dropping it removes the line.
 pub struct Progress {
     begin: Instant,
 }
 
 /// The line on the terminal.
 struct Line {
-    /// Whether there may be one.
+    /// Whether a line may be drawn.
     is_visible: bool,
-    /// Whether there is one.
+    /// Whether a line is drawn.
     is_drawn: bool,
-    /// What is going on, since when, and how much of it is done, from 0 to 1, where that is known.
+    /// The current work, its begin, and the part that is done, from 0 to 1, if that is known.
     what: &'static str,
     begin: Option<Instant>,
     done: Option<f64>,
-    /// When this was last said anew.
+    /// When this last changed.
     said: Option<Instant>,
 }
 
 static LINE: Mutex<Line> =
     Mutex::new(Line { is_visible: false, is_drawn: false, what: WORKING, begin: None, done: None, said: None });
 
-/// What work is called of which nothing else is said.
+/// The name of work that has no other.
 const WORKING: &str = "working";
 
-/// A line is drawn no sooner after the one before it, unless it says something else.
+/// The least time between two lines with the same text.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// Work that says nothing of itself has no line before it takes so long, and a line that stands still gets a new time.
+/// Work without a [`Progress`] gets a line after this time, and a line without changes gets a new time.
 const SILENCE: Duration = Duration::from_secs(1);
 
-/// The bar's width in characters: that of the line, at most 50, does not depend on the terminal's.
+/// The bar's width in characters. The line has at most 50 characters on every terminal.
 const BAR: usize = 20;
 
-/// From now on long work has a line, if standard error is a terminal and nothing is to be quiet.
+/// From now on long work has a line, if standard error is a terminal and `--quiet` is not given.
 pub fn begin() {
     let is_plain = std::env::var_os("TERM").is_none_or(|terminal| terminal == "dumb");
     if is_plain || is_quiet() || !io::stderr().is_terminal() {
@@ -51,7 +51,7 @@ pub fn begin() {
     let mut line = lock();
     line.is_visible = true;
     line.say(WORKING, None, Instant::now());
-    // Without another thread the work that says nothing of itself has no line.
+    // Without another thread, work without a `Progress` has no line.
     let _ = thread::Builder::new().spawn(|| {
         while lock().keep() {
             thread::sleep(SILENCE / 10);
@@ -59,19 +59,19 @@ pub fn begin() {
     });
 }
 
-/// From now on there is no line: a result is printed, perhaps to a program that shows it on the same terminal.
+/// Ends all lines before a result is printed, which another program may show on the same terminal.
 pub fn end() {
     let mut line = lock();
     line.clear();
     line.is_visible = false;
 }
 
-/// Says what is going on where nothing is known of how far it is.
+/// Names the current work if its progress is not known.
 pub fn phase(what: &'static str) {
     lock().say(what, None, Instant::now());
 }
 
-/// Removes the line, and keeps it away while something else is written.
+/// Removes the line, and blocks it while something else is written.
 pub fn aside(write: impl FnOnce()) {
     let mut line = lock();
     line.clear();
@@ -79,12 +79,12 @@ pub fn aside(write: impl FnOnce()) {
 }
 
 impl Progress {
-    /// One at its beginning.
+    /// Work that begins now.
     pub fn new() -> Progress {
         Progress { begin: Instant::now() }
     }
 
-    /// Shows what is going on and how much of it is done, from 0 to 1.
+    /// Shows the current work and the part of it that is done, from 0 to 1.
     pub fn show(&self, what: &'static str, fraction: f64) {
         let mut line = lock();
         let is_soon = line.said.is_some_and(|said| said.elapsed() < PAUSE);
@@ -113,7 +113,7 @@ impl Line {
         self.said = Some(Instant::now());
     }
 
-    /// Draws the line where nothing was said for long; whether there is still one to be kept.
+    /// Draws the line if nothing has changed for long; whether a line is still wanted.
     fn keep(&mut self) -> bool {
         if self.is_visible && self.said.is_some_and(|said| said.elapsed() >= SILENCE) {
             self.draw();

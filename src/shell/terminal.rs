@@ -11,25 +11,25 @@ use tilewright_scenes::SceneError;
 static QUIET: AtomicBool = AtomicBool::new(false);
 static TAKEN: AtomicBool = AtomicBool::new(false);
 
-/// From now on there are only results, warnings and errors.
+/// From now on only results, warnings and errors are printed.
 pub fn be_quiet() {
     QUIET.store(true, Relaxed);
 }
 
-/// Whether there are only results, warnings and errors.
+/// Whether only results, warnings and errors are printed.
 pub fn is_quiet() -> bool {
     QUIET.load(Relaxed)
 }
 
-/// From now on all text goes to standard error, as standard output takes a picture or a waveform.
+/// From now on all text goes to standard error, because standard output takes a picture or a waveform.
 pub fn take_standard_output() {
     TAKEN.store(true, Relaxed);
 }
 
-/// What errors call standard output.
+/// The name of standard output in errors.
 pub const STANDARD_OUTPUT: &str = "standard output";
 
-/// Prints a result. A reader that has gone away, as `head` does, is no error.
+/// Prints a result. It is no error if the reader has closed the pipe, as `head` does.
 ///
 /// # Errors
 /// Standard output cannot be written, such as a file on a full disk.
@@ -43,7 +43,7 @@ pub fn print(text: &str) -> Result<(), Failure> {
     check(out.write_all(text.as_bytes()).and_then(|()| out.flush()))
 }
 
-/// Prints what a command has done, unless it is to be quiet.
+/// Prints a command's report, unless it is to be quiet.
 ///
 /// # Errors
 /// As [`print()`].
@@ -60,7 +60,7 @@ pub fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     print(&(legible_json(&text) + "\n"))
 }
 
-/// What became of writing to standard output.
+/// The result of writing to standard output.
 ///
 /// # Errors
 /// As [`print()`].
@@ -73,19 +73,19 @@ pub fn check(written: io::Result<()>) -> Result<(), Failure> {
     }
 }
 
-/// Tells the user something that is no result, unless it is to be quiet.
+/// Tells the user something other than a result, unless it is to be quiet.
 pub fn talk(line: &str) {
     if !is_quiet() {
         tell(&one_line(line));
     }
 }
 
-/// Tells the user of something that is odd but does no harm.
+/// Warns the user of something odd but harmless.
 pub fn warn(line: &str) {
     tell(&one_line(&format!("warning: {line}")));
 }
 
-/// Tells the user why a command did not come to its end.
+/// Tells the user why a command failed.
 pub fn complain(failure: &Failure) {
     for sentence in failure.sentences() {
         tell(&legible(&format!("error: {sentence}")));

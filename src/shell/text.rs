@@ -1,28 +1,28 @@
-//! Text that holds what others wrote, such as names out of files, made fit for a terminal.
+//! Text from outside, such as names in files, made safe for a terminal.
 
 use tilewright_scenes::escape;
 
-/// The longest word that is shown whole, and how much of a longer one is: of its begin and of its end.
+/// The longest word that is shown whole, and the parts that are shown of a longer one: its begin and its end.
 const WORD: usize = 300;
 const WORD_ENDS: (usize, usize) = (200, 80);
 
-/// The longest line that is shown whole, and how much of a longer one is.
+/// The longest line that is shown whole, and the part that is shown of a longer one.
 const LINE: usize = 3000;
 const LINE_ENDS: (usize, usize) = (2000, 800);
 
-/// The text without characters that steer a terminal, and without words and lines that fill it. Its lines stay.
+/// The text without control characters, and with long words and lines shortened. It keeps its line breaks.
 pub fn legible(text: &str) -> String {
     text.split('\n').map(one_line).collect::<Vec<_>>().join("\n")
 }
 
-/// As [`legible`], for what is to be one line.
+/// As [`legible`], on one line.
 pub fn one_line(text: &str) -> String {
     let plain = escape(text);
     let words: Vec<String> = plain.split(' ').map(|word| cut(word, WORD, WORD_ENDS)).collect();
     cut(&words.join(" "), LINE, LINE_ENDS)
 }
 
-/// JSON without raw control characters: they are legal in it above 0x7e, and steer some terminals.
+/// JSON without raw control characters. Above 0x7e they are legal in JSON, and control some terminals.
 pub fn legible_json(json: &str) -> String {
     let escape = |c: char| match c.is_control() && c != '\n' {
         true => format!("\\u{:04x}", u32::from(c)),

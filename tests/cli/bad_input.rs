@@ -20,11 +20,11 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --processors 257", &["'257' for '--processors <N>': give a whole number from 1 to 256"]),
     ("render teapot --frames 0", &["'0' for '--frames <N>': give a whole number from 1 to 1000"]),
     ("render teapot --turn 5", &["--frames <N>"]),
-    ("render teapot --frames 2 --turn nan", &["a turn of NaN degrees: give a number, such as 7.5"]),
+    ("render teapot --frames 2 --turn nan", &["--turn NaN: give a finite number of degrees, such as 7.5"]),
     ("render teapot --frames 2 -o -", &["standard output takes one picture", "name a file with -o, such as turn.png"]),
     (
         "render teapot --size 32x24 --frames 2 --golden small.png",
-        &["--golden has one picture", "leave one of them out"],
+        &["--golden names one picture", "leave one of them out"],
     ),
     ("render teapot --frames 2 -o turn.png --vcd turn-002.png", &["turn-002.png", "another output"]),
     ("render teapot --apr none", &["'none' for '--apr <PIXELS>': give a whole number of pixels, such as 500, or off"]),
@@ -34,7 +34,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --refresh 0", &["0 refreshes a second", "VGA has 60"]),
     ("render teapot --refresh many", &["invalid value 'many' for '--refresh <HZ>'"]),
     ("render teapot --swap never", &["error: there is no time to swap `never`: give one of at-start, in-blanking\n"]),
-    ("diagram vc1", &["there is nowhere to draw", "-o FILE.svg", "--ascii"]),
+    ("diagram vc1", &["there is no output", "-o FILE.svg", "--ascii"]),
     (
         "diagram vc1 -o vc1.png",
         &["'vc1.png' for '--output <FILE>': name a picture, as block.svg, or a graph, as block.dot"],
@@ -50,7 +50,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --size 64x48 --pages 193", &["`pages`", "is 193:", "from 2 to 192"]),
     (
         "render teapot --assign twice",
-        &["error: there is no way to deal polygons `twice`: give one of once, each, count\n"],
+        &["error: there is no way to assign polygons `twice`: give one of once, each, count\n"],
     ),
     (
         "render teapot --cost geometry=631",
@@ -61,10 +61,12 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --cost setup=5", &["there is no step `setup`: did you mean `set-up`? There are vertex, "]),
     ("render teapot --cost set_up=5 --cost set-up=5", &["error: --cost set-up is given twice: leave one out\n"]),
     ("render teapot --cost row", &["give a step and its clocks, such as row=60; the steps are vertex, polygon, area"]),
-    ("render teapot --cost row=-1", &["row takes from 0 to 1000000 clocks\n"]),
+    ("render teapot --cost row=-1", &["row has to be from 0 to 1000000 clocks\n"]),
     (
         "render teapot --cost pixel=0",
-        &["pixel takes from 1 to 1000000 clocks; those that can take 0 are vertex, polygon, area, clip, set-up, row\n"],
+        &[
+            "pixel has to be from 1 to 1000000 clocks; steps that can take 0 clocks are vertex, polygon, area, clip, set-up, row\n",
+        ],
     ),
     ("render teapot --cost row=1 --cost row=1", &["error: --cost row is given twice: leave one out\n"]),
     (
@@ -97,7 +99,7 @@ const CASES: &[(&str, &[&str])] = &[
     ),
     (
         "render teapot --machine quadtree --matrix 4",
-        &["'4' for '--matrix <PxQ>': give the video processors", "such as 4x4"],
+        &["'4' for '--matrix <PxQ>': give the columns and rows of video processors", "such as 4x4"],
     ),
     (
         "render teapot --machine quadtree --form pipe:3",
@@ -133,7 +135,10 @@ const CASES: &[(&str, &[&str])] = &[
     ("golden teapot", &["--output <FILE>"]),
     ("golden teapot -o g.png --samples 4", &["'4' for '--samples <N>'", "1, 8"]),
     ("golden teapot -o g.png --samples 8 --shade-once", &["--deferred"]),
-    ("golden teapot -o g.png --deferred --shade-once", &["there is one: add --samples 8"]),
+    (
+        "golden teapot -o g.png --deferred --shade-once",
+        &["--shade-once needs several samples per pixel: add --samples 8"],
+    ),
     ("golden teapot -o g.png --size 1025x64 --samples 8", &["1025x64 pixels with 8 samples", "up to 1024"]),
     ("golden no_texture.toml -o g.png", &["no_texture.toml:3:11: there is no texture lost.png: correct the path"]),
     (
@@ -143,7 +148,7 @@ const CASES: &[(&str, &[&str])] = &[
     (
         "wave mergin-unit --ascii",
         &[
-            "error: there is no block `mergin-unit`: did you mean `merging-unit`? `tilewright list blocks` has all of them\n",
+            "error: there is no block `mergin-unit`: did you mean `merging-unit`? `tilewright list blocks` shows all names\n",
         ],
     ),
     (
@@ -153,14 +158,14 @@ const CASES: &[(&str, &[&str])] = &[
     (
         "wave merging-unit -o mu.vcd --radix hex",
         &[
-            "error: --radix is about numbers in text, and a waveform file has bits: leave out -o, or name a picture with -o, such as wave.svg\n",
+            "error: --radix is for text and pictures, and -o names a waveform file: leave out -o, or name a picture with -o, such as wave.svg\n",
         ],
     ),
-    ("wave merging-unit --json", &["error: --json reports on a waveform file: name it with -o FILE\n"]),
+    ("wave merging-unit --json", &["error: --json needs a waveform file: name it with -o FILE\n"]),
     ("wave image-merger --ascii --set units=2 --set units=3", &["units is set twice"]),
     (
         HUGE,
-        &["the block's memories take ", " MiB in a simulation, and 2048 MiB is the limit", "--set smaller parameters"],
+        &["the block's memories take ", " MiB in a simulation, and the limit is 2048 MiB", "--set smaller parameters"],
     ),
     ("render teapot --vcd same -o same", &["same: would be written over same, another output"]),
     ("render teapot --vcd ./same -o same", &["./same: would be written over same, another output"]),
@@ -171,7 +176,7 @@ const CASES: &[(&str, &[&str])] = &[
     ("render teapot --size 64x48 --golden malformed.obj -o malformed.obj", &["which is read"]),
     (
         "render teapot --size 64x48 --golden small.png",
-        &["small.png: holds 32x24 pixels, the frame 64x48", "--size 32x24"],
+        &["small.png: has 32x24 pixels, and the frame has 64x48", "--size 32x24"],
     ),
     ("render flat.obj", &["flat.obj: holds no face with an area and no line with a length, so nothing would be drawn"]),
     ("render polyline.obj", &["polyline.obj:2: a polyline with 1 corner is not drawn: give at least two"]),
@@ -188,12 +193,12 @@ const CASES: &[(&str, &[&str])] = &[
     ("wave image_merger --ascii --set units=257", &["units = 257", "from 1 to 256"]),
     ("wave image-merger --ascii --set units", &["'units'", "NAME=VALUE"]),
     ("wave image-merger --ascii --scope **", &["name it with -o FILE"]),
-    ("wave image-merger -o some.gtkw", &["name the waveform .vcd"]),
+    ("wave image-merger -o some.gtkw", &["name the waveform itself, such as wave.vcd"]),
     ("wave image-merger -o some.vcd --to 5", &["'5'", "such as 250ns"]),
     ("verilog gfb-unit -o out --set width=1", &["width = 1", "from 2 to 2048"]),
-    ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench at most 200000"]),
-    ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text at most 200000: --set smaller"]),
-    ("verilog nothing -o out", &["error: there is no block `nothing`: ", "`tilewright list blocks` has all of them\n"]),
+    ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench can have 200000 at most"]),
+    ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text can have 200000 at most: --set smaller"]),
+    ("verilog nothing -o out", &["error: there is no block `nothing`: ", "`tilewright list blocks` shows all names\n"]),
     (
         "bench pin16",
         &[

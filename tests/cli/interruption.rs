@@ -167,7 +167,7 @@ fn two_runs_do_not_write_one_waveform() {
     for line in ["wave merging-unit -o again.vcd", "render teapot --size 16x12 --vcd long.vcd"] {
         let run = folder.run(line);
         assert_eq!((run.code, run.stdout.as_str()), (Some(3), ""), "{line}: {run:?}");
-        assert!(run.stderr.contains(".vcd: another run is writing it: wait for that"), "{line}: {run:?}");
+        assert!(run.stderr.contains(".vcd: another run is writing it: wait until it ends"), "{line}: {run:?}");
     }
     send(&first, "INT");
     assert_eq!(first.wait_with_output().unwrap().status.code(), Some(130));

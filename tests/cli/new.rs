@@ -80,17 +80,17 @@ fn what_can_be_no_crate_is_refused_and_nothing_is_written() {
     fs::create_dir(folder.path("folder")).unwrap();
     let names = folder.names();
     for (arguments, sentence) in [
-        ("file --git x", "file: is there already: choose another name, or remove it"),
-        ("folder --git x", "folder: is there already: choose another name, or remove it"),
-        ("match --git x", "`match` is a word of Rust, and no crate's name: give another one"),
-        ("test --git x", "`test` is the name of a crate that there is: give another one"),
-        ("tilewright_hdl --git x", "`tilewright_hdl` is the name of a crate that there is: give another one"),
-        ("Blink --git x", "`Blink` is no crate's name: give lower-case letters, digits, `-` and `_`, a letter first"),
-        ("a/b --git x", "`a/b` is no crate's name: give lower-case letters, digits, `-` and `_`, a letter first"),
-        ("7th --git x", "`7th` is no crate's name: give lower-case letters, digits, `-` and `_`, a letter first"),
+        ("file --git x", "file: exists already: choose another name, or remove it"),
+        ("folder --git x", "folder: exists already: choose another name, or remove it"),
+        ("match --git x", "`match` is a keyword of Rust: give another name"),
+        ("test --git x", "`test` is the name of an existing crate: give another name"),
+        ("tilewright_hdl --git x", "`tilewright_hdl` is the name of an existing crate: give another name"),
+        ("Blink --git x", "`Blink` cannot name a crate: give lower-case letters, digits, `-` and `_`, a letter first"),
+        ("a/b --git x", "`a/b` cannot name a crate: give lower-case letters, digits, `-` and `_`, a letter first"),
+        ("7th --git x", "`7th` cannot name a crate: give lower-case letters, digits, `-` and `_`, a letter first"),
         (
             "blink --path folder",
-            "folder: has no sources of Tilewright, as folder/hdl/Cargo.toml is not there: name the folder that has them with --path",
+            "folder: does not have Tilewright's sources, as folder/hdl/Cargo.toml is missing: name their folder with --path",
         ),
     ] {
         let run = folder.run(&format!("new {arguments}"));

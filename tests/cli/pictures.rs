@@ -1,4 +1,4 @@
-//! Pictures of a run: who drew which pixel, what each unit did when, and the frame coming into being.
+//! Pictures of a run: the unit that drew each pixel, the activity of each unit over time, and the frame as it is drawn.
 
 use crate::cli::harness::Folder;
 use std::collections::BTreeSet;
@@ -35,7 +35,7 @@ fn each_machine_shows_who_drew_what_and_when() {
             assert_eq!(shown == background, owned == NOBODY, "{machine}: {shown:?} {owned:?}");
         }
         assert!(colours(&owners).into_iter().collect::<BTreeSet<_>>().len() > 2, "{machine}");
-        // Who knows nothing of animations sees the last image.
+        // A viewer without animations shows the last image.
         assert_eq!(picture(&folder, "drawn.png"), owners, "{machine}");
         let chart = folder.read("time.svg");
         assert!(chart.contains(">time, ms</text>") && chart.contains("pyramid on "), "{machine}");
@@ -87,16 +87,16 @@ fn machines_are_side_by_side() {
 fn what_cannot_be_drawn_is_refused_before_the_run() {
     let folder = Folder::with_pyramid();
     let refused = [
-        ("render pyramid.obj --animate frame.gif", "frame.gif: an animation is an animated PNG"),
-        ("compare pyramid.obj --animate frame.gif", "name it .png"),
+        ("render pyramid.obj --animate frame.gif", "frame.gif: animations are written as animated PNG"),
+        ("compare pyramid.obj --animate frame.gif", "name the file .png"),
         (
             "render pyramid.obj --frames 3 -o turn.png --owners owners.png",
-            "--owners is about one frame, and --frames makes several",
+            "--owners shows one frame, and --frames makes several",
         ),
-        ("render pyramid.obj --accumulate 2 --timeline time.svg", "--timeline is about one frame, and --accumulate"),
+        ("render pyramid.obj --accumulate 2 --timeline time.svg", "--timeline shows one frame, and --accumulate"),
         (
             "render pyramid.obj --machine pixelflow --stereo halved --animate a.png",
-            "--animate is about one frame, and --stereo",
+            "--animate shows one frame, and --stereo",
         ),
         ("render pyramid.obj -o same.png --owners same.png", "would be written over same.png, another output"),
         ("render pyramid.obj -o - --owners -", "standard output: would be written over"),

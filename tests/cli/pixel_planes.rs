@@ -135,7 +135,7 @@ fn there_is_no_waveform_of_a_frame() {
     let run = folder.run(&format!("{SMALL} --vcd run.vcd"));
     assert_eq!(run.code, Some(2));
     assert!(
-        run.stderr.contains("leave out --vcd, and see `tilewright wave pixel-planes-5` for all of a small machine"),
+        run.stderr.contains("leave out --vcd, or use `tilewright wave pixel-planes-5` for a small machine"),
         "{}",
         run.stderr
     );

@@ -212,7 +212,7 @@ fn mistakes_are_said() {
     said("--system non-texturing --samples 8 --array 8x8 --size 64x64", "have room for 44");
     said("--system non-texturing --samples 8 --size 2048x8", "give a width and a height up to 1024, or one sample");
     said("--samples 8 --field even", "leave out one of them, add --shade-once");
-    said("--shade-once", "and there is one: add --samples 8");
+    said("--shade-once", "needs several samples per pixel: add --samples 8");
     said("--samples 8 --shade-once --system non-texturing", "shades nothing: leave out --shade-once");
     said("--field odd --size 32x1", "has no odd lines: give a height of 2 or more");
     said("--eyes 1", "add --stereo halved or --stereo sequential");
@@ -223,5 +223,5 @@ fn mistakes_are_said() {
     said("--samples 4", "[possible values: 1, 8]");
     said("--strict", "--strict is an option of quadtree");
     said("--renderers 2", "--renderers is an option of pixel-planes-5");
-    said("--vcd frame.vcd", "see `tilewright wave pixelflow-node`");
+    said("--vcd frame.vcd", "use `tilewright wave pixelflow-node`");
 }

@@ -92,7 +92,7 @@ fn a_save_file_of_somebody_else_stays() {
     fs::write(folder.path("x.gtkw"), theirs).unwrap();
     let run = folder.run(&format!("{WAVE} x.vcd"));
     assert_eq!((run.code, folder.read("x.gtkw").as_str()), (Some(0), theirs), "{run:?}");
-    assert!(run.stderr.contains("warning: x.gtkw is not of tilewright and stays as it is"), "{run:?}");
+    assert!(run.stderr.contains("warning: x.gtkw was not written by tilewright and is kept"), "{run:?}");
     assert_eq!(run.stdout, "gtkwave x.vcd x.gtkw\nsurfer x.vcd\n");
     // Our own is written again.
     fs::remove_file(folder.path("x.gtkw")).unwrap();

@@ -135,7 +135,7 @@ fn what_is_no_picture_is_not_taken_for_one_of_differences() {
     folder.stdout("golden teapot --size 32x24 -o golden.png");
     let run = folder.run(&format!("{line} --golden golden.png"));
     let warning =
-        "warning: frame.difference.png is no picture and stays as it is: remove it to see the differences there\n";
+        "warning: frame.difference.png is not a picture and is kept: remove it to see the differences there\n";
     assert!(run.code == Some(1) && run.stderr.contains(warning), "{run:?}");
     assert_eq!(folder.read("frame.difference.png"), "notes");
 }

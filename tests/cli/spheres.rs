@@ -47,8 +47,9 @@ fn spheres_are_counted() {
 #[test]
 fn what_draws_none_says_so() {
     let folder = Folder::with(FILES);
-    let none = "the scene has spheres, which pixel-planes-5 alone draws: use `tilewright render` with --machine pixel-planes-5";
-    let plain = "the scene has spheres, which are drawn in the colours of vertices, a sample a pixel: leave out --deferred and --samples";
+    let none =
+        "the scene has spheres, which only pixel-planes-5 draws: use `tilewright render` with --machine pixel-planes-5";
+    let plain = "the scene has spheres, which are drawn without deferred shading and with one sample per pixel: leave out --deferred and --samples";
     for (arguments, sentence) in [
         ("render ball.toml --machine vc1", none),
         ("render ball.toml --machine quadtree", none),

@@ -109,7 +109,7 @@ fn options_that_cannot_be_are_refused_in_a_sentence() {
     for (options, sentence) in [
         ("--pages 1", "give a whole number from 2 to 262144, or auto"),
         ("--accumulate 3", "[possible values: 2, 4, 8, 16]"),
-        ("--cursor 5", "give two whole numbers of pixels, from the left and from above, such as 100,50"),
+        ("--cursor 5", "give two whole numbers of pixels, from the left and from the top, such as 100,50"),
         (
             "--cursor 64,0",
             "error: a cursor at 64,0 on a screen of 64x48: its upper left corner has to be on the screen\n",
@@ -118,7 +118,7 @@ fn options_that_cannot_be_are_refused_in_a_sentence() {
         ("--overhead 0", "give a whole number from 1 to 1000"),
         ("--refresh 900000", "a line of the display would take "),
         ("--frames 2 -o -", "standard output takes one picture, and --frames makes several"),
-        ("--frames 2 --golden x.png", "--golden has one picture, and --frames makes several"),
+        ("--frames 2 --golden x.png", "--golden names one picture, and --frames makes several"),
     ] {
         let run = folder.run(&format!("render teapot --size 64x48 {options}"));
         assert_eq!(run.code, Some(2), "{options}: {run:?}");

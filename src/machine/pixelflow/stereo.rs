@@ -34,10 +34,10 @@ pub struct StereoJob {
 }
 
 impl StereoJob {
-    /// The frames of both eyes, on what of a machine draws one.
+    /// The frames of both eyes, each on the part of the machine that draws it.
     ///
     /// # Errors
-    /// The distance between the eyes is none; or what a frame alone can have.
+    /// The distance between the eyes is out of range; or an error of a single frame.
     pub(super) fn new(
         options: &PixelFlowOptions,
         scene: &Scene,

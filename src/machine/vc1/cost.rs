@@ -1,4 +1,4 @@
-//! `--cost NAME=CLOCKS`: what a step of the program of a processing element takes.
+//! `--cost NAME=CLOCKS`: the clocks of a step of the processing elements' program.
 
 use crate::names::{are_alike, unknown};
 use crate::shell::{Exit, Failure};
@@ -19,7 +19,7 @@ pub fn help() -> String {
     let mut costs = CostTable::default();
     let usual = |(name, _): (&str, u64)| Some(format!("{name}={}", costs.step(name)?));
     let usual: Vec<String> = CostTable::STEPS.into_iter().filter_map(usual).collect();
-    format!("Clocks of a step of the processing elements' program; any number of them [default: {}]", usual.join(" "))
+    format!("Clocks of a step of the processing elements' program; may be repeated [default: {}]", usual.join(" "))
 }
 
 /// Reads one.
@@ -36,10 +36,10 @@ pub fn cost(text: &str) -> Result<Cost, String> {
     let range = least..=MOST;
     let clocks = clocks.parse().ok().filter(|clocks| range.contains(clocks));
     let clocks = clocks.ok_or_else(|| {
-        let sentence = format!("{name} takes from {least} to {MOST} clocks");
+        let sentence = format!("{name} has to be from {least} to {MOST} clocks");
         match least {
             0 => sentence,
-            _ => format!("{sentence}; those that can take 0 are {}", names(|least| least == 0)),
+            _ => format!("{sentence}; steps that can take 0 clocks are {}", names(|least| least == 0)),
         }
     })?;
     Ok(Cost { name, clocks })
@@ -62,7 +62,7 @@ pub fn table(given: &[Cost]) -> Result<CostTable, Failure> {
     Ok(costs)
 }
 
-/// The names of the steps whose least number of clocks is such.
+/// The names of the steps for which the least number of clocks is meant.
 fn names(is_meant: impl Fn(u64) -> bool) -> String {
     let names: Vec<&str> =
         CostTable::STEPS.into_iter().filter(|(_, least)| is_meant(*least)).map(|(name, _)| name).collect();

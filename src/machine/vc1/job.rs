@@ -72,9 +72,9 @@ impl Compared for Vc1Job {
             memory_bits: hardware.memories,
             clocks,
             picoseconds,
-            time: "from the command until the display shows the frame; drawing has the geometry, blanking is the wait for the display"
+            time: "from the command until the display shows the frame; drawing includes geometry, and blanking is the wait for the display"
                 .to_owned(),
-            // Spans are computed, so no pixel is tested in vain.
+            // Spans are computed, so every tested pixel is drawn.
             tested: pixels,
             drawn: pixels,
             at_work: working as f64 / (clocks.max(1) * u64::from(processors)) as f64,

@@ -1,4 +1,4 @@
-//! Several pictures of a scene around which the camera turns.
+//! Several pictures of a scene, with the camera in an orbit around it.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -12,16 +12,16 @@ use tilewright_rtl::gfb::Passes;
 use tilewright_scenes::golden::pass_shifts;
 use tilewright_scenes::{Frame, Projection, Scene};
 
-/// A turn around a scene.
+/// An orbit of the camera around a scene.
 pub struct Turn<'a> {
     pub config: Config,
     pub scene: &'a Scene,
     pub pictures: u32,
-    /// From picture to picture.
+    /// The angle from picture to picture.
     pub degrees: f64,
 }
 
-/// What the machine has not yet shown, and why it has to stop.
+/// The views that the machine has not shown yet, and why it has to stop.
 #[derive(Default)]
 struct State {
     views: VecDeque<Projection>,
@@ -55,7 +55,7 @@ impl Turn<'_> {
         moved_triangles(&scene, shift)
     }
 
-    /// Those of all frames.
+    /// The views of all frames.
     ///
     /// # Errors
     /// One cannot be set up.
