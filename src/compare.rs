@@ -201,7 +201,7 @@ impl Comparison {
         self.frame.as_ref()
     }
 
-    /// By machine: its name, the pixels of its frame that are not those of the golden image, and what it took.
+    /// By machine: its name, the pixels of its frame that differ from the golden image, and its figures.
     pub fn machines(&self) -> impl Iterator<Item = (&'static str, u64, &Figures)> {
         self.machines.iter().map(|row| (row.machine, row.golden.differing(), &row.figures))
     }

@@ -1,4 +1,4 @@
-//! The page of all machines: the same scenes on each, beside each other, and the way to the page of each.
+//! The page of all machines: the same scenes on each machine, and links to the machines' pages.
 
 use super::effort::Effort;
 use super::right;
@@ -26,11 +26,11 @@ pub fn page(effort: Effort, links: Vec<Link>) -> Result<Page, Failure> {
         .seeds([effort.seed]);
     let page = Page::new("Parallel rendering machines of the 1990s", provenance)
         .paragraph(
-            "The same triangles and lines on each machine, in its hardware, simulated clock by clock. All frames are compared with that of a plain software \
-             rasterizer, depth and colour.",
+            "The hardware of each machine draws the same triangles and lines, simulated clock by clock. Each frame is compared with that of a plain software \
+             rasterizer, in depth and in colour.",
         )
         .section(Section::new("Machines").links(links).paragraph(
-            "Each page has what a paper says of its machine, beside what is measured here.",
+            "Each page compares what a paper states about its machine with what is measured here.",
         ))
         .section(compared.iter().filter_map(picture).fold(Section::new("Frames"), |section, (claim, picture)| section.figure(claim, picture)))
         .section(table_section(&compared))
@@ -63,8 +63,8 @@ fn table_section(compared: &[Comparison]) -> Section {
         "of the time, %",
     ];
     let section = Section::new("Each scene on each machine").paragraph(
-        "“Tested” counts the pixels that processors were given for some primitive, “drawn” the pixels that it covers. “At work” is the share of the time for which the processors worked, on the \
-             mean; of a pipe it is that of its busiest part. What takes longest limits the machine.",
+        "“Tested” counts the pixels that processors test for some primitive, and “drawn” the pixels that it covers. “At work” is the mean share of the time in which the processors work; \
+             for a pipe, that of its busiest part. What takes longest limits the machine.",
     );
     let section = compared.iter().fold(section, |section, it| {
         let table = Table::new(format!("{}-machines", it.scene()), it.scene(), columns);
@@ -77,11 +77,11 @@ fn table_section(compared: &[Comparison]) -> Section {
     })
 }
 
-/// What each machine keeps, on the screen of a scene.
+/// The registers and memories of each machine, for the screen of a scene.
 fn state(it: &Comparison) -> Table {
     let title = format!("Bits of each machine’s state, built for {}", it.scene());
     let table = Table::new("state", title, ["machine", "registers, bits", "memories, bits"]);
-    let table = table.note("Counted in the circuit, every instance; of memories those that are written.");
+    let table = table.note("Counted over all instances of the circuit; only memories that are written count.");
     it.machines().fold(table, |table, (machine, _, figures)| {
         table.row([machine.into(), (figures.register_bits as f64).into(), (figures.memory_bits as f64).into()])
     })
@@ -102,7 +102,7 @@ fn cells(machine: &str, figures: &Figures) -> [Cell; 10] {
     ]
 }
 
-/// The frame that all have drawn, and whether they have.
+/// The frame that all machines have drawn, or a note that they differ.
 fn picture(it: &Comparison) -> Option<(&'static str, Picture)> {
     let (name, frame) = (it.scene(), it.frame()?);
     let alt = format!("the scene {name}, {} pixels", frame.size());
@@ -115,7 +115,7 @@ fn picture(it: &Comparison) -> Option<(&'static str, Picture)> {
     Some((claim, picture.note(right::in_words(differing))))
 }
 
-/// That frames are right, and that machines count the same.
+/// The checks that frames are right, and that machines count the same pixels.
 fn checks(compared: &[Comparison]) -> [Statement; 2] {
     let each = || {
         compared.iter().flat_map(|it| {
@@ -130,12 +130,12 @@ fn checks(compared: &[Comparison]) -> [Statement; 2] {
     });
     let same = Statement::new(
         "DES-MIN",
-        "All machines draw as many pixels, each as often as a primitive covers it.",
+        "All machines draw the same number of pixels; a pixel counts once for each primitive that covers it.",
         Rule::Zero,
     );
     [
         right::statement("DES-MIN", each().map(|(name, differing, _)| (name, differing))),
-        same.unit("pixels between the most and the least").found(Origin::rtl([]), spread),
+        same.unit("pixels between the greatest and the least number").found(Origin::rtl([]), spread),
     ]
 }
 

@@ -19,7 +19,7 @@ use serde::Serialize;
 use std::path::PathBuf;
 use tilewright_report::{File, Link, Page};
 
-/// Measures what a paper says of its machine, and writes a page with its figures, statements and verdicts
+/// Measures what a paper states about its machine, and writes a page with figures, statements and verdicts
 #[derive(Args)]
 #[command(after_help = "\
 Examples:
@@ -30,31 +30,32 @@ Examples:
   tilewright reproduce vc1 -o report/ --views 2
   tilewright reproduce all -o report/ --polygons 20
 
-`all` makes the pages of all papers, each in a folder of its name, and one above them with the same scenes on all machines, as compare has them.
-Without --polygons, --vectors, --primitives or --views there are as many as the figures need, for some minutes of processor time, which all cores share; with it the
-frames are small, and the hardware runs for fewer points. The page, index.html, needs no other file and no network. Beside it is every figure as CSV, and all of it as report.json. The same
-command writes the same bytes each time.")]
+`all` writes the pages of all papers, each in a folder of that name. A page above them compares all machines on the same scenes, as `compare` does.
+Without --polygons, --vectors, --primitives or --views, the page has all points that its figures need. That takes some minutes of processor time, which all cores share.
+With one of these options the page is a quick look: frames are small, and the hardware runs for fewer points.
+The page, index.html, needs no other file and no network. Each figure is also written as CSV, and the whole report as report.json.
+The same command writes the same bytes each time.")]
 pub struct Reproduce {
-    /// Whose paper
+    /// The machine of the paper, or `all`
     #[arg(value_parser = names::of::<Paper>("paper"))]
     machine: Paper,
-    /// The folder for the report, which is made if it is not there; all files are written, or none
+    /// Folder for the report, created if missing; either all files are written, or none
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// What the random polygons, vectors or primitives follow from
+    /// Seed of the random polygons, vectors or primitives
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
-    /// Of quadtree: at most so many random polygons of each area: a quick look, with wider scatter and small frames; of all, also so many vectors
-    /// and views, and a thousand times as many primitives
+    /// For quadtree: a quick look with at most this number of random polygons for each area, wider scatter and small frames.
+    /// For all: also at most this number of vectors and views, and a thousand times this number of primitives
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
     polygons: Option<u64>,
-    /// Of pixel-planes-5: at most so many random vectors of each kind: a quick look likewise
+    /// For pixel-planes-5: a quick look with at most this number of random vectors of each kind
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with = "polygons")]
     vectors: Option<u64>,
-    /// Of pixelflow: at most so many primitives in a frame: a quick look, which may not reach the latencies that are compared
+    /// For pixelflow: a quick look with at most this number of primitives in a frame, which may not reach the compared latencies
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors"])]
     primitives: Option<u64>,
-    /// Of vc1: at most so many views of Table 1's scene, up to 48: a quick look, on a small screen and with few processing elements
+    /// For vc1: a quick look with at most this number of views of Table 1's scene, up to 48, a small screen and few processing elements
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors", "primitives"])]
     views: Option<u64>,
     /// Print the report as JSON
@@ -62,7 +63,7 @@ pub struct Reproduce {
     json: bool,
 }
 
-/// The papers that can be reproduced.
+/// The papers.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum Paper {
     /// The sparse-raster quadtree generator
@@ -75,7 +76,7 @@ enum Paper {
     PixelFlow,
     /// The virtual local frame buffers of the VC-1
     Vc1,
-    /// Each of them, and all machines beside each other
+    /// All of them, and a page that compares all machines
     All,
 }
 
@@ -114,7 +115,7 @@ impl Reproduce {
         Ok(Exit::Done)
     }
 
-    /// The pages, each with what stands before the names of its files.
+    /// The pages, each with the prefix of its files' names.
     fn pages(&self, effort: Effort) -> Result<Vec<(String, Page)>, Failure> {
         if self.machine != Paper::All {
             return Ok(vec![(String::new(), page(self.machine, effort)?)]);
@@ -134,7 +135,7 @@ impl Reproduce {
         Ok(pages)
     }
 
-    /// How much is to be measured.
+    /// How much to measure.
     fn effort(&self) -> Result<Effort, Failure> {
         let options = [
             (Paper::Quadtree, "--polygons", self.polygons),
@@ -156,7 +157,7 @@ impl Reproduce {
     }
 }
 
-/// The papers that have a page of their own, and the folders of those in that of all.
+/// The papers with a page of their own, and the folders of these pages in that of all.
 const PAPERS: [(Paper, &str); 4] = [
     (Paper::Quadtree, "quadtree"),
     (Paper::PixelPlanes, "pixel-planes-5"),
@@ -164,7 +165,7 @@ const PAPERS: [(Paper, &str); 4] = [
     (Paper::Vc1, "vc1"),
 ];
 
-/// The files of a page, with that before their names.
+/// The files of a page, with a prefix before their names.
 fn files(prefix: &str, page: &Page) -> Vec<File> {
     let files = page.files().expect("the parts of the page have names of their own");
     files.into_iter().map(|file| File { name: format!("{prefix}{}", file.name), ..file }).collect()

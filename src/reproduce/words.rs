@@ -1,6 +1,6 @@
-//! Numbers as they stand in sentences.
+//! Numbers in sentences.
 
-/// A number with three digits or so, whole from a thousand on.
+/// A number with about three digits, whole from a thousand on.
 pub fn short(value: f64) -> String {
     let digits = match value.abs() {
         size if size >= 100.0 => 0,
@@ -14,7 +14,7 @@ pub fn short(value: f64) -> String {
     }
 }
 
-/// A part of a whole in percent: whole ones, or one digit more where there are few.
+/// A share in percent: whole numbers, or with one decimal where it is small.
 pub fn percent(part: f64) -> String {
     let percent = 100.0 * part;
     if percent.abs() >= 9.95 {
@@ -24,7 +24,7 @@ pub fn percent(part: f64) -> String {
     }
 }
 
-/// Thousands set apart by narrow spaces, from five digits on.
+/// A number with narrow spaces between thousands, from five digits on.
 fn grouped(digits: &str) -> String {
     if digits.len() < 5 {
         return digits.to_owned();

@@ -1,4 +1,4 @@
-//! Regions of a vector, H_v: the paper's two formulas and what was counted, against length, angle and the side of regions.
+//! Regions of a vector, H_v: the paper's two formulas and counts, by length, angle and side of regions.
 
 use super::plan::{ANGLE, LENGTH, Plan, SIDE, SIDES};
 use crate::reproduce::words::short;
@@ -8,15 +8,15 @@ use tilewright_machines::{Error, Watch};
 use tilewright_report::{Axis, Chart, Origin, Section, Series};
 use tilewright_scenes::{ScreenVertex, angle};
 
-/// What was counted, with the sides of regions.
+/// The counts, by the side of regions.
 pub struct Counted {
     points: Vec<(u32, Point)>,
-    /// The most regions of one column, or of one row if it is steep, that a long vector was binned to by columns.
+    /// The most regions of one column, or of one row for a steep vector, to which a long vector was binned by columns.
     pub most_in_a_column: usize,
     seed: u64,
 }
 
-/// What each binner is called, with what it gives.
+/// Each binner's name, and its number.
 type Named<T> = [(&'static str, T); 3];
 
 /// By the bounding box, by whole columns, and by the vector itself.
@@ -25,7 +25,7 @@ pub fn named<T>(Bins { by_box, by_columns, tight }: Bins<T>) -> Named<T> {
 }
 
 impl Counted {
-    /// Counts; `None` if it was interrupted.
+    /// Counts; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Counted>, Failure> {
         let (studies, cancel) = (plan.studies(), watch.cancel);
         let count = |study: &Study| study.run(&mut Watch { progress: None, cancel });
@@ -49,13 +49,13 @@ impl Counted {
         self.points.iter().filter(|(side, _)| *side == SIDE).map(|(_, point)| point)
     }
 
-    /// The point of the paper's vectors with regions of a side.
+    /// The point of the paper's vectors with regions of that side.
     pub fn example(&self, of: u32) -> &Point {
         let is_it = |(side, point): &&(u32, Point)| *side == of && point.shape == EXAMPLE;
         &self.points.iter().find(is_it).expect("the paper's vectors are counted for all sides").1
     }
 
-    /// Counted means along `x`, of points that are wanted.
+    /// Counted means along `x`, of some points.
     fn curve(&self, wanted: impl Fn(&Shape) -> bool, x: impl Fn(&Shape) -> f64) -> Named<Vec<(f64, f64)>> {
         let of = |mean: fn(&Point) -> f64| {
             let points = self.points().filter(|point| wanted(&point.shape));
@@ -69,10 +69,10 @@ impl Counted {
     }
 }
 
-/// The length of the longest vectors that are looked at, in pixels.
+/// The length of the longest vectors, in pixels.
 const LONGEST: f64 = 400.0;
 
-/// The most regions of one column that a vector is binned to by columns, or of one row if it is steeper than 45 degrees.
+/// The most regions of one column to which a vector is binned by columns, or of one row if it is steeper than 45 degrees.
 fn most_in_a_column(ends: &[ScreenVertex; 2]) -> usize {
     let (regions, [from, to]) = (Regions::paper(), ends);
     let is_steep = from.x.abs_diff(to.x) < from.y.abs_diff(to.y);
@@ -86,13 +86,13 @@ fn most_in_a_column(ends: &[ScreenVertex; 2]) -> usize {
 /// The paper's vectors.
 pub const EXAMPLE: Shape = Shape { length: LENGTH, angle: ANGLE };
 
-/// How long a vector is along its longer axis, in parts of a region's side: L cos t/S.
+/// The length of a vector along its longer axis over a region's side: L cos t/S.
 pub fn long_side(Shape { length, angle }: Shape) -> f64 {
     let (sine, cosine) = angle::sin_cos(angle);
     length * sine.abs().max(cosine.abs()) / f64::from(SIDE)
 }
 
-/// What the formulas say of a shape.
+/// The formulas' values for a shape.
 fn by_formula(shape: Shape, side: u32) -> Named<f64> {
     named(Bins { by_box: shape.by_box(side), by_columns: shape.by_columns(side), tight: shape.tight(side) })
 }
@@ -101,12 +101,12 @@ fn by_formula(shape: Shape, side: u32) -> Named<f64> {
 pub fn section(counted: &Counted) -> Section {
     Section::new("Regions of a vector, H_v")
         .paragraph(
-            "A primitive is processed once for each region that it is binned to, so the work grows with the regions of a vector. There are three ways to bin a vector. By its bounding box, it goes to \
+            "A primitive is processed once for each region to which it is binned, so the work grows with the regions of a vector. There are three ways to bin a vector. By its bounding box, it goes to \
              all regions that the box meets. By columns, it goes to at most two regions of each column, or of each row if it is steeper than 45 degrees. By itself, it goes only to the regions that \
              it meets.",
         )
         .paragraph(
-            "Lines are formulas. The one for columns is the paper’s. The one for boxes has fallen out of its text and is restored from the numbers that it prints. The one for the vector itself, 1 + \
+            "Lines are formulas. The one for columns is the paper’s. The one for boxes is missing in its text and is restored from the numbers that it prints. The one for the vector itself, 1 + \
              L (cos θ + sin θ)/S, is exact. Plus signs are bins of random vectors on a 1280x1024 screen, at least a region away from its border. The cross is the 1.63 that the paper prints for its \
              example.",
         )
@@ -117,20 +117,20 @@ pub fn section(counted: &Counted) -> Section {
         .figure(by_half_the_side(counted), by_side(counted))
 }
 
-/// What each binner makes of a vector.
+/// The claim of the figure by length.
 fn claim(counted: &Counted, length: f64, angle: f64) -> String {
     let is_it = |point: &&Point| point.shape == Shape { length, angle };
     let bins = counted.points().find(is_it).expect("it is counted").counted;
     let [by_box, by_columns, tight] = named(bins).map(|(_, mean)| short(mean.mean));
     format!(
-        "A vector of {length} pixels at {angle} degrees is in {by_box} regions by its box, {by_columns} by columns, and {tight} by itself."
+        "A vector of {length} pixels at {angle} degrees goes to {by_box} regions by its box, {by_columns} by columns, and {tight} by itself."
     )
 }
 
 fn by_half_the_side(counted: &Counted) -> String {
     let [half, whole] = [SIDE / 2, SIDE].map(|side| short(counted.example(side).counted.by_box.mean));
     format!(
-        "With regions of {} pixels a side a vector’s box meets {half} of them, and with {SIDE} pixels {whole}.",
+        "With regions of {} pixels a side a vector’s box meets {half} of them; with {SIDE} pixels it meets {whole}.",
         SIDE / 2
     )
 }

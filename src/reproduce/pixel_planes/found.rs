@@ -1,4 +1,4 @@
-//! What was found: counted, drawn and timed.
+//! All results: counted, drawn and timed.
 
 use super::bins::Counted;
 use super::frames::Drawn;
@@ -11,7 +11,7 @@ use tilewright_machines::pixel_planes::Table;
 use tilewright_machines::{Error, Watch};
 use tilewright_scenes::{Scene, Size};
 
-/// All that the page is made of.
+/// All results of the page.
 pub struct Found {
     pub counted: Counted,
     pub loads: Loads,
@@ -21,7 +21,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// Counts, draws and times; `None` if it was interrupted.
+    /// Counts, draws and times; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Found>, Failure> {
         let Some(counted) = Counted::all(plan, watch)? else { return Ok(None) };
         let Some(loads) = Loads::all(plan, watch)? else { return Ok(None) };

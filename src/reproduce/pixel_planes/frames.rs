@@ -1,4 +1,4 @@
-//! Frames that the hardware has drawn: pictures with the regions and who drew them, and how busy each renderer was.
+//! Frames that the hardware has drawn: pictures with the renderer of each region, and the load of each renderer.
 
 use super::loads::Load;
 use super::owners::owners;
@@ -18,7 +18,7 @@ pub struct Drawn {
     pub report: Report,
     regions: Regions,
     frame: Frame,
-    /// Pixels that are not those of the golden image.
+    /// Pixels that differ from the golden image.
     differing: u64,
 }
 
@@ -40,19 +40,19 @@ impl Drawn {
         Origin::rtl(self.load.seeds.clone())
     }
 
-    /// P_w in parts of a renderer's mean load.
+    /// P_w over the mean load.
     pub fn imbalance(&self) -> f64 {
         self.report.worst_load() as f64 * self.report.renderers.len() as f64 / self.report.binned() as f64
     }
 
-    /// Regions that were not drawn once, by one renderer.
+    /// Regions that were not drawn exactly once.
     fn astray(&self) -> u64 {
         let mut times = vec![0_u64; self.regions.count()];
         self.report.regions.iter().for_each(|it| times[it.region] += 1);
         times.into_iter().filter(|times| *times != 1).count() as u64
     }
 
-    /// Regions of which the circuit had not as many primitives as are counted in their bin.
+    /// Regions whose number of primitives in the circuit differs from the count of their bin.
     fn miscounted(&self) -> u64 {
         let is_wrong =
             |it: &&tilewright_machines::pixel_planes::RegionReport| it.primitives != self.load.bins[it.region];
@@ -60,7 +60,7 @@ impl Drawn {
     }
 }
 
-/// That frames are right.
+/// The checks of the frames.
 pub fn checks(frames: &[Drawn]) -> [Statement; 3] {
     let of = |of: fn(&Drawn) -> u64| frames.iter().map(move |it| (it.load.name.to_owned(), of(it)));
     let zero = |text: &str, unit: &str, wrong: fn(&Drawn) -> u64| {
@@ -69,9 +69,9 @@ pub fn checks(frames: &[Drawn]) -> [Statement; 3] {
     };
     [
         right::statement("PP5-ARCH", of(|it| it.differing)),
-        zero("Each region is drawn once, by one renderer.", "regions that are not", Drawn::astray),
+        zero("Each region is drawn once, by one renderer.", "regions that differ", Drawn::astray),
         zero(
-            "Renderers get as many primitives of each region as the plain count finds.",
+            "Renderers get the number of primitives of each region that the plain count finds.",
             "regions that differ",
             Drawn::miscounted,
         ),
@@ -91,7 +91,7 @@ pub fn section(frames: &[Drawn]) -> Section {
         )
     });
     let section = Section::new("Frames").paragraph(format!(
-        "These are scenes as the circuit drew them, clock by clock: {machine}. The tint and the number of each region are those of the renderer that drew it. The machine itself counts the \
+        "The circuit drew these scenes, clock by clock: {machine}. The tint and the number of each region show the renderer that drew it. The machine itself counts the \
              clocks."
     ));
     frames
@@ -113,7 +113,7 @@ pub fn section(frames: &[Drawn]) -> Section {
             let [least, most] = [all().fold(1.0, f64::min), all().fold(0.0, f64::max)].map(percent);
             section
                 .figure(worst, regions(drawn))
-                .figure(format!("{name}: renderers work {least} to {most} of the clocks."), load(drawn))
+                .figure(format!("{name}: renderers work in {least} to {most} of the clocks."), load(drawn))
         })
         .part(table(frames))
 }
@@ -131,9 +131,9 @@ fn regions(drawn: &Drawn) -> Picture {
     let Drawn { load: Load { name, .. }, report, regions, frame, .. } = drawn;
     let alt =
         format!("the scene {name}, with {} regions in the colours of {} renderers", report.regions.len(), RENDERERS);
-    let title = format!("{name}: its regions and who drew them");
+    let title = format!("{name}: the renderer of each region");
     Picture::new(format!("{name}-regions"), title, alt, owners(frame, regions, report).to_png()).note(format!(
-        "{} {} primitives, {} in all bins. The last is drawn after {} clocks, {:.3} ms.",
+        "{} {} primitives, {} in all bins. The last one is drawn after {} clocks, {:.3} ms.",
         right::in_words(drawn.differing),
         report.primitives,
         report.binned(),
@@ -149,15 +149,15 @@ fn milliseconds(clocks: u64) -> f64 {
 /// Renderers in a row of the heat map.
 const ROW: usize = 8;
 
-/// How much each renderer drew.
+/// The load of each renderer.
 fn load(drawn: &Drawn) -> HeatMap {
     let Drawn { load: Load { name, .. }, report, .. } = drawn;
     let working = |it: &RendererReport| 100.0 * it.working() as f64 / report.drawn.max(1) as f64;
     let rows = report.renderers.chunks(ROW).map(|row| row.iter().map(|it| working(it).round()).collect());
     let title = format!("{name}: load of each renderer");
     HeatMap::new(format!("{name}-load"), title, "% of the clocks", drawn.origin(), rows).note(format!(
-        "Clocks in which it waited neither for an instruction nor until a region was sent. Renderers 0 to {} above the others; the worst has {} \
-         primitives, the mean is {:.0}.",
+        "Clocks in which a renderer waits neither for an instruction nor for a region to be sent. Renderers 0 to {} stand above the others. The busiest renderer has {} \
+         primitives; the mean is {:.0}.",
         ROW - 1,
         report.worst_load(),
         report.binned() as f64 / report.renderers.len() as f64
@@ -177,7 +177,7 @@ fn table(frames: &[Drawn]) -> Table {
         "sent after, ms",
     ];
     let table = Table::new("frames", "What the frames took", columns)
-        .note("Clocks a primitive are those of all renderers, with what a region takes by itself.");
+        .note("Clocks a primitive are those of all renderers; they include the clocks that a region takes without primitives.");
     frames.iter().fold(table, |table, drawn| {
         let report = &drawn.report;
         let numbers = [
@@ -199,7 +199,7 @@ mod tests {
     use super::*;
     use crate::reproduce::effort::Effort;
 
-    /// A frame is right, and is not if it is compared with another.
+    /// The checks accept a frame, and refuse it against another one.
     #[test]
     fn wrong_frames_and_regions_are_found() {
         let plan = Plan { effort: Effort { seed: 1, most: Some(40) } };

@@ -1,4 +1,4 @@
-//! The load of the renderers, P_w: between its bounds for every scene, its balance, and that of random vectors.
+//! The load of the renderers, P_w: its bounds for every scene, its balance, and that of random vectors.
 
 use super::bins::EXAMPLE;
 use super::frames::Drawn;
@@ -13,25 +13,25 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
     let (regions, size) = (loads.regions.count(), loads.regions.size());
     Section::new("Load of the renderers, P_w")
         .paragraph(format!(
-            "P_w is the number of primitives of the renderer that has the most; a primitive counts once for each of its regions. By the paper P_w is at least P/B, if each primitive is in one region \
-             and all B renderers have equally many. It is at most P R/B, if each primitive is in all R regions. Here the screen of {size} pixels has {regions} regions of {side}x{side}. Where B does \
-             not divide R, some renderer has one region more than others, and the greatest load is P ⌈R/B⌉.",
+            "P_w is the number of primitives of the busiest renderer; a primitive counts once for each of its regions. By the paper P_w is at least P/B, which is reached if each primitive is in one \
+             region and all B renderers have the same number. It is at most P R/B, which is reached if each primitive is in all R regions. Here the screen of {size} pixels has {regions} regions of \
+             {side}x{side}. If B does not divide R, some renderer has one region more than others, and the greatest load is P ⌈R/B⌉.",
             side = loads.regions.side()
         ))
         .paragraph(
-            "Plus signs are counted by a plain allocator. It takes regions in the order of decreasing bins and gives each to the renderer that is free first; all primitives take equally long. Filled \
+            "Plus signs are counted by a plain allocator. It takes the largest bins first and gives each region to the renderer that is free first; all primitives take equally long. Filled \
              marks are frames that the circuit drew, whose allocator goes by the clock.",
         )
         .figure(worst(loads, &SURFACES), between_bounds(loads, frames, "surfaces", &SURFACES))
         .figure(worst(loads, &LINES), between_bounds(loads, frames, "lines", &LINES))
         .part(table(loads, frames))
         .paragraph(
-            "Balance is another question: how much more than the mean does the busiest renderer have? With few regions a renderer, the fullest region decides.",
+            "Balance compares the busiest renderer with the mean. With few regions per renderer, the fullest region decides.",
         )
         .figure(imbalance(loads), balance(loads, frames))
         .paragraph(
-            "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. The more vectors there are, the less chance matters. Two effects remain: regions are dealt as a \
-             whole, and those at the border have fewer vectors.",
+            "In perfect balance P_w of V vectors is H_v V/B, which by the paper’s H_v is 1.63 V/B. Chance matters less with more vectors. Two effects remain: regions are assigned as a \
+             whole, and regions at the border have fewer vectors.",
         )
         .figure(crowded(loads), of_vectors(loads, frames))
 }
@@ -39,7 +39,7 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
 const SURFACES: [&str; 3] = ["teapot", "ter1k", "ter250"];
 const LINES: [&str; 3] = ["wireframe", "star", "vectors"];
 
-/// How near the worst of these scenes comes to the upper bound.
+/// The greatest load of these scenes, beside the upper bound.
 fn worst(loads: &Loads, names: &[&str]) -> String {
     let all = names.iter().filter_map(|name| loads.of(name));
     let worst = all.map(|load| load.worst(RENDERERS) as f64 / load.least(RENDERERS)).fold(0.0, f64::max);
@@ -50,7 +50,7 @@ fn worst(loads: &Loads, names: &[&str]) -> String {
     )
 }
 
-/// How well few and many renderers are balanced.
+/// The balance of few and of many renderers.
 fn imbalance(loads: &Loads) -> String {
     let most = tilewright_machines::pixel_planes::Config::MOST_RENDERERS;
     let worst = |b| short(loads.scenes.iter().map(|load| load.imbalance(b)).fold(0.0, f64::max));
@@ -61,7 +61,7 @@ fn imbalance(loads: &Loads) -> String {
     )
 }
 
-/// What chance adds to the load of the most vectors.
+/// The balance of the most vectors.
 fn crowded(loads: &Loads) -> String {
     let crowd = loads.crowds.last().expect("vectors are counted");
     let worst = crowd.worst.by_box as f64 * f64::from(RENDERERS) / crowd.vectors as f64;
@@ -77,7 +77,7 @@ const RENDERER_AXIS: &str = "renderers B";
 fn between_bounds(loads: &Loads, frames: &[Drawn], id: &str, names: &[&str]) -> Chart {
     let names: Vec<&str> = names.iter().copied().filter(|name| loads.of(name).is_some()).collect();
     let title = format!("The worst load between its bounds: {}", names.join(", "));
-    let chart = Chart::new(format!("load-{id}"), title, Axis::linear(RENDERER_AXIS), Axis::log("P_w in parts of P/B"));
+    let chart = Chart::new(format!("load-{id}"), title, Axis::linear(RENDERER_AXIS), Axis::log("P_w over P/B"));
     let regions = loads.regions.count();
     // In parts of P/B, whatever P is.
     let bound =
@@ -101,8 +101,8 @@ fn between_bounds(loads: &Loads, frames: &[Drawn], id: &str, names: &[&str]) -> 
 }
 
 fn balance(loads: &Loads, frames: &[Drawn]) -> Chart {
-    let axis = Axis::linear("worst load in parts of the mean");
-    let chart = Chart::new("balance", "The worst load in parts of the mean load", Axis::linear(RENDERER_AXIS), axis);
+    let axis = Axis::linear("worst load over the mean");
+    let chart = Chart::new("balance", "The worst load over the mean load", Axis::linear(RENDERER_AXIS), axis);
     let names: Vec<&str> = loads.scenes.iter().map(|load| load.name).collect();
     of_scenes(chart, loads, frames, &names, Load::imbalance, Drawn::imbalance)
 }
@@ -132,7 +132,7 @@ fn table(loads: &Loads, frames: &[Drawn]) -> Table {
     let columns = ["scene", "P", "in bins", "regions of one", "P/B", "P_w, plain count", "P_w, RTL", "P R/B"];
     let title = format!("Primitives and loads with {RENDERERS} renderers");
     let table = Table::new("loads", title, columns).note(
-        "The last two scenes are made to reach the bounds: a square in the middle of each region, and as many squares that cover the whole screen.",
+        "The last two scenes reach the bounds: one has a square in the middle of each region, the other the same number of squares that cover the whole screen.",
     );
     let drawn = |load: &Load| frames.iter().find(|it| it.load.name == load.name);
     let made = frames.iter().map(|it| &it.load).filter(|load| loads.of(load.name).is_none());
@@ -156,7 +156,7 @@ fn of_vectors(loads: &Loads, frames: &[Drawn]) -> Chart {
         "load-of-vectors",
         format!("The worst load of random vectors of 45 degrees, with {RENDERERS} renderers"),
         Axis::log("vectors V"),
-        Axis::linear("P_w in parts of V/B"),
+        Axis::linear("P_w over V/B"),
     )
     .note("Vectors of 50 pixels where regions have 128 a side.");
     let each = |number: u64, vectors: u64| number as f64 * f64::from(RENDERERS) / vectors as f64;
@@ -165,7 +165,7 @@ fn of_vectors(loads: &Loads, frames: &[Drawn]) -> Chart {
     let counted = |of: fn(&super::loads::Crowd) -> u64| {
         loads.crowds.iter().map(move |crowd| (crowd.vectors as f64, each(of(crowd), crowd.vectors))).collect::<Vec<_>>()
     };
-    // The length is as much of a region's side on all screens, so the formulas are, too.
+    // The length over a region's side is the same on all screens, and so are the formulas.
     let side = super::plan::SIDE;
     let chart = chart
         .series(Series::new("box", Origin::Formula, level(EXAMPLE.by_box(side))))

@@ -1,4 +1,4 @@
-//! How many primitives the renderer with the heaviest load has, P_w: counted for all numbers of renderers, without time.
+//! The primitives of the busiest renderer, P_w: counted for all numbers of renderers, without time.
 
 use super::plan::{Plan, RENDERERS};
 use super::scenes::{Subject, Which};
@@ -20,7 +20,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// Of a scene in regions, binned as the machine does it.
+    /// The bins of a scene, as the machine bins it.
     pub fn of(subject: &Subject, regions: &Regions) -> Load {
         let vertices = &subject.scene.vertices;
         let of_primitive = |vertices: &Vec<_>| regions.of(&Outline::of(vertices), Binner::Tight);
@@ -47,17 +47,17 @@ impl Load {
         self.bins.iter().sum()
     }
 
-    /// Regions of a primitive, on the mean.
+    /// Mean number of regions of a primitive.
     pub fn regions(&self) -> f64 {
         self.binned() as f64 / self.primitives as f64
     }
 
-    /// P_w of so many renderers, of which each has the next region when it has done with the primitives of the one before.
+    /// P_w of that number of renderers. Each gets the next region when it has drawn the primitives of the one before.
     pub fn worst(&self, renderers: u32) -> u64 {
         allocate(&self.bins, renderers as usize, |size| size).worst_load()
     }
 
-    /// P_w in parts of a renderer's mean load.
+    /// P_w over the mean load.
     pub fn imbalance(&self, renderers: u32) -> f64 {
         self.worst(renderers) as f64 * f64::from(renderers) / self.binned() as f64
     }
@@ -68,14 +68,14 @@ impl Load {
     }
 }
 
-/// Random vectors of the paper, so many.
+/// Random vectors of the paper.
 pub struct Crowd {
     pub vectors: u64,
     /// P_w of [`RENDERERS`] renderers.
     pub worst: Bins<u64>,
 }
 
-/// All that was counted.
+/// All counts.
 pub struct Loads {
     pub regions: Regions,
     pub scenes: Vec<Load>,
@@ -83,13 +83,13 @@ pub struct Loads {
     seed: u64,
 }
 
-/// All numbers of renderers that a machine may have.
+/// All possible numbers of renderers.
 pub fn renderers() -> impl Iterator<Item = u32> {
     1..=Config::MOST_RENDERERS
 }
 
 impl Loads {
-    /// Counts; `None` if it was interrupted.
+    /// Counts; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Loads>, Failure> {
         let regions = plan.regions();
         let load = |which: &Which| Ok::<Load, Failure>(Load::of(&which.subject(plan)?, &regions));
@@ -108,7 +108,7 @@ impl Loads {
         }))
     }
 
-    /// Of what is random.
+    /// The random vectors.
     pub fn origin(&self) -> Origin {
         Origin::count([self.seed])
     }

@@ -1,4 +1,4 @@
-//! The page of Pixel-planes 5: what its paper says of the performance of its renderers (facts A0, B).
+//! The page of Pixel-planes 5: what its paper states about the performance of its renderers (facts A0, B).
 
 mod bins;
 mod found;
@@ -25,7 +25,7 @@ const PRINTED: f64 = 1.63;
 /// Nanoseconds a vector of the paper's example, as they are printed.
 const UPDATE_TIME: f64 = 239.0;
 
-/// Measures and makes the page; `None` if it was interrupted.
+/// Measures and makes the page; `None` if interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     let plan = Plan { effort };
     let Some(found) = Found::all(&plan, watch)? else { return Ok(None) };
@@ -47,7 +47,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              estimates how many regions a primitive is in, and how many primitives the renderer with the heaviest load has. From both follows how long a frame takes.",
         )
         .paragraph(
-            "Here the estimates stand beside what was found. A plain count bins primitives and deals out regions, and knows no time. The transaction model has the clocks of renderers and ring \
+            "This page compares the estimates with three programs. A plain count bins primitives and assigns regions, without time. The transaction model has the clocks of renderers and ring \
              without their circuit. RTL is the circuit itself, simulated clock by clock, with all processors of all renderers. Where it runs, each of its handshakes is compared with the model’s. The \
              formulas are the paper’s, restored where the print is damaged.",
         )
@@ -57,8 +57,8 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(frames::section(&found.frames))
         .section(Section::new("Statements").part(statements::verdicts(&found).note(effort.note())))
         .section(
-            Section::new("Checks of what is measured")
-                .paragraph("The golden image is drawn by a plain rasterizer, which knows no regions.")
+            Section::new("Checks of the measurements")
+                .paragraph("The golden image is drawn by a plain rasterizer, without regions.")
                 .part(Verdicts::new("checks", "Checks").states(frames::checks(&found.frames))),
         );
     Ok(Some(page))

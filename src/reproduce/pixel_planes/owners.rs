@@ -1,4 +1,4 @@
-//! A frame with its regions: a tint and a number for the renderer that drew each.
+//! A frame with its regions: each has the tint and the number of the renderer that drew it.
 
 use tilewright_machines::pixel_planes::{Regions, Report};
 use tilewright_report::palette;
@@ -19,7 +19,7 @@ const DIGITS: [[u8; 5]; 10] = [
     [0b111, 0b101, 0b111, 0b001, 0b111],
 ];
 
-/// How much of a pixel's colour is the renderer's.
+/// The renderer's share of a pixel's colour.
 const TINT: f64 = 0.35;
 
 /// The frame, tinted, with borders of regions and the numbers of their renderers.
@@ -56,7 +56,7 @@ fn paint(picture: &mut Frame, pixels: PixelBox, with: impl Fn([u8; 3]) -> [u8; 3
     }
 }
 
-/// Writes a number into the upper left of a place, as far as it has room.
+/// Writes a number into the upper left of a place, as far as it fits.
 fn write(picture: &mut Frame, number: usize, square: u32, place: PixelBox, ink: [u8; 3]) {
     for (position, digit) in (0..).zip(number.to_string().bytes()) {
         for (row, bits) in (0..).zip(DIGITS[usize::from(digit - b'0')]) {
@@ -76,7 +76,7 @@ mod tests {
     use tilewright_machines::pixel_planes::{Config, Machine};
     use tilewright_scenes::{Scene, Size, project_polygons};
 
-    /// Each region has its renderer's colour along its border and nowhere another's; a region's middle shows the frame.
+    /// Each region has its renderer's colour along its border, and no other. Its middle shows the frame.
     #[test]
     fn regions_have_their_renderers_colours() -> Result<(), Box<dyn std::error::Error>> {
         let scene = Scene::builtin("star").ok_or("a built-in scene")?;

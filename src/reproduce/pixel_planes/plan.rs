@@ -1,4 +1,4 @@
-//! What is counted and drawn for the page, and how much of it: all that the figures need, or a quick look.
+//! What is counted and drawn for the page: everything that the figures need, or a quick look.
 
 use super::scenes::Which;
 use crate::reproduce::effort::Effort;
@@ -14,7 +14,7 @@ pub const SIDE: u32 = 128;
 pub const LENGTH: f64 = 50.0;
 pub const ANGLE: f64 = 45.0;
 
-/// Angles at which vectors are counted, up to 45 degrees: beyond, axes are swapped, which the others show.
+/// Angles at which vectors are counted, up to 45 degrees. Steeper vectors are the same with swapped axes.
 const ANGLES: [f64; 7] = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
 /// Their lengths.
 const LENGTHS: [f64; 10] = [5.0, 10.0, 25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0, 400.0];
@@ -23,9 +23,9 @@ pub const SIDES: [u32; 4] = [32, 64, 128, 256];
 /// Random vectors of each length and angle.
 const COUNTED: u64 = 300_000;
 
-/// Random vectors whose update time is measured, so many that the frame's own time, in which it is sent, counts little.
+/// Random vectors whose update time is measured. With this number the time to send the frame matters little.
 const TIMED: u64 = 100_000;
-/// Numbers of renderers with which it is.
+/// Numbers of renderers for which it is measured.
 const BY_RENDERERS: [u32; 11] = [1, 2, 4, 6, 8, 12, 16, 20, 24, 28, 32];
 
 /// A run of random vectors.
@@ -34,9 +34,9 @@ pub struct Spec {
     pub renderers: u32,
     pub side: u32,
     pub vectors: u64,
-    /// What the ring brings in Mbit/s.
+    /// Bandwidth of the ring in Mbit/s.
     pub ring: u32,
-    /// Whether the circuit runs, too.
+    /// Whether the circuit also runs.
     pub on_hardware: bool,
 }
 
@@ -46,8 +46,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The screen of all that is drawn, and of the loads that are counted: the paper's, or a quarter of it along both axes in regions that are
-    /// smaller likewise, so that it has as many.
+    /// The screen of all frames and loads: the paper's, or one with a quarter of its width and height. The regions are then smaller, too, and
+    /// their number is the same.
     pub fn regions(&self) -> Regions {
         match self.effort.is_quick() {
             false => Regions::paper(),
@@ -55,15 +55,15 @@ impl Plan {
         }
     }
 
-    /// By how much all lengths on that screen are smaller than the paper's.
+    /// The factor by which all lengths on that screen are smaller than the paper's.
     pub fn scale(&self) -> u32 {
         SIDE / self.regions().side()
     }
 
-    /// The paper's vectors all over that screen, as long in parts of a region.
+    /// The paper's vectors all over that screen, with the same length over a region's side.
     pub fn vectors(&self) -> Result<Vectors, ParameterError> {
         let regions = self.regions();
-        // Those at random places of smaller regions leave less of a border free.
+        // With smaller regions, random places leave a narrower border free.
         let fine = Regions::new(regions.size(), regions.side() / 4)?;
         Vectors::new(fine, LENGTH / f64::from(self.scale()), Some(ANGLE), self.effort.seed)
     }
@@ -74,8 +74,8 @@ impl Plan {
         Config { renderers: RENDERERS, side: regions.side(), ..Config::new(regions.size()) }
     }
 
-    /// The vectors whose regions are counted: at each angle also those as long along an axis as a region is; and the paper's, with regions
-    /// of all sides.
+    /// The vectors whose regions are counted. At each angle one length is that of a region along an axis. The paper's vectors are counted with
+    /// regions of all sides.
     pub fn studies(&self) -> Vec<Study> {
         let vectors = self.effort.at_most(COUNTED);
         let paper = || Study { vectors, ..Study::paper(self.effort.seed) };
@@ -98,7 +98,7 @@ impl Plan {
     /// Scenes whose loads are counted, for all numbers of renderers.
     pub fn scenes(&self) -> Vec<Which> {
         let names = ["teapot", "ter1k", "ter250", "wireframe", "star"].into_iter();
-        // Of a quick look's time the large one would take most.
+        // The large scene would take most of a quick look's time.
         let names = names.filter(|name| !self.effort.is_quick() || *name != "ter250");
         names.map(Which::BuiltIn).chain([Which::Vectors(self.drawn_vectors())]).collect()
     }
@@ -115,7 +115,7 @@ impl Plan {
         self.effort.at_most(4000)
     }
 
-    /// The runs of which the update time is measured: of the model, and of the circuit where it is said.
+    /// The runs whose update time is measured: on the model, and for some on the circuit.
     pub fn runs(&self) -> Vec<Spec> {
         let most = self.effort.at_most(TIMED);
         let rings = [Config::AMPLE_RING, Config::RING];
@@ -143,7 +143,7 @@ impl Plan {
         ample.iter().copied().chain(real).collect()
     }
 
-    /// Numbers of random vectors whose load is counted.
+    /// Numbers of random vectors for which the load is counted.
     pub fn crowds(&self) -> Vec<u64> {
         let decades = [100, 1000, 10_000].into_iter();
         let all = decades.flat_map(|decade| [decade, 2 * decade, 5 * decade]).chain([100_000]);
@@ -153,8 +153,8 @@ impl Plan {
     }
 }
 
-/// The length at which a vector of that angle is as long along its longer axis as a paper's region, if it may be that long here: there both of
-/// the paper's formulas meet (PP5-HV).
+/// The length at which a vector of that angle spans one of the paper's regions along its longer axis, if that length is allowed here. Both of the
+/// paper's formulas meet there (PP5-HV).
 pub fn meeting(angle: f64) -> Option<f64> {
     let (sine, cosine) = tilewright_scenes::angle::sin_cos(angle);
     Some(f64::from(SIDE) / sine.abs().max(cosine.abs())).filter(|length| !LENGTHS.contains(length))

@@ -1,4 +1,4 @@
-//! The scenes whose load is counted, and which the hardware draws: built-in ones, random vectors, and the two extremes of PP5-PW.
+//! The scenes that are counted and drawn: built-in scenes, random vectors, and the two extremes of PP5-PW.
 
 use super::plan::Plan;
 use crate::scene::polygons;
@@ -9,11 +9,11 @@ use tilewright_scenes::{Counts, Polygon, Polygons, Scene, ScreenVertex, Size, se
 
 /// A scene on the page's screen.
 pub struct Subject {
-    /// As texts have it, and as files have it.
+    /// Its name in texts, and its name in files.
     pub name: &'static str,
     pub scene: Polygons,
     pub background: [u8; 3],
-    /// What it follows from, if it is random.
+    /// Its seed, if it is random.
     pub seeds: Vec<u64>,
 }
 
@@ -21,11 +21,11 @@ pub struct Subject {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Which {
     BuiltIn(&'static str),
-    /// So many random vectors of 45 degrees.
+    /// That number of random vectors of 45 degrees.
     Vectors(u64),
-    /// In each region a square of its own: the least load.
+    /// A square in each region: the least load.
     OneEach,
-    /// As many squares as there are regions, each over the whole screen: the greatest load.
+    /// The same number of squares, each over the whole screen: the greatest load.
     WholeScreen,
 }
 
@@ -74,7 +74,7 @@ fn whole_screen(regions: &Regions) -> Polygons {
     squares(size, (0..regions.count()).map(|_| ([-10, -10], side)))
 }
 
-/// Squares by their upper left corners and sides in pixels, each nearer than the one before and of another grey.
+/// Squares with these upper left corners and sides in pixels. Each is nearer than the one before and has another grey.
 fn squares(size: Size, places: impl Iterator<Item = ([i32; 2], i32)>) -> Polygons {
     let one = |(number, ([x, y], side)): (u32, ([i32; 2], i32))| {
         let corners = [(0, 0), (side, 0), (side, side), (0, side)];

@@ -1,4 +1,4 @@
-//! What the paper states of its renderers, each with the rule by which it is judged.
+//! The paper's statements about its renderers, each with its rule.
 
 use super::bins::{self, Counted, EXAMPLE, named};
 use super::found::Found;
@@ -15,7 +15,7 @@ use tilewright_machines::pixel_planes::{
 };
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
-/// All statements, in the order of the paper.
+/// All statements, in the paper's sequence.
 pub fn verdicts(found: &Found) -> Verdicts {
     let Found { counted, loads, frames, times, .. } = found;
     let statements = [
@@ -27,13 +27,12 @@ pub fn verdicts(found: &Found) -> Verdicts {
         in_balance(counted, loads),
         update_times(times),
     ];
-    Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
-        .states(statements.into_iter().flatten())
+    Verdicts::new("statements", "Statements of the paper, each with its rule").states(statements.into_iter().flatten())
 }
 
 const WITHIN: Rule = Rule::Within { percent: 0.5 };
 
-/// Scenes that nobody made for their load.
+/// The scenes that were not made for their load.
 fn natural<'a>(frames: &'a [Drawn], loads: &'a Loads) -> impl Iterator<Item = &'a Drawn> {
     frames.iter().filter(|drawn| loads.of(drawn.load.name).is_some())
 }
@@ -56,7 +55,7 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
             .found(Origin::count([]), of_surfaces(|load| load.in_one as f64 / load.primitives as f64)),
         Statement::new(
             "PP5-ARCH",
-            "Renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
+            "Renderers have hardly more work than a processor for each pixel of the screen, which processes each polygon once.",
             Rule::Within { percent: 25.0 },
         )
         .unit("times each polygon")
@@ -65,10 +64,10 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
         .because(LARGE),
         Statement::new(
             "PP5-ARCH",
-            format!("Regions are given to renderers so that these process nearly equal numbers of primitives: {RENDERERS} renderers that wait for nothing."),
+            format!("Regions are assigned so that renderers process nearly equal numbers of primitives: {RENDERERS} renderers that never wait."),
             Rule::Within { percent: 10.0 },
         )
-        .unit("worst load, in parts of the mean")
+        .unit("worst load over the mean")
         .paper([1.0])
         .found(loads.origin(), loads.scenes.iter().map(|load| (load.name, load.imbalance(RENDERERS))))
         .because(FULLEST),
@@ -77,7 +76,7 @@ fn regions(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
             format!("Renderers process nearly equal numbers of primitives: frames of the circuit, with a ring of {}.", ring_in_words()),
             Rule::Within { percent: 10.0 },
         )
-        .unit("worst load, in parts of the mean")
+        .unit("worst load over the mean")
         .paper([1.0])
         .found(Origin::rtl(seeds(frames)), natural(frames, loads).map(|drawn| (drawn.load.name, drawn.imbalance())))
         .because(SENDING),
@@ -129,7 +128,7 @@ fn bounds(loads: &Loads, frames: &[Drawn]) -> Vec<Statement> {
     ]
 }
 
-/// PP5-PW: its limits are reached, and which of them holds if B does not divide R.
+/// PP5-PW: its limits are reached, and which of them is true if B does not divide R.
 fn extremes(frames: &[Drawn]) -> Vec<Statement> {
     let of = |name: &'static str| frames.iter().find(move |drawn| drawn.load.name == name);
     let (Some(least), Some(greatest)) = (of("one-each"), of("whole-screen")) else { return vec![] };
@@ -208,7 +207,7 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
         of_formula(0, "A vector’s bounding box meets (1 + L cos θ/S)(1 + L sin θ/S) regions, restored from the numbers printed.", "PP5-HVB"),
         Statement::new(
             "PP5-HV",
-            "By bounding boxes long vectors are processed by many regions unnecessarily, the more of them, the longer they are: 45 degrees.",
+            "With bounding boxes many regions process a long vector unnecessarily, and more regions a longer one: 45 degrees.",
             Rule::Increases { with: "L".to_owned() },
         )
         .unit("times the regions that they meet")
@@ -216,7 +215,7 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
             counted.origin(),
             all(&|shape| shape.angle == EXAMPLE.angle && shape.length > f64::from(SIDE), &|point| by_box(point) / point.counted.tight.mean),
         ),
-        Statement::new("PP5-HV", "Binned more cleverly, a vector is in at most two regions of any column.", Rule::AtMost)
+        Statement::new("PP5-HV", "With cleverer binning a vector is in at most two regions of any column.", Rule::AtMost)
             .unit("regions of a column")
             .paper([2.0])
             .found(counted.origin(), [counted.most_in_a_column as f64]),
@@ -227,7 +226,7 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
             .found(counted.origin(), all(&is_long, &|point| by_columns(point) / by_box(point))),
         Statement::new(
             "PP5-HV",
-            "The formula is pessimistic for short vectors, where L sin θ/S < tan θ: their boxes meet fewer regions than it says.",
+            "The formula is pessimistic for short vectors, where L sin θ/S < tan θ: their boxes meet fewer regions.",
             Rule::AtLeast,
         )
         .unit("times those of the box")
@@ -247,7 +246,7 @@ fn of_vectors(counted: &Counted) -> Vec<Statement> {
             .found(counted.origin(), all(&is_along_an_axis, &by_columns)),
         Statement::new(
             "PP5-HV",
-            "Binned by itself, a vector is in no more regions than by either.",
+            "Binned by itself, a vector is in no more regions than by its box or by columns.",
             Rule::AtMost,
         )
         .unit("times the less of both")
@@ -341,6 +340,6 @@ fn update_times(times: &Times) -> Vec<Statement> {
             .unit("ns a vector")
             .paper([UPDATE_TIME])
             .found(times.model(), [usual.per_vector(&usual.model)])
-            .cannot_be_compared("the text does not say of how many bits the words of its vectors are"),
+            .cannot_be_compared("the text does not say how many bits the words of its vectors have"),
     ]
 }

@@ -1,4 +1,4 @@
-//! The update time of random vectors: against renderers, regions and vectors, and what the ring has to do with it.
+//! The update time of random vectors by renderers, regions and vectors, and the influence of the ring.
 
 use super::bins::EXAMPLE;
 use super::plan::{Plan, RENDERERS, Spec};
@@ -12,33 +12,33 @@ pub fn section(plan: &Plan, times: &Times, table: &Table) -> Section {
     let charts = Charts { plan, times };
     Section::new("Update time")
         .paragraph(
-            "By the paper a frame takes N P_w T: N clocks of 25 ns for each of the P_w primitives of the busiest renderer. Its 239 ns a vector make N = 94. It does not say how many bits the edges, \
-             depth and colour of its vectors had. The table has N of the programs here. The figures are of random vectors in one colour whose depth is compared, so that the nearest stays.",
+            "By the paper a frame takes N P_w T: N clocks of 25 ns for each of the P_w primitives of the busiest renderer. Its 239 ns a vector mean N = 94. It does not say how many bits the edges, \
+             depth and colour of its vectors had. The table has N of the programs here. The figures show random vectors in one colour with a depth test, so that the nearest stays.",
         )
         .part(cycles(table))
         .paragraph(format!(
             "The line of N = 94 is the paper’s, with its H_v. The other lines have N of our program and bins of the vectors themselves. With an ample ring instructions come in time, so the line is N \
-             P_w T in perfect balance. A ring of {} has to bring {} bits for each instruction, and all pixels of finished regions, a line of one bit a clock; where that takes longer than drawing, it \
-             is the line. Hollow marks are the transaction model’s clocks until the last vector is drawn, filled marks the circuit’s.",
+             P_w T in perfect balance. A ring of {} has to bring {} bits for each instruction, and all pixels of finished regions, a line of one bit a clock. Where that takes longer than drawing, the \
+             line shows the ring. Hollow marks are the transaction model’s clocks until the last vector is drawn; filled marks are the circuit’s.",
             ring_in_words(),
             tilewright_rtl::pixel_planes::ring::Ring::INSTRUCTION
         ))
         .figure(charts.by_ring(), charts.against(&BY_RENDERERS))
         .figure(charts.best_side(), charts.against(&BY_SIDE))
         .paragraph(
-            "A frame takes time of its own, which the formula leaves out: every region is cleared, saved and sent, even if nothing is drawn in it. With few vectors that is most of the frame. With \
-             many renderers, or small regions, renderers also wait until what they drew before is sent.",
+            "The formula leaves out a fixed time of each frame: every region is cleared, saved and sent, even an empty one. With few vectors that is most of the frame. With \
+             many renderers, or small regions, renderers also wait until their last region is sent.",
         )
         .figure(charts.few_and_many(), charts.against(&BY_VECTORS))
         .paragraph(format!(
-            "The formula assumes that renderers never wait for primitives. With many renderers and the ring of {} they do. “Waiting” is the part of their clocks in which they could have begun an \
-             instruction that had not come; “ring” is how much of its capacity the ring uses.",
+            "The formula assumes that renderers never wait for primitives. With many renderers and the ring of {} they do. “Waiting” is the share of their clocks in which they could have begun an \
+             instruction that had not arrived; “ring” is the share of the ring’s capacity that is used.",
             ring_in_words()
         ))
         .figure(charts.starved(), charts.waiting())
 }
 
-/// What the ring brings, if nobody says otherwise.
+/// The usual bandwidth of the ring.
 pub fn ring_in_words() -> String {
     format!("{} Gbit/s", f64::from(Config::RING) / 1000.0)
 }
@@ -47,7 +47,7 @@ pub fn ring_in_words() -> String {
 fn cycles(table: &Table) -> tilewright_report::Table {
     let columns = ["program", "primitives", "edges", "one at a time, worst", "mean", "side by side, worst", "mean "];
     let note = format!(
-        "Clocks of a primitive, with regions of 128x128: of the worst there is, and on the mean over random vectors of 50 pixels, or over the teapot’s triangles. The paper’s \
+        "Clocks per primitive, with regions of 128x128. “Worst” is that of the worst possible primitive; “mean” is over random vectors of 50 pixels, or over the teapot’s triangles. The paper’s \
          239 ns a vector are {VECTOR_CYCLES} clocks."
     );
     let empty = tilewright_report::Table::new("cycles", "N of each program", columns).note(note);
@@ -61,16 +61,16 @@ fn cycles(table: &Table) -> tilewright_report::Table {
     })
 }
 
-/// A figure: what is along its axis, and what is measured.
+/// A figure: its axis and its runs.
 struct Figure {
     id: &'static str,
     title: &'static str,
     x: fn() -> Axis,
     y: fn() -> Axis,
-    /// Whether a run belongs to it, of the usual ones.
+    /// Whether one of the usual runs belongs to it.
     is_of: fn(&Spec, &Spec) -> bool,
     at: fn(&Spec) -> f64,
-    /// Its unit, of nanoseconds a frame.
+    /// Its unit, in nanoseconds of a frame.
     of: fn(&Spec, f64) -> f64,
 }
 
@@ -121,7 +121,7 @@ impl Charts<'_> {
         runs
     }
 
-    /// What a vector takes with either ring.
+    /// The time of a vector with either ring.
     fn by_ring(&self) -> String {
         let [ample, real] = [Config::AMPLE_RING, Config::RING].map(|ring| {
             let run = self.times.usual(ring);
@@ -133,7 +133,7 @@ impl Charts<'_> {
         )
     }
 
-    /// The regions with which vectors are drawn fastest.
+    /// The side of regions with which vectors are fastest.
     fn best_side(&self) -> String {
         let runs = self.runs(&BY_SIDE, Config::AMPLE_RING);
         let time = |run: &Run| run.per_vector(&run.model);
@@ -145,7 +145,7 @@ impl Charts<'_> {
         )
     }
 
-    /// What a frame takes by itself.
+    /// The fixed time of a frame.
     fn few_and_many(&self) -> String {
         let runs = self.runs(&BY_VECTORS, Config::AMPLE_RING);
         let of = |run: &Run| [run.spec.vectors as f64, run.model.drawn as f64 * PERIOD / 1e6].map(short);
@@ -154,10 +154,10 @@ impl Charts<'_> {
             return format!("A frame of {vectors} vectors takes {time} ms.");
         }
         let [[few, least], [many, most]] = [runs[0], runs[runs.len() - 1]].map(of);
-        format!("A frame takes time of its own: {few} vectors take {least} ms, and {many} take {most} ms.")
+        format!("A frame has a fixed time: {few} vectors take {least} ms, and {many} take {most} ms.")
     }
 
-    /// How much the most renderers wait.
+    /// The waiting of the most renderers.
     fn starved(&self) -> String {
         let runs = self.runs(&BY_RENDERERS, Config::RING);
         let run = runs[runs.len() - 1];
@@ -168,7 +168,7 @@ impl Charts<'_> {
     fn against(&self, figure: &Figure) -> Chart {
         let usual = self.times.usual(Config::AMPLE_RING).spec;
         let chart = Chart::new(figure.id, figure.title, (figure.x)(), (figure.y)()).note(format!(
-            "{RENDERERS} renderers, regions of {side}x{side} and {} vectors of {} pixels at 45 degrees, where nothing else is said.",
+            "{RENDERERS} renderers, regions of {side}x{side} and {} vectors of {} pixels at 45 degrees, unless stated otherwise.",
             usual.vectors,
             EXAMPLE.length / f64::from(self.plan.scale()),
             side = usual.side
@@ -199,7 +199,7 @@ impl Charts<'_> {
         ((figure.at)(&run.spec), (figure.of)(&run.spec, time))
     }
 
-    /// The vectors' shape, of a screen on which all is as long as on the paper's.
+    /// The vectors' shape on the paper's screen.
     fn side(&self, spec: &Spec) -> u32 {
         spec.side * self.plan.scale()
     }
@@ -209,8 +209,8 @@ impl Charts<'_> {
         self.balanced(spec, VECTOR_CYCLES as f64, Shape::by_box)
     }
 
-    /// N P_w T in perfect balance; or, if that is more, what the ring takes for what it has to bring before the last regions are drawn: all but
-    /// the planes of these.
+    /// N P_w T in perfect balance, or the time of the ring if that is longer. The ring has to bring all instructions and all planes but those of
+    /// the last regions.
     fn by_formula(&self, run: &Run) -> f64 {
         let Spec { renderers, side, ring, .. } = run.spec;
         let Took { bits, planes, .. } = run.model;

@@ -8,12 +8,12 @@ use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 use tilewright_scenes::Polygons;
 
-/// A run and what it took.
+/// A run and its times.
 pub struct Run {
     pub spec: Spec,
-    /// Clocks of a vector, N, on the mean.
+    /// Mean clocks of a vector, N.
     pub cycles: f64,
-    /// Vectors of the renderer with the most of them, P_w.
+    /// Vectors of the busiest renderer, P_w.
     pub worst: u64,
     /// The screen's regions, R.
     pub regions: usize,
@@ -21,19 +21,19 @@ pub struct Run {
     pub hardware: Option<Took>,
 }
 
-/// What a run took in clocks.
+/// The clocks of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Took {
     /// Until the last vector is drawn.
     pub drawn: u64,
     /// Until the last region is sent.
     pub sent: u64,
-    /// In which a renderer could have taken an instruction that had not come: in parts of those in which it had a region.
+    /// The share in which a renderer could have taken an instruction that had not arrived, of the clocks in which it had a region.
     pub starved: f64,
-    /// Bits that the ring brought, and lines of regions, which go one a clock.
+    /// Bits that the ring brought, and lines of regions, which take one clock each.
     pub bits: u64,
     pub planes: u64,
-    /// Bits that the ring brought in parts of those that it could have brought.
+    /// Bits that the ring brought, over its capacity.
     pub load: f64,
 }
 
@@ -44,7 +44,7 @@ pub struct Times {
 }
 
 impl Times {
-    /// Runs; `None` if it was interrupted.
+    /// Runs; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Times>, Failure> {
         let specs = plan.runs();
         let mut scenes: Vec<Spec> = Vec::new();
@@ -68,13 +68,13 @@ impl Times {
         Ok(Some(Times { runs, seed: plan.effort.seed }))
     }
 
-    /// The run of the paper's example with that ring: the first, as most others differ from it in one thing.
+    /// The run of the paper's example with that ring. It is the first; most others differ from it in one parameter.
     pub fn usual(&self, ring: u32) -> &Run {
         let is_it = |run: &&Run| run.spec.ring == ring && run.spec.renderers == RENDERERS;
         self.runs.iter().find(is_it).expect("there is one with each ring")
     }
 
-    /// The runs with that ring that differ from the usual one in renderers alone, by these.
+    /// The runs with that ring that differ from the usual one in the number of renderers alone, by that number.
     pub fn by_renderers(&self, ring: u32) -> Vec<&Run> {
         let usual = self.usual(ring).spec;
         let is_of =
@@ -122,7 +122,7 @@ fn on_hardware(spec: Spec, plan: &Plan, watch: &mut Watch) -> Result<Took, Failu
 }
 
 impl Spec {
-    /// Whether the same is to be drawn in the same regions.
+    /// Whether the two runs draw the same scene in the same regions.
     fn draws_as(&self, other: &Spec) -> bool {
         (self.side, self.vectors) == (other.side, other.vectors)
     }

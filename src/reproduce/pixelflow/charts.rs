@@ -16,9 +16,9 @@ fn primitives() -> Axis {
 pub fn latencies(found: &Found) -> Section {
     Section::new("Latency")
         .paragraph(
-            "One of the twenty nodes holds the frame, one or four shade, and the others rasterize. The number behind a system is that of its shaders; the non-texturing system needs none. The screen \
+            "One of the twenty nodes has the frame buffer, one or four shade, and the others rasterize. The number behind a system is that of its shaders; the non-texturing system needs none. The screen \
              of 640x512 pixels has 40 regions, and primitives are 10 pixels wide and high. Lines are the paper’s formulas with its constants. Hollow marks are the transaction model with random \
-             boxes, dealt to the rasterizers in turn, so that no load is balanced perfectly.",
+             boxes. The boxes are assigned to the rasterizers one after another, so that no load is balanced perfectly.",
         )
         .paragraph(
             "With eight samples the array has four of a pixel side by side, so a region has 64x32 pixels. There are 160 regions, and all are drawn twice. The formulas still compose and shade 40 \
@@ -40,7 +40,7 @@ pub fn latencies(found: &Found) -> Section {
         .part(within(found))
 }
 
-/// What the systems draw within the shortest of the goal's latencies; in a quick look, what the least frame takes.
+/// The primitives that the systems draw within the shortest latency of the goal; in a quick look, the time of the least frame.
 fn claim(found: &Found, samples: Samples, shades: Shades) -> String {
     let curve = |system, shaders| found.curve(Plan::case(system, shaders, samples, shades));
     let [base, sorted, plain] =
@@ -78,8 +78,9 @@ fn within(found: &Found) -> Table {
     let latencies =
         LATENCIES.iter().flat_map(|latency| [format!("{latency} ms, formula"), format!("{latency} ms, model")]);
     let columns = ["system".to_owned(), "samples".to_owned()].into_iter().chain(latencies);
-    let table = Table::new("primitives", "Primitives of a frame within a latency", columns)
-        .note("A dash: the least frame takes longer, or more primitives would be needed than were tried.");
+    let table = Table::new("primitives", "Primitives of a frame within a latency", columns).note(
+        "A dash means that the least frame takes longer, or that more primitives would be needed than were tried.",
+    );
     found.curves.iter().fold(table, |table, curve| {
         let Curve { case, within, .. } = curve;
         let counts = LATENCIES.iter().zip(within).flat_map(|(latency, model)| {
@@ -95,11 +96,11 @@ fn in_words(case: &Case) -> &'static str {
     match (case.samples, case.choices.shades) {
         (Samples::One, _) => "one",
         (_, Shades::OncePerPixel) => "eight, shaded once",
-        (_, Shades::EverySample) => "eight, every one shaded",
+        (_, Shades::EverySample) => "eight, each one shaded",
     }
 }
 
-/// What a stage takes.
+/// The time of a stage.
 type Stage = fn(&Times) -> f64;
 
 /// The stages of a frame.
@@ -115,8 +116,8 @@ const STAGES: [(&str, Stage); 6] = [
 /// Where the time goes.
 pub fn stages(found: &Found) -> Section {
     let section = Section::new("Where the time goes").paragraph(
-        "These are the times for which each stage was busy in the model; of several nodes, the one with the most work. In a system that sorts, latency is the time of the front end and of the \
-             slowest stage behind it, and the time that fills the pipe. The non-texturing system’s front end works while it rasterizes.",
+        "These are the times in which each stage was busy in the model; of several nodes, that of the busiest. In a system that sorts, latency is the sum of three times: that of the front end, that of the \
+             slowest stage behind it, and that to fill the pipe. The non-texturing system’s front end works while it rasterizes.",
     );
     let of = |system, shaders, samples| Plan::case(system, shaders, samples, Shades::OncePerPixel);
     [
@@ -129,7 +130,7 @@ pub fn stages(found: &Found) -> Section {
     .fold(section, |section, (id, case)| section.figure(slowest(found, case), busy(found, id, case)))
 }
 
-/// The stage that takes longest of the most primitives.
+/// The slowest stage with the most primitives.
 fn slowest(found: &Found, case: Case) -> String {
     let last = found.curve(case).points.last().expect("there are points");
     let times = STAGES.map(|(name, of)| (name, of(&last.found.busy)));
@@ -164,7 +165,7 @@ fn busy(found: &Found, id: &str, case: Case) -> Chart {
 pub fn pre_sorting(found: &Found) -> Section {
     let chart = Chart::new(
         "pre-sorting",
-        "What pre-sorting gains at 35 ms, with one shader",
+        "The gain of pre-sorting at 35 ms, with one shader",
         Axis::linear("µs to rasterize a primitive in a region"),
         Axis::linear("times the primitives of the base system"),
     )
@@ -190,7 +191,7 @@ pub fn pre_sorting(found: &Found) -> Section {
         .fold(chart, |chart, (samples, name)| chart.series(Series::new(name, found.origin(), of_circuit(samples))));
     Section::new("Does pre-sorting pay?")
         .paragraph(
-            "The paper finds that sorting primitives in a pass of their own gains 10 to 15 % between 30 and 40 ms, and nothing without antialiasing. That does not follow from its constants. At a \
+            "The paper finds that a separate pass for sorting gains 10 to 15 % between 30 and 40 ms, and nothing without antialiasing. That does not follow from its constants. At a \
              fixed latency a primitive takes 1.85 µs and its rasterization. With pre-sorting it takes 0.74 µs, and 1.45 µs or its rasterization, whichever is longer. So the gain is greatest where \
              the second pass and rasterization take equally long. Without antialiasing it is 10 to 15 % only if a primitive is rasterized in 0.45 to 0.55 µs, faster than in the paper. With eight \
              samples rasterization would have to take longer than was tried here.",
@@ -200,7 +201,7 @@ pub fn pre_sorting(found: &Found) -> Section {
         .part(gains_of_circuit(found))
 }
 
-/// What pre-sorting gains with the paper's own time of a primitive.
+/// The gain of pre-sorting with the paper's own time of a primitive.
 fn gained(found: &Found) -> String {
     let of = |samples| {
         let gain = found.gains.iter().find(|it| it.of.samples == samples && it.of.rasterizes == PAPERS_TIME);
@@ -208,14 +209,14 @@ fn gained(found: &Found) -> String {
     };
     let (one, eight) = (of(Samples::One), of(EIGHT));
     format!(
-        "By its own constants the paper’s pre-sorting gains {one} with one sample and {eight} with eight, not nothing and 10 to 15\u{a0}%."
+        "By its own constants the paper’s pre-sorting gains {one} with one sample and {eight} with eight. The paper states no gain, and 10 to 15\u{a0}%."
     )
 }
 
 /// Microseconds to rasterize a primitive in the paper (PFL-TRAST).
 const PAPERS_TIME: f64 = 0.83;
 
-/// Whether it pays for the circuit.
+/// The gain in the circuit.
 fn answer(found: &Found) -> String {
     let gains = |samples| {
         let all = found.gains_of_circuit.iter().filter(move |gain| gain.of.samples == samples);
@@ -228,18 +229,18 @@ fn answer(found: &Found) -> String {
         }
     };
     format!(
-        "In our circuit a triangle takes less time than in the paper, loads are not balanced, and each composition is set up, which the paper leaves out. There pre-sorting gains {} at 30 to 40 \
+        "Our circuit differs in three ways. A triangle takes less time than in the paper, loads are not balanced, and each composition has a set-up, which the paper leaves out. So pre-sorting gains {} at 30 to 40 \
              ms without antialiasing, and {} with eight samples.",
         gains(Samples::One),
         gains(EIGHT)
     )
 }
 
-/// What pre-sorting gains with the circuit's own times.
+/// The gain of pre-sorting with the circuit's own times.
 fn gains_of_circuit(found: &Found) -> Table {
     let columns = ["samples", "µs a primitive", "µs to set up", "latency, ms", "formula", "model"];
-    let table = Table::new("pre-sorting-circuit", "What pre-sorting gains with the circuit’s time of a triangle, with one shader", columns)
-        .note("Times the primitives of the base system. The time of a triangle is what more of them took more in the circuit’s frames, below; the formula has no set-up.");
+    let table = Table::new("pre-sorting-circuit", "The gain of pre-sorting with the circuit’s time of a triangle, with one shader", columns)
+        .note("The gain is the number of primitives over that of the base system. The time of a triangle is the extra time of additional triangles in the circuit’s frames, below. The formula has no set-up.");
     found.gains_of_circuit.iter().fold(table, |table, Gain { of, formula, model }| {
         let samples = if of.samples == Samples::One { "one" } else { "eight, shaded once" };
         let numbers = [of.rasterizes, of.set_up, of.latency, *formula].map(Cell::Number);

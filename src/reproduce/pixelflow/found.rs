@@ -1,4 +1,4 @@
-//! What was found in the model: latencies of so many primitives, and primitives of so much latency.
+//! Results of the model: latency by primitives, and primitives by latency.
 
 use super::frames::{Drawn, measured};
 use super::plan::{Case, EIGHT, GOAL, LATENCIES, Plan};
@@ -14,26 +14,26 @@ use tilewright_rtl::pixelflow::array::PixelArray;
 /// Boxes that are binned to count their regions.
 const COUNTED: u64 = 300_000;
 
-/// All that the page is made of.
+/// All results of the page.
 pub struct Found {
     pub curves: Vec<Curve>,
-    /// What pre-sorting gains, by the time of a primitive; and with the time that it takes in the circuit.
+    /// The gain of pre-sorting by the time of a primitive, and with its time in the circuit.
     pub gains: Vec<Gain>,
     pub gains_of_circuit: Vec<Gain>,
-    /// Regions that a box is in, with one sample and with eight.
+    /// Regions of a box, with one sample and with eight.
     overlaps: [f64; 2],
-    /// What the circuit's network takes.
+    /// The times of the circuit's network.
     pub composed: Vec<Composed>,
-    /// What the circuit drew.
+    /// The frames of the circuit.
     pub frames: Vec<Drawn>,
     seed: u64,
 }
 
-/// Words of each pixel of a region, one behind the other, on a network of 20 nodes.
+/// The words of each pixel of a region, one after another, on a network of 20 nodes.
 pub struct Composed {
     pub words: u32,
     pub bytes: u32,
-    /// Of 5 ns.
+    /// In ticks of 5 ns.
     pub ticks: Ticks,
 }
 
@@ -41,7 +41,7 @@ pub struct Composed {
 pub struct Curve {
     pub case: Case,
     pub points: Vec<Point>,
-    /// The primitives of a frame of each of [`LATENCIES`]; none if it takes more than are tried, or the least frame takes longer.
+    /// The primitives of a frame for each of [`LATENCIES`]; `None` if more would be needed than are tried, or the least frame takes longer.
     pub within: Vec<Option<u64>>,
 }
 
@@ -51,28 +51,28 @@ pub struct Point {
     pub found: Simulated,
 }
 
-/// What is asked of pre-sorting.
+/// The case for which the gain of pre-sorting is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
     pub samples: Samples,
-    /// What a primitive takes in a region, in microseconds.
+    /// The time of a primitive in a region, in microseconds.
     pub rasterizes: f64,
     /// The latency in milliseconds.
     pub latency: f64,
-    /// What is set up before a composition, in microseconds.
+    /// The set-up before a composition, in microseconds.
     pub set_up: f64,
 }
 
-/// Primitives within a latency, with pre-sorting in parts of those without.
+/// Primitives within a latency, with pre-sorting over those without.
 pub struct Gain {
     pub of: Question,
-    /// It knows no set-up.
+    /// Without set-up.
     pub formula: f64,
     pub model: Option<f64>,
 }
 
 impl Found {
-    /// Lets all of it run; `None` if it was interrupted.
+    /// Runs everything; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Found>, Failure> {
         let composed = Composed::ALL.map(Composed::of).into_iter().collect::<Result<_, _>>()?;
         let frames = Drawn::all(plan, watch)?;
@@ -92,7 +92,7 @@ impl Found {
         Ok(Some(Found { curves, gains, gains_of_circuit, composed, overlaps: [one?, eight?], frames, seed }))
     }
 
-    /// Regions that a box is in, counted.
+    /// Counted regions of a box.
     pub fn overlap(&self, samples: Samples) -> f64 {
         self.overlaps[usize::from(samples != Samples::One)]
     }
@@ -149,7 +149,7 @@ impl Curve {
     }
 }
 
-/// The most primitives of a frame that takes no longer, to 1 in 500; none if it takes more than are tried, or the least frame takes longer.
+/// The most primitives of a frame within that latency, to 1 in 500; `None` if more would be needed than are tried, or the least frame takes longer.
 fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result<Option<u64>, ParameterError> {
     let is_within = |primitives| {
         case.simulate(software, primitives, plan.effort.seed).map(|simulated| simulated.latency <= latency)
@@ -158,7 +158,7 @@ fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result
         return Ok(None);
     }
     let (mut low, mut high) = (0, plan.most());
-    // The formula is near.
+    // The formula is a good first guess.
     let guess = case.formula_of_all().primitives_within(latency) as u64;
     for probe in [guess * 9 / 10, guess * 11 / 10] {
         if low < probe && probe < high {
@@ -176,14 +176,14 @@ fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result
 const SAMPLES: [Samples; 2] = [Samples::One, EIGHT];
 
 impl Question {
-    /// At 35 ms, by what a primitive takes.
+    /// At 35 ms, by the time of a primitive.
     fn by_time() -> Vec<Question> {
         let times = [0.4, 0.5, 0.6, 0.7, 0.83, 1.0, 1.2, 1.6];
         let of = |samples| times.map(|rasterizes| Question { samples, rasterizes, latency: 35.0, set_up: 0.0 });
         SAMPLES.into_iter().flat_map(of).collect()
     }
 
-    /// At the goal's latencies, with what a primitive takes in the circuit, if that was measured; the paper leaves out what is set up.
+    /// At the goal's latencies, with the time of a primitive in the circuit, if that was measured. The paper leaves out the set-up.
     fn of_circuit(rasterizes: Option<f64>) -> Vec<Question> {
         let Some(rasterizes) = rasterizes else { return Vec::new() };
         let set_ups = [0.0, 1.0, 10.0].into_iter();

@@ -1,4 +1,4 @@
-//! Frames that the hardware has drawn: pictures, what each stage took, and random triangles by the thousand.
+//! Frames that the hardware has drawn: pictures, the time of each stage, and thousands of random triangles.
 
 use super::plan::Plan;
 use crate::golden;
@@ -16,9 +16,9 @@ use tilewright_scenes::{Frame, Polygons, Scene, compare, project_polygons};
 /// What is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Which {
-    /// With so many samples a pixel, one or eight.
+    /// A built-in scene with one or eight samples a pixel.
     BuiltIn(&'static str, u32),
-    /// So many random triangles in boxes of 10 x 10 pixels.
+    /// That number of random triangles in boxes of 10 x 10 pixels.
     Triangles(u64),
 }
 
@@ -27,9 +27,9 @@ pub enum Which {
 pub struct Spec {
     pub which: Which,
     pub system: System,
-    /// None of the non-texturing system.
+    /// The shaders; 0 for the non-texturing system.
     pub shaders: u32,
-    /// On half of the nodes, for one of two eyes.
+    /// Whether it has half of the nodes, for one of two eyes.
     pub is_half: bool,
 }
 
@@ -38,7 +38,7 @@ pub struct Drawn {
     pub spec: Spec,
     pub report: Report,
     frame: Frame,
-    /// Pixels that are not those of the golden image.
+    /// Pixels that differ from the golden image.
     differing: u64,
 }
 
@@ -75,7 +75,7 @@ impl Spec {
         })
     }
 
-    /// The system and its shaders, as other figures have it.
+    /// The system and its shaders, as in other figures.
     pub fn name(&self) -> &'static str {
         Plan::case(self.system, self.shaders, Samples::One, Shades::EverySample).name()
     }
@@ -133,25 +133,25 @@ impl Drawn {
         Ok(Drawn { spec, report, frame, differing })
     }
 
-    /// Clocks in which a rasterizer has something to do, of all.
+    /// The share of clocks in which a rasterizer works.
     fn rasterizing(&self) -> u64 {
         self.report.rasterizers.iter().map(|node| node.busy).sum()
     }
 
-    /// The paper's formula for as many regions of a primitive.
+    /// The paper's formula for the same number of regions per primitive.
     pub fn software(&self) -> Software {
         let case = Plan::case(self.spec.system, self.spec.shaders, Samples::One, Shades::EverySample);
         let overlap = self.report.drawn as f64 / (self.report.primitives as f64).max(1.0);
         Software { overlap, ..case.formula() }
     }
 
-    /// Its milliseconds for as many primitives.
+    /// Its milliseconds for the same number of primitives.
     fn formula(&self) -> f64 {
         self.software().latency(self.report.primitives as f64)
     }
 }
 
-/// The frames of random triangles by the system of a frame, on as many nodes; each with its thousands of triangles.
+/// The frames of random triangles on the same system and the same number of nodes, each with its thousands of triangles.
 pub fn of_triangles(frames: &[Drawn], spec: Spec) -> impl Iterator<Item = (f64, &Drawn)> {
     frames.iter().filter_map(move |it| match it.spec.which {
         Which::Triangles(count) if it.spec == (Spec { which: it.spec.which, ..spec }) => {
@@ -161,7 +161,7 @@ pub fn of_triangles(frames: &[Drawn], spec: Spec) -> impl Iterator<Item = (f64, 
     })
 }
 
-/// What a triangle takes in a region, in microseconds: by what more triangles take more of the base system's arrays; none if they were not drawn.
+/// The time of a triangle in a region, in microseconds: the extra time of the base system's arrays for additional triangles; `None` if they were not drawn.
 pub fn measured(frames: &[Drawn], system: System) -> Option<f64> {
     let is_of = |spec: &Spec| spec.system == system && !spec.is_half && matches!(spec.which, Which::Triangles(_));
     let mut of = frames.iter().filter(|it| is_of(&it.spec));
@@ -172,7 +172,7 @@ pub fn measured(frames: &[Drawn], system: System) -> Option<f64> {
     (drawn > 0).then(|| clocks as f64 / drawn as f64 / 100.0)
 }
 
-/// What the circuit takes for what the paper gives times of, and that frames are right.
+/// The circuit's times for which the paper has numbers, and the checks that frames are right.
 pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
     let found = |value: Option<f64>| value.map(|it| ("our circuit".to_owned(), it));
     let triangle = |fact: &str, text: &str, paper: f64, system: System| {
@@ -185,13 +185,13 @@ pub fn checks(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
         right::statement("PFL-TYPES", frames.iter().map(|it| (it.spec.place(), it.differing))),
         triangle(
             "PFL-TRAST",
-            "A triangle with all appearance parameters takes no longer in a region than in the paper, by what more of them take more.",
+            "A triangle with all appearance parameters takes no longer in a region than in the paper: extra time of additional triangles.",
             0.83,
             System::Base,
         ),
         triangle(
             "PFL-NT",
-            "A triangle of z and colour takes no longer in a region than in the paper, by what more of them take more.",
+            "A triangle of z and colour takes no longer in a region than in the paper: extra time of additional triangles.",
             0.62,
             System::NonTexturing,
         ),
@@ -210,12 +210,12 @@ pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
     section.figure(sooner(frames, plan), curves(frames, plan)).part(table(frames))
 }
 
-/// What a frame took.
+/// The time of a frame.
 fn took(Drawn { report, .. }: &Drawn) -> String {
     format!("{} primitives are on the screen after {} ms.", report.primitives, short(milliseconds(report.latency())))
 }
 
-/// The most triangles beside the formula.
+/// The most triangles, beside the formula.
 fn sooner(frames: &[Drawn], plan: &Plan) -> String {
     let (thousands, last) = of_triangles(frames, plan.stereo()).last().expect("triangles are drawn");
     let [circuit, formula] = [milliseconds(last.report.latency()), last.formula()].map(short);

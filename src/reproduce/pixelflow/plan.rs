@@ -1,4 +1,4 @@
-//! What is measured for the page, and how much of it.
+//! What is measured for the page.
 
 use super::frames::{Spec, Which};
 use crate::reproduce::effort::Effort;
@@ -6,26 +6,26 @@ use tilewright_machines::pixelflow::{Choices, Nodes, Samples, Shades, Simulated,
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::Size;
 
-/// Eight samples, four side by side, twice: the one way to fit them into the array.
+/// Eight samples as four side by side, twice: the only way to fit them into the array.
 pub const EIGHT: Samples = Samples::Eight { rasterizations: 2.0 };
 /// The most primitives of a frame.
 const MOST: u64 = 600_000;
 /// Latencies at which primitives are compared, in milliseconds: those of the paper's goal first.
 pub const LATENCIES: [f64; 5] = [30.0, 35.0, 40.0, 60.0, 80.0];
-/// Of these, the goal's.
+/// The goal's latencies, of these.
 pub const GOAL: [f64; 3] = [30.0, 35.0, 40.0];
 
 /// Random triangles of a frame of the circuit.
 const TRIANGLES: [u64; 3] = [1000, 3000, 8000];
 const FEW_TRIANGLES: [u64; 2] = [100, 300];
 
-/// A system on 20 nodes, as the paper's figures have it.
+/// A system on 20 nodes, as in the paper's figures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     pub system: System,
     pub shaders: u32,
     pub samples: Samples,
-    /// Which samples are shaded, and what else the paper leaves open.
+    /// Which samples are shaded, and other choices that the paper leaves open.
     pub choices: Choices,
 }
 
@@ -41,12 +41,12 @@ impl Case {
         }
     }
 
-    /// The paper's formula: 40 regions are composed and shaded, whatever the samples are.
+    /// The paper's formula, with 40 composed and shaded regions whatever the samples are.
     pub fn formula(&self) -> Software {
         Software::paper(self.system, Nodes::paper(self.shaders), self.samples)
     }
 
-    /// Its formula with the regions that are really composed and shaded: with eight samples, 160 regions twice.
+    /// Its formula with the actual number of composed and shaded regions: with eight samples, 160 regions twice.
     pub fn formula_of_all(&self) -> Software {
         match (self.system, self.samples) {
             (System::NonTexturing, _) | (_, Samples::One) => self.formula(),
@@ -57,7 +57,7 @@ impl Case {
         }
     }
 
-    /// A frame of so many random primitives of 10 x 10 pixels in the model.
+    /// A frame of random primitives of 10 x 10 pixels in the model.
     pub fn simulate(&self, software: &Software, primitives: u64, seed: u64) -> Result<Simulated, ParameterError> {
         Ok(software.simulate(&software.paper_boxes(primitives, seed)?, self.choices))
     }
@@ -84,12 +84,12 @@ impl Plan {
 
     /// One of them.
     pub fn case(system: System, shaders: u32, samples: Samples, shades: Shades) -> Case {
-        // Of one sample there is nothing to choose.
+        // With one sample there is no choice.
         let shades = if samples == Samples::One { Shades::EverySample } else { shades };
         Plan::cases(samples, shades).find(|it| (it.system, it.shaders) == (system, shaders)).expect("there is one")
     }
 
-    /// All of them: one sample, and eight, of which every one is shaded, or what they have in common.
+    /// All curves: one sample, and eight samples shaded each, or once per pixel.
     pub fn all_cases() -> impl Iterator<Item = Case> {
         let all = [(Samples::One, Shades::EverySample), (EIGHT, Shades::EverySample), (EIGHT, Shades::OncePerPixel)];
         all.into_iter().flat_map(|(samples, shades)| Plan::cases(samples, shades))
@@ -103,12 +103,12 @@ impl Plan {
         all
     }
 
-    /// The most primitives that are tried to reach a latency.
+    /// The most primitives that are tried for a latency.
     pub fn most(&self) -> u64 {
         self.effort.at_most(2 * MOST)
     }
 
-    /// The screen of the circuit's frames: the paper's, or one of as many regions that are smaller.
+    /// The screen of the circuit's frames: the paper's, or one with the same number of smaller regions.
     pub fn size(&self) -> Size {
         let scale = self.scale();
         Size::new(640 / scale, 512 / scale).expect("in range")

@@ -1,4 +1,4 @@
-//! What the paper states, each by the formula and by the model.
+//! The paper's statements, each by the formula and by the model.
 
 use super::found::{Composed, Curve, Found};
 use super::frames;
@@ -8,13 +8,12 @@ use super::stereo;
 use tilewright_machines::pixelflow::{Costs, Nodes, Samples, Shades, Software, System, Workload, crossover, overlap};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
-/// All statements, in the order of the paper.
+/// All statements, in the paper's sequence.
 pub fn verdicts(found: &Found, plan: &Plan) -> Verdicts {
     let stereo = stereo::statements(&found.frames, plan);
     let statements =
         [constants(found), overlaps(found), memory(), stereo, conclusions(found), without_samples(found), crossovers()];
-    Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
-        .states(statements.into_iter().flatten())
+    Verdicts::new("statements", "Statements of the paper, each with its rule").states(statements.into_iter().flatten())
 }
 
 const WITHIN: Rule = Rule::Within { percent: 0.5 };
@@ -28,7 +27,7 @@ fn constants(found: &Found) -> Vec<Statement> {
             .paper([paper])
             .found(Origin::Formula, [formula])
     };
-    // By the network of 20 nodes in simulation, too.
+    // Measured on the simulated network of 20 nodes, too.
     let composed = |fact: &str, text: &str, paper: f64, [words, bytes]: [u32; 2]| {
         let ticks =
             found.composed.iter().find(|it| (it.words, it.bytes) == (words, bytes)).map(|it| it.ticks as f64 / 200.0);
@@ -127,7 +126,7 @@ impl Versus<'_> {
         latencies.iter().map(|latency| (format!("{latency} ms"), *latency))
     }
 
-    /// Primitives of the one in parts of the other's, by the paper's formula.
+    /// Primitives of one system over those of the other, by the paper's formula.
     fn by_formula(&self, latencies: &[f64]) -> Vec<(String, f64)> {
         let of = |case: &Case, latency| case.formula().primitives_within(latency);
         Versus::at(latencies).map(|(at, latency)| (at, of(&self.one, latency) / of(&self.other, latency))).collect()
@@ -162,7 +161,7 @@ fn conclusions(found: &Found) -> Vec<Statement> {
         let mut state = |how: &str, origin: Origin, value: f64| {
             let text = format!("{text}: {how}.");
             let why = reasons::of_comparison(fact, &text);
-            let statement = Statement::new(fact, text, rule.clone()).unit("least latency, in parts of the other’s");
+            let statement = Statement::new(fact, text, rule.clone()).unit("least latency, over the other’s");
             statements.push(explained(statement.paper([1.0]).found(origin, [value]), why));
         };
         state("formula", Origin::Formula, formula);
@@ -280,7 +279,7 @@ fn without_samples(found: &Found) -> Vec<Statement> {
         .collect()
 }
 
-/// That a machine with more shading is better off with more shaders.
+/// With more shading, more shaders are better.
 fn crossovers() -> Vec<Statement> {
     let at = |factor: f64| {
         let software = |shaders| {
@@ -297,7 +296,7 @@ fn crossovers() -> Vec<Statement> {
     vec![
         Statement::new(
             "PFL C4",
-            "The crossover between 1 and 4 shaders shifts to more primitives if shading takes longer: formula, without antialiasing.",
+            "If shading takes longer, the crossover between 1 and 4 shaders shifts to more primitives: formula, without antialiasing.",
             Rule::Increases { with: "the time of shading".to_owned() },
         )
         .unit("primitives at which both take as long")
@@ -305,7 +304,7 @@ fn crossovers() -> Vec<Statement> {
     ]
 }
 
-/// That the model is the formula where its assumptions hold, to the filling of a region; and what the circuit takes.
+/// Checks that the model agrees with the formula where its assumptions are true, up to the filling of a region; and the circuit's times.
 pub fn checks(found: &Found, plan: &Plan) -> Verdicts {
     let balanced = |case: Case| {
         let software = Software { overlap: 1.0, ..case.formula_of_all() };
@@ -328,7 +327,7 @@ pub fn checks(found: &Found, plan: &Plan) -> Verdicts {
         .state(
             Statement::new(
                 "PFL-LAT1",
-                "In perfect balance the model takes as long as the formula with all regions that are composed and shaded, up to the filling of a region: 300 primitives a region and rasterizer.",
+                "In perfect balance the model takes as long as the formula for the actual number of composed and shaded regions, up to the filling of a region: 300 primitives a region and rasterizer.",
                 Rule::Within { percent: 4.0 },
             )
             .unit("ms")
@@ -336,7 +335,7 @@ pub fn checks(found: &Found, plan: &Plan) -> Verdicts {
             .found(Origin::model([]), values(|(model, _)| model)),
         )
         .state(
-            Statement::new("PFL-LAT1", "The model never takes less.", Rule::AtLeast)
+            Statement::new("PFL-LAT1", "The model never takes less time than that formula.", Rule::AtLeast)
                 .unit("ms")
                 .formula(of_formula.into_iter().map(|(at, value)| (at, value * (1.0 - 1e-9))))
                 .found(Origin::model([]), values(|(model, _)| model)),

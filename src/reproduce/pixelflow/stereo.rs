@@ -1,4 +1,4 @@
-//! Frames of two eyes: both at once on halves of the nodes, or one after another on all.
+//! Frames for two eyes: both at once on halves of the nodes, or one after the other on all nodes.
 
 use super::frames::{Drawn, Spec, of_triangles};
 use super::plan::Plan;
@@ -12,12 +12,12 @@ const WAYS: [(Stereo, &str); 2] = [(Stereo::Halved, "at once on halves"), (Stere
 struct Both {
     /// Triangles of each eye, in thousands.
     thousands: f64,
-    /// Milliseconds until both are there, by the formula and in the circuit.
+    /// Milliseconds until both frames are ready, by the formula and in the circuit.
     formula: f64,
     found: f64,
 }
 
-/// The frames of a system: each eye has the same triangles, so of either way the circuit has drawn one frame.
+/// The frames of a system. Both eyes have the same triangles, so the circuit has drawn one frame for each way.
 fn drawn(frames: &[Drawn], spec: Spec, stereo: Stereo) -> Vec<Both> {
     let both = |(thousands, drawn): (f64, &Drawn)| {
         let eyes = [drawn.report.clone(), drawn.report.clone()];
@@ -34,20 +34,20 @@ fn drawn(frames: &[Drawn], spec: Spec, stereo: Stereo) -> Vec<Both> {
 pub fn section(frames: &[Drawn], plan: &Plan) -> Section {
     Section::new("Two eyes")
         .paragraph(
-            "For two eyes the paper would rather divide the machine in half than render one frame after the other, to reduce latency. Halved, each eye has ten nodes, one of which holds its frame. \
-             One after another, the front end goes on to the second frame while the first is drawn. The paper has no formula for either; here its formulas are put together for both. Both eyes have \
+            "For two eyes the paper prefers to divide the machine in half, to reduce latency, over rendering one frame after the other. In a halved machine each eye has ten nodes, one of which has its frame buffer. \
+             One after the other, the front end goes on to the second frame while the first is drawn. The paper has no formula for either way; here both are composed of its formulas. Both eyes have \
              the same random triangles, so the circuit has drawn one frame for each way.",
         )
         .figure(claim(frames, plan), latencies(frames, plan))
         .part(crossings())
 }
 
-/// Which way is sooner.
+/// The faster way.
 fn claim(frames: &[Drawn], plan: &Plan) -> String {
     let [halved, sequential] =
         WAYS.map(|(stereo, _)| drawn(frames, plan.stereo(), stereo).pop().expect("triangles are drawn"));
     format!(
-        "Of {} triangles both eyes’ frames are there after {} ms on halves of the machine, and after {} ms one after another.",
+        "With {} triangles both eyes’ frames are ready after {} ms on halves of the machine, and after {} ms one after another.",
         short(1000.0 * halved.thousands),
         short(halved.found),
         short(sequential.found)
@@ -59,7 +59,7 @@ fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {
         "stereo-latency",
         "Latency of two eyes’ frames in the circuit",
         Axis::linear("thousand primitives of each eye"),
-        Axis::linear("until both are there, ms"),
+        Axis::linear("until both are ready, ms"),
     )
     .note("The formula has the paper’s time of a triangle, and the overlap of the same triangles.");
     let spec = plan.stereo();
@@ -74,17 +74,17 @@ fn latencies(frames: &[Drawn], plan: &Plan) -> Chart {
     })
 }
 
-/// From how many primitives on which way is better, by the formulas.
+/// The number of primitives from which one after another is faster, by the formulas.
 fn crossings() -> Table {
     let columns = [
         "system",
         "samples",
         "least, on halves, ms",
         "least, one after another, ms",
-        "sooner one after another, from primitives of each eye on",
+        "primitives of each eye from which one after another is faster",
     ];
-    let table = Table::new("stereo-crossings", "Which way is better, by the formulas", columns)
-        .note("A dash: halves are never slower.");
+    let table = Table::new("stereo-crossings", "The faster way, by the formulas", columns)
+        .note("A dash means that halves are never slower.");
     let cases = Plan::all_cases().filter(|case| case.choices.shades == Shades::EverySample);
     cases.fold(table, |table, case| {
         let samples = if case.samples == Samples::One { "one" } else { "eight" };
@@ -105,9 +105,9 @@ pub fn statements(frames: &[Drawn], plan: &Plan) -> Vec<Statement> {
         halved.iter().zip(&sequential).map(ratio).collect::<Vec<_>>()
     };
     let state = |how: &str, origin: Origin, found: Vec<(String, f64)>| {
-        let text = "Of some thousand primitives the frames of two eyes are there sooner on halves of the machine than one after another";
+        let text = "With some thousand primitives the frames of two eyes are ready sooner on halves of the machine than one after another";
         Statement::new("PFL section 3", format!("{text}: {how}, base system with 4 shaders."), Rule::AtLeast)
-            .unit("time one after another, in parts of that on halves")
+            .unit("time one after another, over that on halves")
             .paper([1.0])
             .found(origin, found)
     };

@@ -1,4 +1,4 @@
-//! What has to be so for the page to be worth reading: that the three who measure agree, and that frames are right.
+//! The checks without which the page is worthless: the three programs agree, and frames are right.
 
 use super::found::Found;
 use tilewright_machines::quadtree::model::OnHardware;
@@ -7,7 +7,7 @@ use tilewright_report::{Cell, Rule, Section, Statement, Table, Verdicts};
 /// The section of the checks.
 pub fn section(found: &Found) -> Section {
     let numbers: u64 = found.ran.outcomes.iter().filter_map(|it| it.hardware.as_ref()).map(|it| it.numbers).sum();
-    Section::new("Checks of what is measured")
+    Section::new("Checks of the measurements")
         .paragraph(format!(
             "The circuit, the transaction model and the plain count are three programs. Where the circuit ran, the other two got the same rectangles, and {numbers} counters and clocks were compared \
              one by one."
@@ -16,7 +16,7 @@ pub fn section(found: &Found) -> Section {
         .part(samples(found))
 }
 
-/// How many rectangles there are of each area.
+/// The number of rectangles of each area.
 fn samples(found: &Found) -> Table {
     let columns = ["area S, pixels", "plain count", "transaction model", "RTL"];
     let table = Table::new("samples", "Random rectangles of each area", columns);
@@ -39,7 +39,7 @@ fn verdicts(found: &Found) -> Verdicts {
         .state(
             Statement::new(
                 "E2",
-                "The hardware’s counters, and the clocks in which it takes packets and is idle, are the transaction-level model’s.",
+                "The hardware’s counters, and the clocks in which it takes packets or is idle, are those of the transaction-level model.",
                 Rule::Zero,
             )
             .unit("numbers that differ")

@@ -1,4 +1,4 @@
-//! Figures 3 to 6 of the paper: curves of its formulas, and points that were counted.
+//! Figures 3 to 6 of the paper: curves of its formulas, and counted points.
 
 use super::found::Found;
 use super::{SIZES, areas, by_formula, matrix, shape};
@@ -12,8 +12,8 @@ const AREA: &str = "area S, pixels";
 /// Figure 3: the windows of each level, a chart for each matrix.
 pub fn windows(found: &Found) -> Section {
     let section = Section::new("Figure 3: windows of each level").paragraph(format!(
-        "On the first levels a polygon is in one window; on the last levels it is in as many as it has pixels there. The lines are the paper’s upper bound of the mean, equation 1. The points are \
-             means over rectangles that lie on the screen as a whole. Corners are snapped to 1/16 pixel, so the mean area of the counted rectangles is off by up to {:.2} %.",
+        "On the first levels a polygon is in one window; on the last levels it is in one window for each of its pixels there. The lines are the paper’s upper bound of the mean, equation 1. The points are \
+             means over rectangles that are entirely on the screen. Corners are snapped to 1/16 pixel, so the mean area of the counted rectangles is off by up to {:.2} %.",
         100.0 * found.counted.snapping()
     ));
     SIZES.into_iter().fold(section, |section, k| {
@@ -37,7 +37,7 @@ pub fn windows(found: &Found) -> Section {
     })
 }
 
-/// Figure 4: how large windows are, in parts of their spacing.
+/// Figure 4: the size of windows over their spacing.
 pub fn window_sizes(found: &Found) -> Section {
     let chart =
         Chart::new("window-sizes", "Relative size of windows, a_i", Axis::linear("level i"), Axis::linear("a_i"));
@@ -54,9 +54,9 @@ pub fn window_sizes(found: &Found) -> Section {
     Section::new("Figure 4: relative window sizes")
         .paragraph(
             "With an aperture of 2 and k > 1, the windows of the last level are smaller than their spacing, so a small polygon can lie between them. The points are measured: a square of a quarter of \
-             a pixel moves along a line, and the counters say how many windows it is in.",
+             a pixel moves along a line, and counters tell in how many windows it is.",
         )
-        .figure("With more than four processors windows are smaller than their spacing, the least on the last level.", chart)
+        .figure("With more than four processors windows are smaller than their spacing, most of all on the last level.", chart)
 }
 
 /// Figure 5: the matrix of processors with stacks.
@@ -68,12 +68,12 @@ pub fn stacks(found: &Found) -> Section {
         at(0, 1.0, |it| it.p_s)
     );
     let efficiency = format!(
-        "A large matrix of stacks wastes most of its work: at 100 pixels 4 of them are {} efficient, and 256 are {}.",
+        "A large matrix of stacks wastes most of its work: at 100 pixels 4 stacks are {} efficient, and 256 are {}.",
         at(1, 100.0, |it| it.q_a),
         at(4, 100.0, |it| it.q_a)
     );
     Section::new("Figure 5: processors with stacks")
-        .figure(speed, of_clocks(found, "stack-performance", "Performance p_s, in parts of P_max", true, |it| it.p_s))
+        .figure(speed, of_clocks(found, "stack-performance", "Performance p_s, over P_max", true, |it| it.p_s))
         .figure(efficiency, of_clocks(found, "stack-efficiency", "Efficiency Q_a", false, |it| it.q_a))
 }
 
@@ -96,20 +96,17 @@ pub fn pipelines(found: &Found) -> Section {
         percent(at(4, 100.0, |it| it.q_a))
     );
     Section::new("Figure 6: pipelines")
-        .figure(
-            speed,
-            of_clocks(found, "pipeline-performance", "Performance p_p, in parts of P_max", true, |it| it.p_p),
-        )
+        .figure(speed, of_clocks(found, "pipeline-performance", "Performance p_p, over P_max", true, |it| it.p_p))
         .figure(load, of_clocks(found, "pipeline-load", "Load R_p", false, |it| it.r_p))
         .figure(efficiency, of_clocks(found, "pipeline-efficiency", "Efficiency Q_p", false, |it| it.q_p))
 }
 
-/// What follows of the busy clocks of the levels, whoever has counted them.
+/// A quantity that follows from the busy clocks of the levels, from any of the programs.
 fn of_clocks(found: &Found, id: &str, title: &str, logarithmic: bool, of: fn(&Figures) -> f64) -> Chart {
     figure(found, (id, title, logarithmic), of, Some(of), move |it| of(&it.figures))
 }
 
-/// A quantity of all matrices over the area: by formula, counted if it can be, and as machines have it.
+/// A quantity of all matrices by area: by formula, counted if possible, and measured on the machines.
 pub fn figure(
     found: &Found,
     (id, title, logarithmic): (&str, &str, bool),
@@ -128,7 +125,7 @@ pub fn figure(
     })
 }
 
-/// The chart with a curve by formula, also at the areas of all points, and what was counted and measured beside it.
+/// The chart with a curve by formula, also at the areas of all points, and with counted and measured points.
 fn measured(
     found: &Found,
     chart: Chart,

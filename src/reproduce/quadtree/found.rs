@@ -1,4 +1,4 @@
-//! What was found: counted, run, coupled, drawn.
+//! All results: counts, runs, losses, frames.
 
 use super::SIZES;
 use super::frames::{self, Drawn};
@@ -9,7 +9,7 @@ use tilewright_machines::quadtree::model::{Measured, Outcome, SweepPoint, Window
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 
-/// All that the page is made of.
+/// All results of the page.
 pub struct Found {
     pub counted: Counted,
     pub window_sizes: Vec<WindowSizes>,
@@ -19,7 +19,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// Counts, runs and draws; `None` if it was interrupted.
+    /// Counts, runs and draws; `None` if interrupted.
     pub fn all(effort: Effort, watch: &mut Watch) -> Result<Option<Found>, Failure> {
         let seed = effort.seed;
         let Some(points) = effort.study().run(watch).map_err(Error::from)? else { return Ok(None) };
@@ -38,7 +38,7 @@ impl Found {
     }
 }
 
-/// What the plain count of windows gave, and from which seed.
+/// The results of the plain count of windows, and its seed.
 pub struct Counted {
     points: Vec<Point>,
     seed: u64,
@@ -64,13 +64,13 @@ impl Counted {
         self.of(0).map(|point| point.sample.area)
     }
 
-    /// By what part the rectangles' mean area is off at most, as their corners are snapped.
+    /// The greatest relative error of the rectangles' mean area, as their corners are snapped.
     pub fn snapping(&self) -> f64 {
         self.of(0).map(|point| (point.area / point.sample.area - 1.0).abs()).fold(0.0, f64::max)
     }
 }
 
-/// What ran on the transaction-level model, and of it on the hardware.
+/// The runs on the transaction-level model, some of them also on the hardware.
 pub struct Ran {
     pub outcomes: Vec<Outcome>,
     seed: u64,
@@ -89,19 +89,19 @@ impl Ran {
         self.outcomes.iter().filter(move |outcome| outcome.matrix.p == 1 << k)
     }
 
-    /// A quantity of the matrix of 2^k x 2^k by area, of the model.
+    /// A quantity of the matrix of 2^k x 2^k by area, on the model.
     pub fn on_model(&self, k: u32, of: impl Fn(&Measured) -> f64) -> Vec<(f64, f64)> {
         self.of(k).map(|outcome| (outcome.sample.area, of(&outcome.model))).collect()
     }
 
-    /// The same of the hardware.
+    /// The same on the hardware.
     pub fn on_hardware(&self, k: u32, of: impl Fn(&Measured) -> f64) -> Vec<(f64, f64)> {
         let point = |outcome: &Outcome| Some((outcome.sample.area, of(&outcome.hardware.as_ref()?.measured)));
         self.of(k).filter_map(point).collect()
     }
 }
 
-/// What queues of some depths lose.
+/// The loss with queues of some depths.
 pub struct Coupled {
     by_packets: Vec<SweepPoint>,
     by_windows: Vec<SweepPoint>,
@@ -120,14 +120,14 @@ impl Coupled {
         areas
     }
 
-    /// The part that a matrix loses, by the depth of its packet queues.
+    /// The loss of a matrix by the depth of its packet queues.
     pub fn loss(&self, k: u32, form: &str, area: f64) -> Vec<(f64, f64)> {
         let is_it = |it: &&SweepPoint| it.matrix.p == 1 << k && it.form == form && it.sample.area == area;
         let by_depth = self.by_packets.iter().filter(is_it).flat_map(|point| &point.by_depth);
         by_depth.map(|it| (f64::from(it.packets), it.loss)).collect()
     }
 
-    /// The part of the clocks in which the slowest level of the pipes does not work, on the mean, by the depth of their window queues.
+    /// The mean share of the clocks in which the slowest level of the pipes is idle, by the depth of their window queues.
     pub fn idling(&self, k: u32) -> Vec<(f64, f64)> {
         let points = self.by_windows.iter().filter(|it| it.matrix.p == 1 << k);
         let idling = |point: &SweepPoint| {

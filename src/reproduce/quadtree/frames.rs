@@ -1,4 +1,4 @@
-//! Frames that the hardware has drawn: pictures, who drew which pixel, and how busy it was.
+//! Frames that the hardware has drawn: pictures, the processor of each pixel, and the load.
 
 use super::plan::config;
 use crate::pictures::owners;
@@ -18,9 +18,9 @@ pub struct Drawn {
     frame: Frame,
     report: Report,
     background: [u8; 3],
-    /// Pixels that are not those of the golden image.
+    /// Pixels that differ from the golden image.
     differing: u64,
-    /// Video processors that did not draw as many pixels as the polygons have in their raster.
+    /// Video processors whose number of drawn pixels differs from that of the polygons in their raster.
     strayed: u64,
 }
 
@@ -64,16 +64,16 @@ impl Drawn {
     }
 }
 
-/// That frames are right.
+/// The checks of the frames.
 pub fn checks(frames: &[Drawn]) -> [Statement; 2] {
     [
         right::statement("MPG-ARCH", frames.iter().map(|it| (it.place(), it.differing))),
         Statement::new(
             "MPG-SPR",
-            "Each video processor draws as many pixels as the polygons have on its every p-th column and q-th row.",
+            "Each video processor draws the number of pixels that the polygons have on its every p-th column and q-th row.",
             Rule::Zero,
         )
-        .unit("processors that do not")
+        .unit("processors that differ")
         .found(Origin::rtl([]), frames.iter().map(|it| (it.place(), it.strayed as f64))),
     ]
 }
@@ -81,11 +81,11 @@ pub fn checks(frames: &[Drawn]) -> [Statement; 2] {
 /// The section of the frames.
 pub fn section(frames: &[Drawn]) -> Section {
     let section = Section::new("Frames").paragraph(
-        "These are scenes as the hardware drew them, clock by clock. The processors have pipelines, whose tests have an adder for each edge. The hardware itself counts the clocks.",
+        "The hardware drew these scenes, clock by clock. The processors have pipelines whose tests have an adder for each edge. The hardware itself counts the clocks.",
     );
     frames.iter().enumerate().fold(section, |section, (number, drawn)| {
         let section = section.figure(speed(drawn), picture(drawn));
-        // The pattern and the levels of 256 processors are no picture.
+        // 256 processors are too many for a picture of pattern and levels.
         match number {
             0 => section
                 .figure("Neighbouring pixels belong to different video processors.", who(drawn))
@@ -97,14 +97,14 @@ pub fn section(frames: &[Drawn]) -> Section {
     })
 }
 
-/// What the frame took.
+/// The clocks of the frame.
 fn speed(Drawn { report, .. }: &Drawn) -> String {
     let clocks = short(report.drawing_clocks() as f64);
     let (polygons, each) = (report.packets, short(report.clocks_per_packet()));
     format!("{polygons} polygons take {clocks} clocks, {each} for each.")
 }
 
-/// How much more the busiest video processor has to do.
+/// The busiest video processor, beside the mean.
 fn balance(drawn: &Drawn) -> String {
     let all: Vec<u64> = drawn.report.processors.iter().map(clocks).collect();
     let most = all.iter().max().copied().unwrap_or_default() as f64 * all.len() as f64;
@@ -116,8 +116,8 @@ fn balance(drawn: &Drawn) -> String {
 fn busiest(drawn: &Drawn, does: &str, of: fn(&UnitReport) -> u64) -> String {
     let sum = |level: &usize| drawn.report.processors.iter().map(|it| of(&it.units[*level])).sum::<u64>();
     match (0..=drawn.report.machine.levels as usize).rev().max_by_key(sum) {
-        Some(level @ 1..) => format!("Of all stages level {level} {does} longest."),
-        _ => format!("Of all stages the set-up {does} longest."),
+        Some(level @ 1..) => format!("Level {level} {does} longest of all stages."),
+        _ => format!("The set-up {does} longest of all stages."),
     }
 }
 
@@ -135,7 +135,7 @@ fn picture(drawn: &Drawn) -> Picture {
         .note(format!("{verdict} The load of the processors is balanced to {:.1} %.", 100.0 * report.balance()))
 }
 
-/// How large the part of a frame is that shows who drew which pixel.
+/// The size of the part of a frame that shows the processor of each pixel.
 const PART: (u32, u32) = (40, 30);
 
 /// The part of the frame around its first pixel: a colour for each video processor.
@@ -152,30 +152,30 @@ fn who(drawn: &Drawn) -> Picture {
     let words = places.clone().map(|(x, y)| drawn.frame.word(x, y)).collect();
     let part = Frame::from_words(Size::new(width, height).expect("in range"), words).expect("a word for each pixel");
     let part = owners::picture(&part, &places.map(owner).collect::<Vec<_>>(), None);
-    let title = format!("Who drew which pixel: the top of {}", drawn.scene);
+    let title = format!("The video processor of each pixel: the top of {}", drawn.scene);
     let alt = format!("a pattern of {p} x {q} colours where there are polygons");
     Picture::new(drawn.id("owners"), title, alt, part.to_png()).note(format!(
-        "Each of the {p}x{q} video processors has a colour; dark is where no polygon is. The video controller reads each pixel from the buffer of the processor that drew it, so the place says \
-             which one that was. The checks below show that each drew as many pixels as it should."
+        "Each of the {p}x{q} video processors has a colour; dark pixels have no polygon. The video controller reads each pixel from the buffer of the processor that drew it, so the place determines \
+             the processor. The checks below show that each processor drew the right number of pixels."
     ))
 }
 
-/// Busy clocks of each video processor, as they stand in the matrix.
+/// Busy clocks of each video processor, arranged as in the matrix.
 fn busy(drawn: &Drawn) -> HeatMap {
     let rows = drawn.report.processors.chunks(drawn.report.machine.p as usize);
     let rows = rows.map(|row| row.iter().map(|it| clocks(it) as f64).collect());
     let title = format!("Busy clocks of each video processor: {}", drawn.place());
     HeatMap::new(drawn.id("load"), title, "clocks", Origin::rtl([]), rows)
-        .note("All levels together, as the processors stand in the matrix.")
+        .note("The sum over all levels, with the processors arranged as in the matrix.")
 }
 
-/// A number of each stage and each video processor.
+/// A number for each stage and each video processor.
 fn stages(drawn: &Drawn, what: &str, of: fn(&UnitReport) -> u64) -> HeatMap {
     let levels = drawn.report.machine.levels as usize;
     let row = |level: usize| drawn.report.processors.iter().map(|it| of(&it.units[level]) as f64).collect();
     let title = format!("{} clocks of each stage: {}", if what == "busy" { "Busy" } else { "Stalled" }, drawn.place());
     HeatMap::new(drawn.id(what), title, "clocks", Origin::rtl([]), (0..=levels).map(row)).note(
-        "From top to bottom the set-up and the levels, from the first to the last; from left to right the video processors, row by row of the \
+        "From top to bottom: the set-up and the levels, from the first to the last. From left to right: the video processors, row by row of the \
          matrix.",
     )
 }
@@ -185,7 +185,7 @@ mod tests {
     use super::*;
     use tilewright_scenes::project_polygons;
 
-    /// A frame is right, and is not if it is compared with another.
+    /// The checks accept a frame, and refuse it against another one.
     #[test]
     fn wrong_frames_and_stray_pixels_are_found() -> Result<(), Box<dyn std::error::Error>> {
         let scene = Scene { size: Size::new(16, 12)?, ..Scene::builtin("teapot").ok_or("a built-in scene")? };

@@ -1,4 +1,4 @@
-//! The page of the sparse-raster quadtree generator: figures 3 to 6 of its paper, and what it states (facts A2, A3, B).
+//! The page of the sparse-raster quadtree generator: figures 3 to 6 of its paper, and its statements (facts A2, A3, B).
 
 mod checks;
 mod coupling;
@@ -16,12 +16,12 @@ use tilewright_machines::Watch;
 use tilewright_machines::quadtree::{Figures, Rasters, Shape};
 use tilewright_report::{Page, Provenance, Section};
 
-/// The matrices of more than one processor that the paper draws: each k.
+/// The k of each matrix of more than one processor in the paper's figures.
 const SIZES: [u32; 4] = [1, 2, 3, 4];
-/// The areas at which a processor of the matrix of k = 2, 3 and 4 has one window of the last level, as the paper prints them.
+/// The areas at which a processor of the matrix of k = 2, 3 and 4 has one window of the last level, as printed in the paper.
 const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
 
-/// Measures and makes the page; `None` if it was interrupted.
+/// Measures and makes the page; `None` if interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     let Some(found) = Found::all(effort, watch)? else { return Ok(None) };
     let provenance = Provenance::new("tilewright", env!("CARGO_PKG_VERSION"), effort.command("quadtree", "--polygons"))
@@ -37,7 +37,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
              sparse raster into quarters. From the mean number of windows the paper estimates how fast such a matrix is, and how well its processors are used.",
         )
         .paragraph(
-            "Here the estimates stand beside what three programs find with random rectangles. A plain count goes through the windows of many polygons and knows no time but the cost of a test. The \
+            "This page compares the estimates with three programs that run on random rectangles. A plain count goes through the windows of many polygons; its only time is the cost of a test. The \
              transaction model has the clocks of a running matrix without its circuit. RTL is the circuit itself, simulated clock by clock, with the transaction model’s rectangles. The formulas are \
              the paper’s, restored where the print is damaged.",
         )
@@ -50,7 +50,7 @@ pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> 
         .section(
             Section::new("Statements")
                 .paragraph(
-                    "Statements of windows and of clocks of work are judged by the plain count, which has the most rectangles. The checks \
+                    "The plain count, which has the most rectangles, decides on statements about windows and busy clocks. The checks \
                      below show that the circuit’s counters are the same.",
                 )
                 .part(statements::verdicts(&found).note(effort.note())),
@@ -74,7 +74,7 @@ fn areas() -> impl Iterator<Item = f64> {
     (0..=60).map(|step| 10_f64.powf(f64::from(step) / 12.0))
 }
 
-/// What the paper's formulas say of a matrix and an area, with k_p/k_e = 1.
+/// The values of the paper's formulas for a matrix and an area, with k_p/k_e = 1.
 fn by_formula(k: u32, area: f64) -> Figures {
     let stages = |matrix: Rasters| matrix.stages_of(shape(area), 1.0);
     Figures::of(&matrix(k), &stages(matrix(k)), &stages(matrix(0)))

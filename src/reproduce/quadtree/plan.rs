@@ -1,4 +1,4 @@
-//! What is run for the page, and how much of it: all that the figures need, or a quick look.
+//! What is run for the page: everything that the figures need, or a quick look.
 
 use super::TURNING;
 use crate::reproduce::effort::Effort;
@@ -6,10 +6,10 @@ use tilewright_machines::quadtree::model::{Sweep, Trial, Trials};
 use tilewright_machines::quadtree::{Config, Sample, Study, Test};
 use tilewright_scenes::{Polygons, Size};
 
-/// Rectangles of each area of the turning points: counted, and run.
+/// Counted and run rectangles of each turning area.
 const AT_TURNING: [(f64, u64, u64); 3] =
     [(TURNING[0], 8_000, 1000), (TURNING[1], 8_000, 500), (TURNING[2], 8_000, 300)];
-/// The area that a quick look gives to the hardware, which takes longest.
+/// The only area that runs on the hardware in a quick look, as the hardware takes longest.
 const QUICK_AREA: f64 = 1.0;
 
 impl Effort {
@@ -17,7 +17,7 @@ impl Effort {
         Sample { polygons: self.at_most(sample.polygons), ..sample }
     }
 
-    /// The count of the paper's figures, with the areas at which it says that something turns.
+    /// The count for the paper's figures, with its turning areas.
     pub fn study(&self) -> Study {
         let mut study = Study::paper(self.seed);
         study.samples.extend(AT_TURNING.map(|(area, polygons, _)| Sample { area, polygons }));
@@ -26,7 +26,7 @@ impl Effort {
         study
     }
 
-    /// The runs of the figures, of the same areas.
+    /// The runs for the figures, with the same areas.
     pub fn trials(&self) -> Trials {
         let mut trials = Trials::paper(self.seed);
         let turning = |(area, _, polygons)| Trial { sample: Sample { area, polygons }, on_hardware: true };
@@ -39,14 +39,14 @@ impl Effort {
         trials
     }
 
-    /// The runs of queues of many depths.
+    /// The runs with queues of many depths.
     pub fn sweep(&self) -> Sweep {
         let mut sweep = Sweep::paper(self.seed);
         sweep.samples.iter_mut().for_each(|sample| *sample = self.reduced(*sample));
         sweep
     }
 
-    /// The runs of pipes whose queues of windows have many depths, before each of which one packet has room.
+    /// The runs of pipes with window queues of many depths, and packet queues of one packet.
     pub fn window_sweep(&self) -> Sweep {
         let samples = vec![self.reduced(Sample { area: 100.0, polygons: 1000 })];
         let forms = vec!["pipe".to_owned()];
@@ -66,7 +66,7 @@ impl Effort {
     }
 }
 
-/// The generator of a frame: pipes, with the window's tests side by side.
+/// The generator of a frame: pipes that test all edges of a window at once.
 pub fn config(polygons: &Polygons, side: u32) -> Config {
     Config { matrix: (side, side), test: Test::Parallel, ..Config::for_packets(polygons.size, &polygons.polygons) }
 }

@@ -1,4 +1,4 @@
-//! What the paper states of its machine, each with the rule by which it is judged.
+//! The paper's statements about its machine, each with its rule.
 
 use super::found::{Counted, Coupled, Found, Ran};
 use super::reasons::{BELOW, BORDER, COARSE, SHORT, SMALL};
@@ -7,12 +7,11 @@ use tilewright_machines::quadtree::model::WindowSizes;
 use tilewright_machines::quadtree::{Figures, Point, full_tree};
 use tilewright_report::{Origin, Rule, Statement, Verdicts};
 
-/// All statements, in the order of the paper.
+/// All statements, in the paper's sequence.
 pub fn verdicts(Found { counted, window_sizes, ran, coupled, .. }: &Found) -> Verdicts {
     let statements =
         [windows(counted), sizes(window_sizes), stacks(counted), pipelines(counted), as_run(ran), queues(coupled)];
-    Verdicts::new("statements", "Statements of the paper, each by the rule beneath it")
-        .states(statements.into_iter().flatten())
+    Verdicts::new("statements", "Statements of the paper, each with its rule").states(statements.into_iter().flatten())
 }
 
 fn at_k(k: u32) -> String {
@@ -54,22 +53,18 @@ fn windows(counted: &Counted) -> Vec<Statement> {
     let mut statements = vec![
         Statement::new(
             "MPG-EQ1",
-            "On each level there are no more windows than the area of the filtered polygon, on the mean.",
+            "The mean number of windows on each level is at most the area of the filtered polygon.",
             Rule::AtMost,
         )
         .unit("windows")
         .formula(everywhere(|point, level| point.bounds[level]))
         .found(counted.origin(), everywhere(|point, level| point.windows[level].mean))
         .because(BORDER),
-        Statement::new(
-            "MPG-EQ4",
-            "At an area S_k there is one window of the last level.",
-            Rule::Within { percent: 1.0 },
-        )
-        .unit("pixels")
-        .paper([2, 3, 4].map(at_k).into_iter().zip(TURNING))
-        .found(Origin::Formula, [2, 3, 4].map(|k| (at_k(k), turning(k)))),
-        Statement::new("MPG-EQ4", "At S_k one window of the last level is counted.", Rule::Within { percent: 8.0 })
+        Statement::new("MPG-EQ4", "At an area S_k the last level has one window.", Rule::Within { percent: 1.0 })
+            .unit("pixels")
+            .paper([2, 3, 4].map(at_k).into_iter().zip(TURNING))
+            .found(Origin::Formula, [2, 3, 4].map(|k| (at_k(k), turning(k)))),
+        Statement::new("MPG-EQ4", "At S_k one window is counted on the last level.", Rule::Within { percent: 8.0 })
             .unit("windows")
             .paper([1.0])
             .found(
@@ -79,19 +74,15 @@ fn windows(counted: &Counted) -> Vec<Statement> {
                     (at_k(k), point.windows[point.matrix.levels as usize].mean)
                 }),
             ),
-        Statement::new(
-            "MPG-F3A",
-            "For k = 1 there is at least one window of every level, whatever the area.",
-            Rule::AtLeast,
-        )
-        .unit("windows")
-        .paper([1.0])
-        .found(
-            counted.origin(),
-            counted.of(1).flat_map(|point| {
-                by_level(point).map(|(level, windows)| (format!("S = {}, {level}", point.sample.area), windows))
-            }),
-        ),
+        Statement::new("MPG-F3A", "For k = 1 every level has at least one window, whatever the area.", Rule::AtLeast)
+            .unit("windows")
+            .paper([1.0])
+            .found(
+                counted.origin(),
+                counted.of(1).flat_map(|point| {
+                    by_level(point).map(|(level, windows)| (format!("S = {}, {level}", point.sample.area), windows))
+                }),
+            ),
     ];
     statements.extend([1.0, 100.0, 1e5].map(|area| {
         let text = format!("For k = 1 no level has fewer windows than the one before: S = {area}.");
@@ -141,27 +132,23 @@ fn sizes(found: &[WindowSizes]) -> Vec<Statement> {
 fn stacks(counted: &Counted) -> Vec<Statement> {
     let origin = || counted.origin();
     let mut statements = vec![
+        Statement::new("MPG-F5A", "A larger matrix of stacks is faster: S = 1.", Rule::Increases { with: with("k") })
+            .found(origin(), counted.by_matrix(1.0, |it| it.p_s)),
         Statement::new(
             "MPG-F5A",
-            "A matrix of stacks is the faster, the larger it is: S = 1.",
-            Rule::Increases { with: with("k") },
-        )
-        .found(origin(), counted.by_matrix(1.0, |it| it.p_s)),
-        Statement::new(
-            "MPG-F5A",
-            "A matrix of stacks is the faster, the smaller the polygons are: k = 4.",
+            "A matrix of stacks is faster with smaller polygons: k = 4.",
             Rule::NeverIncreases { with: with("S") },
         )
         .found(origin(), counted.by_area(4, |it| it.p_s)),
         Statement::new(
             "MPG-F5B",
-            "The efficiency of stacks falls with the size of the matrix: S = 100.",
+            "The efficiency of stacks decreases with the size of the matrix: S = 100.",
             Rule::Decreases { with: with("k") },
         )
         .found(origin(), counted.by_matrix(100.0, |it| it.q_a)),
         Statement::new(
             "MPG-F5B",
-            "The efficiency of stacks falls as the area gets smaller: k = 4.",
+            "The efficiency of stacks decreases for smaller areas: k = 4.",
             Rule::NeverDecreases { with: with("S") },
         )
         .found(origin(), counted.by_area(4, |it| it.q_a)),
@@ -169,7 +156,7 @@ fn stacks(counted: &Counted) -> Vec<Statement> {
     statements.push(
         Statement::new(
             "MPG-EQ5",
-            "The clocks counted are those of equation 5 and the paper's windows: Q_a at S = 100.",
+            "The counted clocks are those of equation 5 with the paper's windows: Q_a at S = 100.",
             Rule::Within { percent: 5.0 },
         )
         .formula(SIZES.map(|k| (at_k(k), by_formula(k, 100.0).q_a)))
@@ -285,7 +272,7 @@ fn pipelines(counted: &Counted) -> Vec<Statement> {
     ]
 }
 
-/// What the figures say of matrices that run.
+/// The figures' statements for running matrices.
 fn as_run(ran: &Ran) -> Vec<Statement> {
     let fastest = |k: u32| ran.on_hardware(k, |it| it.pipes_ran).into_iter().find(|(area, _)| *area == 1.0);
     vec![
@@ -325,13 +312,13 @@ fn queues(coupled: &Coupled) -> Vec<Statement> {
         loosely("stack", "stacks", 1.0, "one packet").because(SHORT),
         Statement::new(
             "MPG-LIM",
-            "Deeper queues lose no more: pipelines, k = 4, S = 100.",
+            "Deeper queues never lose more: pipelines, k = 4, S = 100.",
             Rule::NeverIncreases { with: with("the depth") },
         )
         .found(coupled.origin(), coupled.loss(4, "pipe", 100.0).into_iter().map(by_depth)),
         Statement::new(
             "MPG-LIM",
-            "Deeper queues lose no more: stacks, k = 4, S = 100.",
+            "Deeper queues never lose more: stacks, k = 4, S = 100.",
             Rule::NeverIncreases { with: with("the depth") },
         )
         .found(coupled.origin(), coupled.loss(4, "stack", 100.0).into_iter().map(by_depth)),

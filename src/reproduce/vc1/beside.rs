@@ -1,4 +1,4 @@
-//! A run of the circuit beside the model's of the same views.
+//! A run of the circuit, compared with the model's run of the same views.
 
 use std::sync::Arc;
 use tilewright_machines::Error;
@@ -6,16 +6,16 @@ use tilewright_machines::vc1::model::{Model, Place, What};
 use tilewright_machines::vc1::{Config, Report};
 use tilewright_scenes::Projection;
 
-/// What the two have not in common.
+/// The differences between the two.
 pub struct Beside {
-    /// Frames that took something else.
+    /// Frames with different numbers.
     pub differing: u64,
-    /// Clocks of processing elements in a frame that are not those between its swaps, from the second frame on.
+    /// Sums of a processing element's clocks in a frame that differ from the clocks between its swaps, from the second frame on.
     pub unaccounted: u64,
 }
 
 impl Beside {
-    /// Runs the model of so many frames of a still view.
+    /// Runs the model for frames of a still view.
     ///
     /// # Errors
     /// There is no such machine.
@@ -39,7 +39,7 @@ impl Beside {
 /// The swaps at the ends of frames, by processing element.
 struct Swaps {
     clocks: Vec<Vec<u64>>,
-    /// The next swap is one of these.
+    /// The next swap of each.
     is_due: Vec<bool>,
 }
 
@@ -56,7 +56,7 @@ impl Swaps {
         }
     }
 
-    /// Sums of clocks that are not those from swap to swap.
+    /// Sums of clocks that differ from those between swaps.
     fn unaccounted(&self, report: &Report) -> u64 {
         let wrong = |(number, clocks): (usize, &Vec<u64>)| {
             let between = clocks.windows(2).map(|pair| pair[1] - pair[0]);

@@ -1,4 +1,4 @@
-//! The paper's figures, each as time T and as drawing D, and where the clocks go.
+//! The paper's figures, each by time T and by drawing time D, and the clocks by class.
 
 use super::found::Found;
 use super::frames::Drawn;
@@ -12,7 +12,7 @@ use tilewright_report::{Axis, Chart, Lane, Origin, Section, Series, Timeline};
 use tilewright_rtl::gfb::Blanking;
 use tilewright_scenes::Size;
 
-/// What a chart shows of a case.
+/// The quantity of a case in a chart.
 type Quantity = (&'static str, &'static str, fn(&Timed) -> f64);
 
 const TIME: Quantity = ("", "T, ms", |it| it.time);
@@ -24,8 +24,8 @@ pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
     Section::new("Figure 7: time by the number of processing elements")
         .paragraph(words::TIMES)
         .paragraph(
-            "An interval between two swaps is a whole number of refreshes, at least two, 33.3 ms. So with 35 ms of drawing some frames take two refreshes and some take three. Below 33.3 ms T stays, \
-             and D goes on shrinking.",
+            "The interval between two swaps is a whole number of refreshes, at least two, or 33.3 ms. So with 35 ms of drawing some frames take two refreshes and some take three. T cannot be below 33.3 ms, \
+             while D can.",
         )
         .paragraph(
             "Crosses are the numbers that the text gives. The line follows for ter250 from the paper’s rates and its speed-up.",
@@ -34,8 +34,8 @@ pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
         .figure(claims::drawing(found), by_processors(found, frames, DRAWING))
         .figure(claims::estimate(found), estimate::chart(found))
         .paragraph(
-            "These are the clocks of a processing element in percent of the time from frame to frame, as a mean over all. “Stalled” is an access that waits for its local frame buffer, “bus” a word \
-             that waits for the bus. “Overflow”, “sync” and “swap” are waits: for the swap of an overflow, for the other processing elements, and for the swap at the end of a frame.",
+            "These are the mean clocks of a processing element, in percent of the time from frame to frame. “Stalled” is an access that waits for its local frame buffer, and “bus” a word \
+             that waits for the bus. “Overflow” waits for the swap of an overflow, “sync” for the other processing elements, and “swap” for the swap at the end of a frame.",
         )
         .figure(claims::waiting(found, "table"), classes(found, "table"))
         .figure(claims::waiting(found, terrain), classes(found, terrain))
@@ -130,8 +130,8 @@ pub fn figure_9(found: &Found) -> Section {
     let paper = |apr| plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr);
     Section::new("Figure 9: time by the threshold")
         .paragraph(
-            "This is the table with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps. So there are two \
-             capacities and two ways to swap, and one machine with pages for all, on which nothing overflows. The rightmost points, at the pixels of the whole screen, have no threshold. The cross is \
+            "The scene is the table, with 16 processing elements. The text says neither how much memory they have in the figure, nor where in the blanking the global frame buffer swaps. So there are two \
+             capacities, two ways to swap, and a machine with pages for all patches, which never overflows. The rightmost points, at the pixels of the whole screen, have no threshold. The cross is \
              the paper’s 75 %.",
         )
         .figure(claims::saved(found), relative(found))
@@ -143,18 +143,18 @@ pub fn figure_9(found: &Found) -> Section {
             ]),
         )
         .paragraph(
-            "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. The figure has three ways to split it: 500, 300 and 100 clocks for the set-up of a \
-             packet, and what is left for a row.",
+            "The text gives no costs of the steps of rasterization, only their sum for ter1k, 754 clocks a polygon. The figure has three ways to split it: 500, 300 or 100 clocks for the set-up of a \
+             packet, and the rest for its rows.",
         )
         .figure(claims::splits(found), splits(found))
 }
 
-/// T in parts of that without a threshold.
+/// T over T without a threshold.
 fn relative(found: &Found) -> Chart {
     let plan = &found.plan;
     let chart = Chart::new(
         "figure-9",
-        "Figure 9: time by the threshold, in parts of that without",
+        "Figure 9: time by the threshold, over that without",
         Axis::log("threshold, pixels"),
         Axis::linear("T / T(off)"),
     );

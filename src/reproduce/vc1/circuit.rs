@@ -1,4 +1,4 @@
-//! What the parts of the circuit take by themselves: the scan of the merger, the accesses of a local frame buffer, the bus.
+//! The clocks of single parts of the circuit: the scan of the merger, the accesses of a local frame buffer, the bus.
 
 use tilewright_machines::Error;
 use tilewright_rtl::bus::BroadcastBus;
@@ -9,20 +9,20 @@ use tilewright_rtl::parameter::Screen;
 use tilewright_rtl::vc1::OVERHEAD;
 use tilewright_sim::Simulation;
 
-/// What was measured, in clocks.
+/// The measurements, in clocks.
 pub struct Circuit {
-    /// From the first pixel that enters the chain to the last one stored: T_m, of the paper's screen and of one of twice its sides.
+    /// T_m, from the first pixel that enters the chain to the last one stored, for the paper's screen and for one with twice its sides.
     pub merging: [u64; 2],
     /// From one round of the scan to the next.
     pub round: u64,
-    /// From access to access with a page for each, and with none.
+    /// From access to access, if each patch has a page, and if none has.
     pub accesses: [u64; 2],
     /// Bytes a clock of the processing elements.
     pub bus: f64,
 }
 
 impl Circuit {
-    /// Lets the parts run.
+    /// Runs the parts.
     ///
     /// # Errors
     /// The simulator's.
@@ -40,7 +40,7 @@ fn merging(screen: Screen) -> Result<(u64, u64), Error> {
     sim.try_reset()?;
     let (pixels, mut read, mut entered, mut stored) = (u64::from(screen.pixels()), 0, Vec::new(), None);
     for clock in 0.. {
-        // A pixel enters the chain so many clocks with `enable` after it was read.
+        // A pixel enters the chain this number of enabled clocks after it was read.
         if sim.get_u64(sim.o.scan.enable) == 1 {
             if read >= u64::from(SCAN_LATENCY) && (read - u64::from(SCAN_LATENCY)) % pixels == 0 {
                 entered.push(clock);
@@ -66,12 +66,12 @@ fn hits() -> Result<u64, Error> {
     accesses((0..ACCESSES).map(|_| [8, 8]))
 }
 
-/// Likewise each in a patch of its own.
+/// The same with each access in another patch.
 fn misses() -> Result<u64, Error> {
     accesses((0..ACCESSES as u64).map(|patch| [4 * patch, 8]))
 }
 
-/// The clocks between accesses, but for the first two.
+/// The clocks between accesses, without the first two.
 fn accesses(pixels: impl Iterator<Item = [u64; 2]>) -> Result<u64, Error> {
     let unit = LfbUnit { patches: Patches::new(Screen::VC1, 4)?, pages: 4096 };
     let mut sim = Simulation::of(&unit)?;
@@ -89,11 +89,11 @@ fn accesses(pixels: impl Iterator<Item = [u64; 2]>) -> Result<u64, Error> {
     }
     let between = taken.windows(2).skip(1).map(|pair| pair[1] - pair[0]);
     let (least, most) = (between.clone().min(), between.max());
-    // Where they are not all the same there is no one number, and the rule finds that none is the paper's.
+    // If they differ there is no single number, and the rule reports a difference from the paper's.
     Ok(if least == most { least.unwrap_or_default() } else { 0 })
 }
 
-/// Bytes a clock that the bus carries while a sender always has a word, and all take theirs.
+/// Bytes a clock on the bus while a sender always has a word and all receivers take it.
 fn bus() -> Result<f64, Error> {
     const CLOCKS: u64 = 6000;
     let mut sim = Simulation::of(&BroadcastBus::vc1(16))?;

@@ -1,4 +1,4 @@
-//! What each of the paper's figures shows here, in a sentence with its numbers.
+//! The claim of each figure, a sentence with numbers.
 
 use super::found::Found;
 use super::plan::{Capacity, Case, SPLITS, THRESHOLD};
@@ -7,7 +7,7 @@ use super::statements::best as best_of;
 use crate::reproduce::words::{percent, short};
 use tilewright_rtl::gfb::Blanking;
 
-/// What is said where a quick look has nothing to say it of.
+/// The claim of a quick look without enough points.
 const NOTHING: &str = "A quick look has too few points to show anything.";
 
 fn or_nothing(claim: Option<String>) -> String {
@@ -45,7 +45,7 @@ pub fn estimate(found: &Found) -> String {
     }
 }
 
-/// What of the clocks is waiting for the end of a frame.
+/// The share of the clocks that waits for the end of a frame.
 pub fn waiting(found: &Found, scene: &'static str) -> String {
     let share = |n: u32| {
         let timed = found.of(found.plan.case(scene, n))?;
@@ -58,7 +58,7 @@ pub fn waiting(found: &Found, scene: &'static str) -> String {
     }))
 }
 
-/// What the least memory costs.
+/// The cost of the least memory.
 pub fn memory(found: &Found, n: u32, label: &str, of: fn(&Timed) -> f64) -> String {
     let plan = &found.plan;
     let most = |part: u32| {
@@ -68,7 +68,7 @@ pub fn memory(found: &Found, n: u32, label: &str, of: fn(&Timed) -> f64) -> Stri
     };
     or_nothing(plan.capacities().iter().max().and_then(|part| {
         let most = short(most(*part)?);
-        Some(format!("With 1/{part} of the screen {label} is at most {most} times what it is with pages for all."))
+        Some(format!("With 1/{part} of the screen {label} is at most {most} times that with pages for all patches."))
     }))
 }
 
@@ -76,12 +76,12 @@ fn paper(found: &Found, apr: Option<u32>) -> Case {
     found.plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr)
 }
 
-/// What the paper's threshold leaves of the time.
+/// The time with the paper's threshold over that without.
 pub fn saved(found: &Found) -> String {
     let left = found.ratio(String::new(), [Some(THRESHOLD), None].map(|apr| paper(found, apr)), |it| it.time);
     or_nothing(left.map(|(_, left)| {
         format!(
-            "With a threshold of {THRESHOLD} pixels and 1/4.7 of the screen T is {} of what it is without.",
+            "With 1/4.7 of the screen a threshold of {THRESHOLD} pixels reduces T to {} of that without.",
             percent(left)
         )
     }))
@@ -92,7 +92,7 @@ fn threshold(apr: Option<u32>) -> String {
     apr.map_or_else(|| "no threshold".to_owned(), |pixels| format!("a threshold of {pixels} pixels"))
 }
 
-/// Where D is least.
+/// The threshold with the least D.
 pub fn least(found: &Found) -> String {
     let all = found.plan.thresholds().filter_map(|apr| Some((apr, found.of(paper(found, apr))?.drawing)));
     or_nothing(
@@ -101,7 +101,7 @@ pub fn least(found: &Found) -> String {
     )
 }
 
-/// What the split of the clocks changes at the paper's threshold.
+/// The effect of the split of the clocks at the paper's threshold.
 pub fn splits(found: &Found) -> String {
     let all = || SPLITS.iter().filter_map(|set_up| found.of(found.plan.with_split(*set_up, Some(THRESHOLD))));
     let ends = all().map(|it| it.drawing).reduce(f64::min).zip(all().map(|it| it.drawing).reduce(f64::max));

@@ -1,4 +1,4 @@
-//! What is counted without any time: pixels, pages, vertices and areas.
+//! Counts without time: pixels, pages, vertices and areas.
 
 use super::plan::{CLUSTERS, Case, Plan};
 use tilewright_machines::Error;
@@ -9,24 +9,24 @@ use tilewright_scenes::Projection;
 /// Numbers of processing elements for which pages are counted (VC1-LOC).
 pub const PROCESSORS: [u32; 3] = [16, 64, 256];
 
-/// All that is counted.
+/// All counts.
 pub struct Counted {
     pub clusters: Vec<Cluster>,
     pub shares: Vec<Share>,
-    /// The areas of the table's packets in pixels, in any order.
+    /// The areas of the table's packets in pixels, unsorted.
     areas: Vec<f64>,
 }
 
-/// Clusters of so many polygons (VC1-CLU).
+/// Clusters of that number of polygons (VC1-CLU).
 pub struct Cluster {
     pub polygons: u32,
-    /// Vertices that are transformed, each once in each cluster that has it.
+    /// Transformed vertices; a vertex counts once for each of its clusters.
     pub vertices: f64,
-    /// Pages of a processing element on the mean, with pages for all.
+    /// Mean pages of a processing element, with enough for all patches.
     pub pages: f64,
 }
 
-/// What a processing element of so many has of a scene, on the mean (VC1-LOC).
+/// The mean share of a scene for one of that number of processing elements (VC1-LOC).
 pub struct Share {
     pub scene: &'static str,
     pub processors: u32,
@@ -54,7 +54,7 @@ impl Counted {
         Origin::count([])
     }
 
-    /// What a processing element has of a scene, if that is counted.
+    /// A processing element's share of a scene, if that is counted.
     pub fn share(&self, scene: &str, processors: u32) -> Option<&Share> {
         self.shares.iter().find(|it| it.scene == scene && it.processors == processors)
     }

@@ -7,7 +7,7 @@ use tilewright_machines::vc1::model::Model;
 use tilewright_machines::{Error, Watch};
 use tilewright_report::{Axis, Chart, Series};
 
-/// The estimate of a scene on so many processing elements.
+/// The estimate for a scene on that number of processing elements.
 pub struct Estimated {
     pub scene: &'static str,
     pub processors: u32,
@@ -16,7 +16,7 @@ pub struct Estimated {
 }
 
 impl Estimated {
-    /// Estimates all points of Figure 7; `None` if it was interrupted.
+    /// Estimates all points of Figure 7; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Option<Result<Vec<Estimated>, Error>> {
         let all: Vec<(&'static str, u32)> =
             plan.scenes().iter().flat_map(|scene| plan.processors().iter().map(|n| (*scene, *n))).collect();
@@ -31,21 +31,21 @@ impl Estimated {
         Ok(Estimated { scene, processors, time: interval(estimate.slowest()) * plan.hurry(processors) })
     }
 
-    /// In parts of T, if that was timed.
+    /// The estimate over T, if T was timed.
     pub fn of_time(&self, found: &Found) -> Option<f64> {
         Some(self.time / found.of(found.plan.case(self.scene, self.processors))?.time)
     }
 }
 
-/// How near the estimate is.
+/// The estimate beside T.
 pub fn chart(found: &Found) -> Chart {
     let chart = Chart::new(
         "figure-7-estimate",
-        "The paper’s two-pass estimate in parts of T",
+        "The paper’s two-pass estimate over T",
         Axis::log("processing elements n"),
         Axis::linear("estimate / T"),
     )
-    .note("Each processing element draws alone, first without the polygons that all draw, then with all of them; the slowest counts.");
+    .note("Each processing element draws alone: first without the polygons that all draw, then with all of them. The slowest one counts.");
     found.plan.scenes().iter().fold(chart, |chart, scene| {
         let of_scene = found.estimated.iter().filter(|it| it.scene == *scene);
         let points = of_scene.filter_map(|it| Some((f64::from(it.processors), it.of_time(found)?)));

@@ -1,4 +1,4 @@
-//! Figure 6 as the circuit ran it: three frames of four processing elements, of which one overflows in the last.
+//! Figure 6 in the circuit: three frames of four processing elements, one of which overflows in the last frame.
 
 use super::observed::observed;
 use tilewright_machines::vc1::{Assign, Config, CostTable, Machine};
@@ -8,12 +8,12 @@ use tilewright_rtl::swap::SwapState;
 use tilewright_scenes::{Projection, ScreenVertex, Size};
 
 const PROCESSORS: usize = 4;
-/// Pages of each, and patches that a processing element draws on; the first one of them on more in the last frame.
+/// Pages of each processing element, and patches that it draws on. The first one draws on more in the last frame.
 pub const PAGES: u32 = 2;
 const PATCHES: i32 = 2;
 const TOO_MANY: i32 = 4;
 
-/// The eight events of the figure, as the paper has them.
+/// The eight events of the figure, as in the paper.
 const EVENTS: [&str; 8] = [
     "the local frame buffers swap",
     "the next frame is begun",
@@ -25,18 +25,18 @@ const EVENTS: [&str; 8] = [
     "drawing goes on",
 ];
 
-/// Where the machine is: of each processing element, the merger, and the display.
+/// The states of the processing elements, the merger and the display.
 #[derive(Default)]
 pub struct Figure6 {
-    /// By processing element: what it does, from when to when, in ms.
+    /// By processing element: its activities, with begin and end in ms.
     lanes: Vec<Vec<(Doing, f64, f64)>>,
-    /// When a frame is stored, and when the banks change.
+    /// The times at which a frame is stored, and at which the banks change.
     merged: Vec<f64>,
     shown: Vec<f64>,
     end: f64,
 }
 
-/// What a processing element does.
+/// The activity of a processing element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Doing {
     Clearing,
@@ -61,7 +61,7 @@ impl Doing {
 }
 
 impl Figure6 {
-    /// Runs it.
+    /// Runs the machine.
     ///
     /// # Errors
     /// The simulator's.
@@ -107,13 +107,13 @@ impl Figure6 {
         }
     }
 
-    /// The first time after another one at which a processing element goes from one thing to another.
+    /// The first time after `after` at which a processing element goes from one activity to another.
     fn first(&self, processor: usize, after: f64, change: (Doing, Doing)) -> Option<f64> {
         let pairs = self.lanes[processor].windows(2).map(|pair| (pair[1].1, (pair[0].0, pair[1].0)));
         pairs.filter(|(at, found)| *at >= after && *found == change).map(|(at, _)| at).next()
     }
 
-    /// When each event first happened, in ms; none if it did not. The first processing element is looked at, which overflows in the end.
+    /// The first time of each event in ms, or `None`. The events are those of the first processing element, which overflows at the end.
     fn events(&self) -> [Option<f64>; 8] {
         let swap = self.first(0, 0.0, (Doing::Due, Doing::Clearing));
         let begun = swap.and_then(|at| self.first(0, at, (Doing::Clearing, Doing::Drawing)));
@@ -130,7 +130,7 @@ impl Figure6 {
         [swap, begun, merged, shown, postponed, overflow, swapped, resumed]
     }
 
-    /// The order in which they happened.
+    /// The events sorted by time.
     pub fn statement(&self) -> Statement {
         let mut order: Vec<(f64, usize)> =
             self.events().into_iter().zip(1..).filter_map(|(at, number)| Some((at?, number))).collect();
@@ -138,7 +138,7 @@ impl Figure6 {
         let place = |at: usize| format!("{}.", at + 1);
         Statement::new(
             "VC1-SW1 to SW4",
-            "Buffers swap in the order of Figure 6: its events 1 to 8, in the order of their times.",
+            "Buffers swap in the sequence of Figure 6: its events 1 to 8, sorted by time.",
             Rule::Equals,
         )
         .unit("event")
@@ -146,7 +146,7 @@ impl Figure6 {
         .found(Origin::rtl([]), order.into_iter().enumerate().map(|(at, (_, number))| (place(at), number as f64)))
     }
 
-    /// When local frame buffers swapped.
+    /// The times at which local frame buffers swapped.
     fn swaps(&self) -> impl Iterator<Item = f64> {
         let pairs = self.lanes.iter().flat_map(|lane| lane.windows(2));
         pairs.filter(|pair| pair[1].0 == Doing::Clearing).map(|pair| pair[1].1)
@@ -154,15 +154,15 @@ impl Figure6 {
 
     pub fn section(&self) -> Section {
         let size = size();
-        Section::new("Figure 6, as the circuit ran it")
+        Section::new("Figure 6 in the circuit")
             .paragraph(format!(
-                "Three frames of {PROCESSORS} processing elements on a screen of {size} pixels, with T_m in the paper’s ratio to a refresh. Each draws on {PATCHES} patches and has \
-                 {PAGES} pages, but that the first one draws on {TOO_MANY} in the last frame. The times are those of signals of the circuit."
+                "{PROCESSORS} processing elements draw three frames on a screen of {size} pixels, with T_m in the paper’s ratio to a refresh. Each draws on {PATCHES} patches and has \
+                 {PAGES} pages, except that the first one draws on {TOO_MANY} in the last frame. The times are those of signals in the circuit."
             ))
             .figure(
                 match self.statement().verdict() {
-                    Verdict::Holds => "The eight events come in the paper’s order.",
-                    _ => "The events do not come in the paper’s order.",
+                    Verdict::Holds => "The eight events come in the paper’s sequence.",
+                    _ => "The events do not come in the paper’s sequence.",
                 },
                 self.chart(),
             )
@@ -176,7 +176,7 @@ impl Figure6 {
         };
         let lane = |(number, spans): (usize, &Vec<(Doing, f64, f64)>)| {
             let lane = Lane::new(format!("PE {number}"));
-            // After the last frame there is no command any more.
+            // There is no command after the last frame.
             let last = spans.iter().rposition(|(doing, ..)| *doing == Doing::Due).unwrap_or_default();
             let lane = spans[..=last].iter().fold(lane, |lane, (doing, from, to)| lane.span(doing.name(), *from, *to));
             if number == 0 { [1, 2, 5, 6, 7, 8].into_iter().fold(lane, event) } else { lane }
@@ -200,7 +200,7 @@ fn size() -> Size {
     Size::new(64, 48).expect("in range")
 }
 
-/// Set-up makes drawing as long as a refresh or so; a refresh comes as often in T_m as on the paper's screen.
+/// The cost of set-up makes drawing about as long as a refresh; the ratio of T_m to a refresh is that of the paper's screen.
 fn config(pages: u32) -> Result<Config, Error> {
     let free = CostTable { vertex: 0, polygon: 0, area: 0, clip: 0, set_up: 2000, row: 0, ..CostTable::default() };
     let config = Config {
@@ -216,7 +216,7 @@ fn config(pages: u32) -> Result<Config, Error> {
     Ok(Config { refresh: 60.0 * 316_864.0 / merge_clocks as f64, ..config })
 }
 
-/// Each processing element draws a bar of two triangles, four rows below the one before it. The first one's bar is over so many patches.
+/// Each processing element draws a bar of two triangles, four rows below the one before it. The first one's bar covers `patches` patches.
 fn view(patches: i32) -> Result<Projection, Error> {
     let at = |x: i32, y: i32| ScreenVertex { x: 16 * x + 4, y: 16 * y - 8, z: 5, rgb: [200, 100, 50] };
     let bar = |number: usize| {
@@ -236,7 +236,7 @@ mod tests {
     fn the_events_come_in_the_papers_order() {
         let figure = Figure6::ran(PAGES, &mut Watch::default()).expect("it runs");
         assert_eq!(figure.statement().verdict().to_string(), "holds", "{:?} {:?}", figure.events(), figure.lanes);
-        // Two that come the other way round are seen.
+        // Two swapped events are noticed.
         let other = Figure6 { merged: vec![figure.shown[0] + 1e-3], ..figure };
         assert!(other.statement().verdict().to_string().starts_with("differs"));
     }

@@ -1,4 +1,4 @@
-//! What was found: timed, counted, and measured in the circuit.
+//! All results: timed, counted, and measured in the circuit.
 
 use super::circuit::Circuit;
 use super::counted::Counted;
@@ -12,7 +12,7 @@ use crate::shell::Failure;
 use tilewright_machines::{Error, Watch};
 use tilewright_report::Origin;
 
-/// All that the page is made of.
+/// All results of the page.
 pub struct Found {
     pub plan: Plan,
     pub circuit: Circuit,
@@ -25,7 +25,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// Lets all of it run; `None` if it was interrupted.
+    /// Runs everything; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Found>, Failure> {
         let circuit = Circuit::measured()?;
         let counted = Counted::all(plan)?;
@@ -46,7 +46,7 @@ impl Found {
         }))
     }
 
-    /// Those cases alone, and nothing else that has to run.
+    /// Runs those cases only.
     #[cfg(test)]
     pub fn of_cases(plan: &Plan, cases: &[Case]) -> Found {
         let timed = Found::timed(plan, cases, &mut Watch::default()).ok().flatten().expect("nothing stops it");
@@ -62,14 +62,14 @@ impl Found {
         }
     }
 
-    /// With the cases of another plan, too.
+    /// The results with those of another plan's cases.
     #[cfg(test)]
     pub fn and(mut self, other: Found) -> Found {
         self.timed.extend(other.timed);
         self
     }
 
-    /// Those cases on the model, each that is the same once.
+    /// Runs those cases on the model; equal cases run once.
     fn timed(plan: &Plan, cases: &[Case], watch: &mut Watch) -> Result<Option<Vec<Timed>>, Failure> {
         let Some(jobs) = watch.each("counting pages", cases, |case| Job::of(case, plan)) else { return Ok(None) };
         let jobs = jobs.into_iter().collect::<Result<Vec<Job>, Error>>()?;
@@ -91,17 +91,17 @@ impl Found {
         Origin::model([])
     }
 
-    /// What a case took, if it was run: a quick look leaves out most.
+    /// The result of a case, if it was run. A quick look leaves out most cases.
     pub fn of(&self, case: Case) -> Option<&Timed> {
         self.timed.iter().find(|it| it.case == case)
     }
 
-    /// A number of a case, with its place.
+    /// A number of a case, with its place in the statement.
     pub fn at(&self, place: String, case: Case, of: impl Fn(&Timed) -> f64) -> Option<(String, f64)> {
         self.of(case).map(|timed| (place, of(timed)))
     }
 
-    /// A number of one case in parts of that of another.
+    /// A number of one case over that of another.
     pub fn ratio(&self, place: String, [one, other]: [Case; 2], of: impl Fn(&Timed) -> f64) -> Option<(String, f64)> {
         Some((place, of(self.of(one)?) / of(self.of(other)?)))
     }

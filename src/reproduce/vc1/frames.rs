@@ -1,4 +1,4 @@
-//! Frames that the circuit has drawn: pictures, what they took, and what of them can be checked.
+//! Frames that the circuit has drawn: pictures, times and checks.
 
 use super::beside::Beside;
 use super::plan::{Capacity, Case, Plan, THRESHOLD};
@@ -22,15 +22,15 @@ pub struct Spec {
     frames: usize,
 }
 
-/// What came of it.
+/// The drawn frames.
 pub struct Drawn {
     pub spec: Spec,
     pub report: Report,
     /// The last one.
     frame: Frame,
-    /// Pixels of all frames that are not those of the golden image.
+    /// Pixels of all frames that differ from the golden image.
     differing: u64,
-    /// How many times sooner all is over than on the paper's screen.
+    /// The factor by which everything is faster than on the paper's screen.
     hurry: f64,
     beside: Beside,
 }
@@ -54,7 +54,7 @@ pub fn specs(plan: &Plan) -> Vec<Spec> {
 }
 
 impl Drawn {
-    /// Draws all; `None` if it was interrupted.
+    /// Draws all; `None` if interrupted.
     pub fn all(plan: &Plan, watch: &mut Watch) -> Result<Option<Vec<Drawn>>, Failure> {
         let (specs, cancel) = (specs(plan), watch.cancel);
         let draw = |spec: &Spec| Drawn::of(spec, plan, &mut Watch { progress: None, cancel });
@@ -95,7 +95,7 @@ impl Drawn {
         last.processors.iter().map(|it| it.clocks.busy()).max().unwrap_or_default() as f64 * CLOCK * self.hurry
     }
 
-    /// What processing elements received otherwise than it was sent: words.
+    /// Words that a processing element did not receive as they were sent.
     fn astray(&self) -> u64 {
         let sent: u64 = self.report.frames.iter().map(|frame| frame.words).sum();
         let receive = self.spec.case.costs.receive;
@@ -105,7 +105,7 @@ impl Drawn {
         (0..self.report.machine.processors as usize).map(|number| received(number).abs_diff(sent)).sum()
     }
 
-    /// Frames of which no refresh was compared with the frame buffer.
+    /// Frames without a refresh that was compared with the frame buffer.
     fn unseen(&self) -> u64 {
         (self.report.frames.len() as u64).saturating_sub(self.report.judged)
     }
@@ -115,7 +115,7 @@ pub fn background(case: &Case) -> [u8; 3] {
     Scene::builtin(case.scene).expect("a built-in scene").background
 }
 
-/// That frames are right, and that nothing is lost on the way.
+/// The checks that frames are right, and that nothing is lost on the way.
 pub fn checks(frames: &[Drawn]) -> Vec<Statement> {
     let zero = |fact: &str, text: &str, unit: &str, of: fn(&Drawn) -> u64| {
         let found = frames.iter().map(|it| (it.spec.name.clone(), of(it) as f64));
@@ -124,28 +124,28 @@ pub fn checks(frames: &[Drawn]) -> Vec<Statement> {
     vec![
         zero(
             "E1",
-            "What the circuit took is what the model says, in every number of a frame; the first event that differed would end the command.",
+            "Circuit and model agree in every number of a frame. The first different event would end the command.",
             "frames that differ",
             |it| it.beside.differing,
         ),
         zero(
             "E1",
-            "The clocks of each class sum up to those between the swaps of a processing element.",
-            "sums that do not",
+            "The clocks of all classes add up to those between the swaps of a processing element.",
+            "sums that differ",
             |it| it.beside.unaccounted,
         ),
         right::statement("VC1-GFB", frames.iter().map(|it| (it.spec.name.clone(), it.differing))),
         zero(
             "VC1-GFB",
-            "Each frame is compared, too, in the first refresh that shows it; another colour ends the command.",
-            "frames that are not",
+            "Each frame is also compared in the first refresh that shows it. A different colour would end the command.",
+            "frames that are not compared",
             Drawn::unseen,
         ),
         zero("VC1-NET", "Each processing element receives each word that the bus carries.", "words", Drawn::astray),
     ]
 }
 
-/// The frames of Figure 13, and what all frames took.
+/// The frames of Figure 13, and the times of all frames.
 pub fn section(section: Section, frames: &[Drawn]) -> Section {
     let pictures = frames.iter().filter(|it| it.spec.name == it.spec.case.scene);
     let section = pictures.fold(section, |section, drawn| section.figure(took(drawn), picture(drawn)));
@@ -153,7 +153,7 @@ pub fn section(section: Section, frames: &[Drawn]) -> Section {
     overflowing.fold(section, |section, drawn| section.figure(overflowed(drawn), overflows(drawn))).part(table(frames))
 }
 
-/// What the scene takes.
+/// The drawing time of the scene.
 fn took(drawn: &Drawn) -> String {
     let polygons = drawn.report.polygons;
     format!("{polygons} polygons keep the busiest processing element busy for {} ms.", short(drawn.drawing()))
@@ -178,10 +178,10 @@ fn overflows(drawn: &Drawn) -> HeatMap {
     let id = drawn.spec.name.replace("1/8", "8").replace(|c: char| !c.is_ascii_alphanumeric(), "-").replace("--", "-");
     let title = format!("Overflows of each processing element: {}", drawn.spec.name);
     HeatMap::new(format!("{id}-overflows"), title, "overflows", Origin::rtl([]), drawn.report.frames.iter().map(row))
-        .note("From top to bottom the frames, from left to right the processing elements.")
+        .note("Rows are frames, columns are processing elements.")
 }
 
-/// What each run took in its last frame.
+/// The numbers of the last frame of each run.
 fn table(frames: &[Drawn]) -> Table {
     let columns = [
         "frame",
@@ -196,8 +196,8 @@ fn table(frames: &[Drawn]) -> Table {
         "from command to display, ms",
         "events compared",
     ];
-    let table = Table::new("frames", "What the last frame of each run took", columns)
-        .note("A frame is drawn while the one before is merged: from its command to the display it takes longer than from frame to frame.");
+    let table = Table::new("frames", "The last frame of each run", columns)
+        .note("A frame is drawn while the one before is merged, so the time from its command to the display is longer than the time from frame to frame.");
     frames.iter().fold(table, |table, drawn| {
         let last = drawn.report.frames.last().expect("there are frames");
         let most = |of: fn(&ProcessorReport) -> u32| last.processors.iter().map(of).max().unwrap_or_default();

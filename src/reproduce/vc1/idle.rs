@@ -1,5 +1,5 @@
-//! How long a processing element waits for the swap of an overflow, at worst (VC1-SW4): two of them draw a few bars, the first frame at any
-//! time of a refresh.
+//! The longest wait of a processing element for the swap of an overflow (VC1-SW4). Two processing elements draw a few bars, and the first
+//! frame begins at any time of a refresh.
 
 use super::run::CLOCK;
 use std::sync::Arc;
@@ -9,32 +9,32 @@ use tilewright_machines::{Error, Watch};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::{Projection, ScreenVertex, Size};
 
-/// Programs that compute next to nothing, so that an overflow comes right behind a swap.
+/// Programs that compute almost nothing, so that an overflow directly follows a swap.
 const QUICK: CostTable =
     CostTable { vertex: 0, polygon: 0, area: 0, clip: 0, set_up: 0, row: 0, pixel: 1, clear: 1, send: 1, receive: 1 };
 
-/// Times of a refresh at which the first frame is drawn.
+/// Times within a refresh at which the first frame begins.
 const TIMES: u64 = 100;
 
-/// The longest waits that were found, in ms.
+/// The longest waits, in ms.
 pub struct Idle {
-    /// Where the swap before was in a blanking, with that of the global frame buffer.
+    /// If the swap before was in a blanking, with that of the global frame buffer.
     pub in_blanking: f64,
-    /// Where all swapped together before.
+    /// If all swapped together before.
     pub together: f64,
-    /// Where another one overflowed late in the frame before, and its own swap waited.
+    /// If the other one overflowed late in the frame before, and its own swap waited.
     pub any: f64,
 }
 
-/// The patches that two processing elements draw on in each frame; each has pages for two.
+/// The patches on which two processing elements draw in each frame; each has two pages.
 struct Experiment {
     frames: Vec<[i32; 2]>,
-    /// Which of them is looked at, in the last frame.
+    /// The one that is measured, in the last frame.
     processor: usize,
 }
 
 impl Idle {
-    /// Runs the experiments; `None` if it was interrupted.
+    /// Runs the experiments; `None` if interrupted.
     pub fn found(watch: &mut Watch) -> Option<Result<Idle, Error>> {
         let experiments = [
             Experiment { frames: vec![[1, 1], [1, 1], [1, 1], [1, 1], [3, 1]], processor: 0 },
@@ -64,7 +64,7 @@ impl Experiment {
             (0..).zip(&self.frames).map(|(number, patches)| Arc::new(bars(size, number == 0, *patches))).collect();
         let mut longest: f64 = 0.0;
         for time in 0..TIMES {
-            // Its small triangle alone is clipped.
+            // Only its small triangle is clipped.
             let costs = CostTable { clip: time * refresh / TIMES, ..QUICK };
             let model = Model::new(Config { costs, ..config })?;
             let mut dealt: Vec<Dealt> = Vec::new();
@@ -79,7 +79,7 @@ impl Experiment {
     }
 }
 
-/// A frame for two: each draws a small triangle, which is clipped at the border if `is_clipped`, and a bar over so many patches.
+/// A frame for two. Each draws a small triangle, which is clipped at the border if `is_clipped`, and a bar over a number of patches.
 fn bars(size: Size, is_clipped: bool, patches: [i32; 2]) -> Projection {
     let at = |x: i32, y: i32| ScreenVertex { x: 16 * x + 4, y: 16 * y - 8, z: 5, rgb: [200, 100, 50] };
     let left = if is_clipped { -2 } else { 1 };

@@ -1,4 +1,4 @@
-//! The page of the VC-1: what its paper says of virtual local frame buffers (facts A1, B).
+//! The page of the VC-1: what its paper states about virtual local frame buffers (facts A1, B).
 
 mod beside;
 mod charts;
@@ -31,14 +31,14 @@ use random::Ran;
 use tilewright_machines::Watch;
 use tilewright_report::{Page, Section, Verdicts};
 
-/// What the circuit drew.
+/// The frames of the circuit.
 struct Drawings {
     owners: Owners,
     frames: Vec<Drawn>,
     random: Ran,
 }
 
-/// Measures and makes the page; `None` if it was interrupted.
+/// Measures and makes the page; `None` if interrupted.
 pub fn page(effort: Effort, watch: &mut Watch) -> Result<Option<Page>, Failure> {
     let plan = Plan::new(effort);
     let Some(drawings) = Drawings::all(&plan, watch)? else { return Ok(None) };
@@ -70,13 +70,13 @@ impl Drawings {
     /// Frames as the circuit drew them.
     fn section(&self) -> Section {
         let section = Section::new("Frames").paragraph(
-            "These are scenes as the circuit drew them, clock by clock, with 16 processing elements. Local frame buffers, bus, merger, global frame buffer, swaps and display are simulated. The \
+            "The circuit drew these scenes, clock by clock, with 16 processing elements. Local frame buffers, bus, merger, global frame buffer, swaps and display are simulated. The \
              programs of the processing elements and of the host take the time of their steps.",
         );
         frames::section(self.owners.section(section), &self.frames)
     }
 
-    /// That what is measured is right.
+    /// The checks of the measurements.
     fn checks(&self, seed: u64) -> Verdicts {
         let all = frames::checks(&self.frames).into_iter().chain(self.owners.checks()).chain([self.random.check(seed)]);
         Verdicts::new("checks", "Checks").states(all)

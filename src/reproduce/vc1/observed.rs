@@ -1,4 +1,4 @@
-//! What stands on signals of the circuit while it runs: its waveform, read as it is written.
+//! The values of signals of the running circuit: its waveform, read while it is written.
 
 use std::fs::File;
 use std::io::{BufReader, PipeReader, Read, pipe};
@@ -9,10 +9,10 @@ use tilewright_machines::vc1::Machine;
 use tilewright_sim::Vcd;
 use vcd::{Command, IdCode, Parser, ScopeItem, Value};
 
-/// Runs a machine; `seen` gets each time at which one of these signals changes, and what they were before, in their order.
+/// Runs a machine. Whenever one of the signals changes, `seen` gets the time and the values of all of them before the change.
 ///
 /// # Errors
-/// Those of the run.
+/// The errors of the run.
 pub fn observed<T>(
     mut machine: Machine,
     signals: &[String],
@@ -25,7 +25,7 @@ pub fn observed<T>(
         let read = scope.spawn(|| read(reader, signals, seen));
         let waves = Vcd::into("the signals that are looked at", File::from(OwnedFd::from(writer)));
         let waves = signals.iter().fold(waves, |waves, signal| waves.only(signal));
-        // A machine that could not be traced is dropped before the reader is waited for, and its end of the pipe with it.
+        // If tracing fails, drop the machine and its end of the pipe before waiting for the reader.
         let ran = match machine.simulation().trace(waves) {
             Ok(()) => run(machine),
             Err(error) => {
@@ -38,7 +38,7 @@ pub fn observed<T>(
     })
 }
 
-/// Reads to the end, whatever is in it: what writes would wait for ever.
+/// Reads to the end in any case, as the writer would otherwise wait for ever.
 fn read(reader: PipeReader, signals: &[String], mut seen: impl FnMut(u64, &[u64])) -> Result<(), std::io::Error> {
     let mut reader = BufReader::new(reader);
     let read = changes(&mut reader, signals, &mut seen);

@@ -1,4 +1,4 @@
-//! Figure 12: who drew which pixel, from the accesses that local frame buffers took.
+//! Figure 12: the processing element of each pixel, from the accesses that local frame buffers took.
 
 use super::frames::background;
 use super::observed::observed;
@@ -15,28 +15,28 @@ use tilewright_scenes::{Frame, Size};
 const SCENE: &str = "table";
 const PROCESSORS: u32 = 16;
 
-/// A frame with what each local frame buffer took of it.
+/// A frame with the accesses of each local frame buffer.
 pub struct Owners {
     frame: Frame,
-    /// By pixel: whose word it has, as the machine tells it.
+    /// By pixel: the processing element of its word, as the machine reports it.
     owners: Vec<Option<u32>>,
     taken: Taken,
-    /// Pixels that processing elements drew, as they count them.
+    /// The numbers of pixels that processing elements count.
     drawn: Vec<u64>,
 }
 
-/// What was taken, pixel by pixel.
+/// The accesses, pixel by pixel.
 struct Taken {
     size: Size,
-    /// By pixel: the least word and who drew it.
+    /// By pixel: the least word and its processing element.
     least: Vec<Option<(u64, u32)>>,
-    /// By patch: who has a page for it.
+    /// By patch: the processing elements with a page for it.
     pages: Vec<BTreeSet<u32>>,
-    /// By processing element: how many pixels.
+    /// By processing element: the number of pixels.
     count: Vec<u64>,
 }
 
-/// The signals of an access, in this order.
+/// The signals of an access, in this sequence.
 const SIGNALS: [&str; 5] = ["valid", "ready", "x", "y", "word"];
 
 impl Taken {
@@ -49,7 +49,7 @@ impl Taken {
         }
     }
 
-    /// What the signals are before an edge of the processing elements' clock.
+    /// The values of the signals before an edge of the processing elements' clock.
     fn edge(&mut self, values: &[u64]) {
         for (number, values) in (0..).zip(values.chunks(SIGNALS.len())) {
             let [valid, ready, x, y, word] = values else { unreachable!("they are {SIGNALS:?}") };
@@ -66,7 +66,7 @@ impl Taken {
 }
 
 impl Owners {
-    /// Draws it.
+    /// Draws the frame.
     ///
     /// # Errors
     /// The simulator's; Ctrl-C.
@@ -95,7 +95,7 @@ impl Owners {
         Ok(Owners { frame: frame.expect("a view has a frame"), owners, taken, drawn })
     }
 
-    /// Pixels whose word is not the least that was taken, and processing elements whose pixels were not all seen.
+    /// The checks: pixels whose word is not the least that was taken, and processing elements whose pixels were not all taken.
     fn astray(&self) -> [u64; 2] {
         let taken = self.frame.words.iter().zip(&self.taken.least);
         let pixels = taken.filter(|(word, least)| least.is_some_and(|(least, _)| least != **word)).count();
@@ -111,13 +111,13 @@ impl Owners {
         [
             zero(
                 "VC1-MU",
-                "The merger chose the least of the words that local frame buffers took.",
+                "The merger chose the least word that a local frame buffer took.",
                 "pixels that differ",
                 pixels,
             ),
             zero(
                 "VC1-PE",
-                "Local frame buffers took the pixels that were drawn.",
+                "Local frame buffers took all pixels that were drawn.",
                 "processing elements that differ",
                 processors,
             ),
@@ -127,23 +127,25 @@ impl Owners {
     pub fn section(&self, section: Section) -> Section {
         let all = &self.taken.pages;
         let mean = all.iter().map(BTreeSet::len).sum::<usize>() as f64 / all.len() as f64;
-        section.figure("All processing elements draw a large polygon, each its own lines.", self.picture()).figure(
-            format!("On the mean {} of {PROCESSORS} local frame buffers hold a patch.", short(mean)),
-            self.pages(),
-        )
+        section
+            .figure("All processing elements share a large polygon; each draws its own lines.", self.picture())
+            .figure(
+                format!("On the mean {} of {PROCESSORS} local frame buffers have a page for a patch.", short(mean)),
+                self.pages(),
+            )
     }
 
-    /// A colour for each processing element, as light as the frame is there.
+    /// A colour for each processing element, as light as the frame.
     fn picture(&self) -> Picture {
         let picture = owners::picture(&self.frame, &self.owners, None);
         let alt =
             format!("the scene {SCENE} in {PROCESSORS} colours: the top of the table in lines, each object in patches");
         Picture::new("figure-12", "Figure 12: the table in the colours of the processing elements", alt, picture.to_png()).note(
-            "The colour is that of the processing element whose word the merger chose, as its local frame buffer took it.",
+            "The colour is that of the processing element whose word the merger chose, observed as its local frame buffer took it.",
         )
     }
 
-    /// Pages by place, as means over squares of patches where there are many.
+    /// Pages by place, as means over squares of patches if there are many.
     fn pages(&self) -> HeatMap {
         let (columns, rows) = (self.taken.size.width() as usize / 4, self.taken.size.height() as usize / 4);
         let side = columns.div_ceil(40);
@@ -155,9 +157,11 @@ impl Owners {
         };
         let rows =
             (0..rows).step_by(side).map(|row| (0..columns).step_by(side).map(|column| cell(row, column)).collect());
-        let title = format!("Pages by place: how many of {PROCESSORS} local frame buffers hold a patch of the {SCENE}");
+        let title = format!(
+            "Pages by place: how many of {PROCESSORS} local frame buffers have a page for a patch of the {SCENE}"
+        );
         HeatMap::new("table-pages", title, "pages a patch", Origin::rtl([]), rows)
-            .note(format!("Means over squares of {side}x{side} patches. Local frame buffers of the whole screen would hold {PROCESSORS} everywhere."))
+            .note(format!("Means over squares of {side}x{side} patches. With local frame buffers of the whole screen the number would be {PROCESSORS} everywhere."))
     }
 }
 

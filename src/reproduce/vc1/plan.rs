@@ -1,4 +1,4 @@
-//! What is run for the page: scenes on machines, and how many of them.
+//! What is run for the page: scenes on machines.
 
 use crate::reproduce::effort::Effort;
 use tilewright_machines::vc1::{Assign, Config, CostTable};
@@ -9,15 +9,15 @@ use tilewright_scenes::Size;
 
 /// Figure 13's scenes.
 pub const SCENES: [&str; 5] = ["teapot", "teapot16", "table", "ter1k", "ter250"];
-/// Those of a quick look.
+/// The scenes of a quick look.
 const FEW_SCENES: [&str; 3] = ["teapot", "table", "ter1k"];
 
-/// Views of Table 1 in a full turn (VC1-T1).
+/// Views of Table 1 in a full circle (VC1-T1).
 pub const VIEWS: u32 = 48;
-/// Degrees from one to the next.
+/// Degrees from one view to the next.
 pub const STEP: f64 = 360.0 / VIEWS as f64;
 
-/// Frames of a still view, and the swap of the global frame buffer from which on they are timed, counted from 1.
+/// Frames of a still view, and the first swap of the global frame buffer that is timed, counted from 1.
 pub const FRAMES: usize = 15;
 pub const FIRST: usize = 3;
 
@@ -26,21 +26,21 @@ pub const THRESHOLD: u32 = 500;
 const THRESHOLDS: [u32; 11] = [10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000, 20_000];
 const FEW_THRESHOLDS: [u32; 4] = [50, 500, 5000, 20_000];
 
-/// Clusters that are compared (VC1-CLU).
+/// The sizes of clusters that are compared (VC1-CLU).
 pub const CLUSTERS: [u32; 5] = [1, 8, 32, 128, 512];
 
-/// The machines of section 6, with the parts of the screen that each has pages for (VC1-THRN).
+/// The machines of section 6, each with the part of the screen for which it has pages (VC1-THRN).
 pub const SECTION_6: [(u32, u32); 4] = [(4, 4), (16, 8), (64, 16), (256, 32)];
 
-/// Splits of the clocks of rasterization (VC1-T1): set-up of a packet, and what of the 754 clocks is left for a row.
+/// Splits of the clocks of rasterization (VC1-T1): the set-up of a packet; the rest of the 754 clocks is for rows.
 pub const SPLITS: [u64; 3] = [500, 300, 100];
 
-/// Image memory of each buffer.
+/// The image memory of each buffer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Capacity {
     /// The paper's machine: 4096 pages of 4x4 pixels, 1/4.7 of its screen (VC1-LFB).
     Paper,
-    /// So small a part of the screen.
+    /// One over this number of the screen.
     Part(u32),
 }
 
@@ -48,7 +48,7 @@ pub enum Capacity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Case {
     pub scene: &'static str,
-    /// By how many steps the camera has turned; clusters are dealt before that.
+    /// The steps of the camera's orbit. Clusters are assigned before them.
     pub view: u32,
     pub processors: u32,
     pub capacity: Capacity,
@@ -65,16 +65,16 @@ pub struct Case {
 #[derive(Clone, Copy)]
 pub struct Plan {
     pub effort: Effort,
-    /// What all machines have; tests change it.
+    /// The settings of all machines; tests change them.
     pub usual: Usual,
 }
 
-/// What the machines of a page have in common.
+/// The common settings of the machines of a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Usual {
     pub costs: CostTable,
     pub refresh: f64,
-    /// Pages that each capacity is multiplied by.
+    /// A factor for the pages of each capacity.
     pub pages: f64,
 }
 
@@ -85,7 +85,7 @@ impl Default for Usual {
 }
 
 impl Capacity {
-    /// Pages of an image memory for a screen of so many patches.
+    /// Pages of an image memory for a screen of `patches` patches.
     fn pages(self, patches: u32) -> u32 {
         match self {
             Capacity::Paper => 4096 * patches / 19_200,
@@ -93,7 +93,7 @@ impl Capacity {
         }
     }
 
-    /// In parts of the screen.
+    /// As a share of the screen.
     pub fn share(self) -> f64 {
         f64::from(self.pages(19_200)) / 19_200.0
     }
@@ -107,12 +107,12 @@ impl Capacity {
     }
 }
 
-/// The threshold of so many processing elements: the paper lowers it as their number grows, and says no number (VC1-THRN).
+/// The threshold for that number of processing elements. The paper lowers it as their number grows, and gives no numbers (VC1-THRN).
 pub fn threshold(processors: u32) -> Option<u32> {
     (processors > 1).then_some(if processors == 16 { THRESHOLD } else { (THRESHOLD * 16 / processors).max(1) })
 }
 
-/// A row's clocks that make up the 754 with that set-up; the counts are ter1k's (VC1-T1), beside `CostTable`.
+/// The clocks of a row that give 754 together with that set-up; the counts are ter1k's (VC1-T1), as at `CostTable`.
 pub fn split(set_up: u64) -> CostTable {
     let usual = CostTable::default();
     let per_polygon = |set_up: u64| 0.9104 * set_up as f64;
@@ -121,7 +121,7 @@ pub fn split(set_up: u64) -> CostTable {
 }
 
 impl Case {
-    /// The machine. On a small screen a refresh comes sooner, as T_m is shorter, and programs are as much faster.
+    /// The machine. On a small screen refreshes and programs are faster by the factor by which T_m is shorter.
     pub fn config(&self, plan: &Plan) -> Config {
         let size = plan.size();
         let patches = (size.width() / 4) * (size.height() / 4);
@@ -155,12 +155,12 @@ impl Plan {
         Size::new(Size::VGA.width() / self.scale(), Size::VGA.height() / self.scale()).expect("in range")
     }
 
-    /// How much smaller the sides of a quick look's screen are.
+    /// The factor by which the sides of a quick look's screen are smaller.
     pub fn scale(&self) -> u32 {
         if self.is_quick() { 8 } else { 1 }
     }
 
-    /// How much sooner a refresh comes, so that T_m is as many as on the paper's screen. Times of a quick look are given as if it did not.
+    /// The factor by which a refresh is shorter, so that T_m has the same number of them as on the paper's screen. Times of a quick look are multiplied by it.
     pub fn hurry(&self, processors: u32) -> f64 {
         let clocks = |size| merge_clocks(size, processors, OVERHEAD);
         clocks(Size::VGA) / clocks(self.size())
@@ -191,7 +191,7 @@ impl Plan {
         all.iter().copied().map(Some).chain([None])
     }
 
-    /// Random machines.
+    /// The number of random machines.
     pub fn machines(&self) -> u64 {
         if self.is_quick() { 3 } else { 100 }
     }
@@ -200,7 +200,7 @@ impl Plan {
         0..self.effort.at_most(VIEWS.into()) as u32
     }
 
-    /// A scene on the paper's machine with so many processing elements.
+    /// A scene on the paper's machine with that number of processing elements.
     pub fn case(&self, scene: &'static str, processors: u32) -> Case {
         Case {
             scene,
@@ -226,12 +226,12 @@ impl Plan {
         Case { capacity: Capacity::Part(part), ..self.case(scene, processors) }
     }
 
-    /// The point of Figure 9: the table with 16.
+    /// The point of Figure 9: the table with 16 processing elements.
     pub fn at_threshold(&self, capacity: Capacity, blanking: Blanking, apr: Option<u32>) -> Case {
         Case { capacity, blanking, apr, ..self.case("table", 16) }
     }
 
-    /// That with other splits of the clocks.
+    /// The same with another split of the clocks.
     pub fn with_split(&self, set_up: u64, apr: Option<u32>) -> Case {
         Case { costs: split(set_up), ..self.at_threshold(Capacity::Paper, Blanking::AtStart, apr) }
     }
@@ -241,7 +241,7 @@ impl Plan {
         Case { view, ..self.in_memory("ter1k", 16, 8) }
     }
 
-    /// ter1k in clusters, with pages for all.
+    /// ter1k in clusters, with pages for all patches.
     pub fn clustered(&self, cluster: u32) -> Case {
         Case { cluster, ..self.in_memory("ter1k", 16, 1) }
     }
@@ -256,10 +256,10 @@ impl Plan {
         Case { immediate: true, ..self.case("ter250", processors) }
     }
 
-    /// All that is run, each once.
+    /// All cases, each once.
     pub fn cases(&self) -> Vec<Case> {
         let mut all: Vec<Case> = Vec::new();
-        // What takes longest comes first, so that no processor waits for it in the end.
+        // The longest cases come first, so that no processor waits for one at the end.
         if !self.is_quick() {
             all.extend([64, 256].map(|n| self.immediate(n)));
         }
@@ -298,12 +298,12 @@ impl Plan {
     }
 }
 
-/// The memories for which Figure 9 is asked (VC1-F9): the machine's, and that of its Table 1.
+/// The memories for Figure 9 (VC1-F9): the machine's, and that of Table 1.
 pub const CAPACITIES: [Capacity; 2] = [Capacity::Paper, Capacity::Part(8)];
 /// When the global frame buffer may swap.
 pub const BLANKINGS: [Blanking; 2] = [Blanking::AtStart, Blanking::Within];
 
-/// Costs of what there is as much of on a small screen, so many times lower.
+/// The costs with a factor for the steps of which there are as many on a small screen; these take `hurry` times fewer clocks.
 fn hasty(costs: CostTable, hurry: f64) -> CostTable {
     let CostTable { vertex, polygon, area, clip, set_up, row, .. } = costs;
     let [vertex, polygon, area, clip, set_up, row] =

@@ -1,4 +1,4 @@
-//! Random machines with random frames, on small screens: circuit and model have to be the same there, too.
+//! Random machines with random frames on small screens, where circuit and model have to agree, too.
 
 use super::plan::merge_clocks;
 use tilewright_machines::vc1::{Assign, Config, CostTable, Cursor, Machine, Shown};
@@ -7,7 +7,7 @@ use tilewright_report::{Origin, Rule, Statement, Table};
 use tilewright_rtl::gfb::{Blanking, Passes};
 use tilewright_scenes::{Projection, ScreenVertex, Size, compare, golden};
 
-/// What came of all of them.
+/// The results of all of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ran {
     pub machines: u64,
@@ -16,18 +16,18 @@ pub struct Ran {
     pub broadcast: u64,
     /// Averages of several frames.
     pub averages: u64,
-    /// Refreshes that were compared with frame buffers.
+    /// Refreshes that were compared with the frame buffers.
     pub refreshes: u64,
     /// Events that were compared with the model.
     pub compared: u64,
-    /// Pixels that are not those of golden images.
+    /// Pixels that differ from golden images.
     pub differing: u64,
 }
 
 const BACKGROUND: [u8; 3] = [24, 28, 44];
 
 impl Ran {
-    /// Runs so many; `None` if it was interrupted.
+    /// Runs that number of machines; `None` if interrupted.
     pub fn all(count: u64, seed: u64, watch: &mut Watch) -> Option<Result<Ran, Error>> {
         let (numbers, cancel): (Vec<u64>, _) = ((0..count).collect(), watch.cancel);
         let run = |number: &u64| Ran::of(&mut Dice::new(seed, *number), &mut Watch { progress: None, cancel });
@@ -35,14 +35,14 @@ impl Ran {
         Some(ran.into_iter().try_fold(Ran::default(), |sum, ran| Ok(sum.and(ran?))))
     }
 
-    /// That they are right.
+    /// The check that they are right.
     pub fn check(&self, seed: u64) -> Statement {
         Statement::new("DES-MIN", "Frames of random machines, and averages of several, are golden images.", Rule::Zero)
             .unit("pixels that differ")
             .found(Origin::rtl([seed]), [(format!("{} machines", self.machines), self.differing as f64)])
     }
 
-    /// How much of everything there was.
+    /// The numbers of everything that was compared.
     pub fn table(&self) -> Table {
         let rows = [
             ("machines", self.machines),
@@ -53,7 +53,7 @@ impl Ran {
             ("refreshes compared with frame buffers", self.refreshes),
             ("events, times and counts compared with the model", self.compared),
         ];
-        let table = Table::new("random-machines", "Random machines with random frames", ["what", "how many"]);
+        let table = Table::new("random-machines", "Random machines with random frames", ["what", "number"]);
         rows.into_iter().fold(table, |table, (what, count)| table.row([what.into(), (count as f64).into()]))
     }
 
@@ -116,7 +116,7 @@ impl Dice {
         mixed ^ mixed >> 31
     }
 
-    /// From one number to another, both among them.
+    /// From one number to another, both included.
     fn within(&mut self, least: u64, most: u64) -> u64 {
         least + self.next() % (most - least + 1)
     }
@@ -136,7 +136,7 @@ impl Dice {
         let accumulate = self.one_of(&[None, None, None, Some(Passes::Two), Some(Passes::Four)]);
         let cursor = Cursor { x: self.small(0, width - 1), y: self.small(0, height - 1) };
         let [apr_all, apr_some] = [Some(0), Some(self.small(1, 300))];
-        // T_m is from a third of a refresh to five of them, and a line of the display long enough for the crossings of clocks.
+        // T_m is from a third of a refresh to five refreshes, and a line of the display is long enough for clock crossings.
         let t_m = 80e-9 * merge_clocks(size, processors, overhead);
         let refresh = t_m * self.within(20, 300) as f64 / 100.0;
         let config = Config {

@@ -8,11 +8,11 @@ use tilewright_machines::{Error, Watch};
 
 /// Columns and rows of regions, and buffers, in the order of Table 1.
 const MACHINES: [(u32, u32); 3] = [(2, 2), (4, 2), (4, 4)];
-/// Classification of a polygon, fitted: 14.1 ms of geometry in place of 12.3.
+/// Clocks to classify a polygon, fitted: 14.1 ms of geometry instead of 12.3.
 pub const CLASSIFY: u64 = 92;
-/// Rasterization of 2x2 and of 4x4 regions, in ms: what the clocks of clipping are fitted to.
+/// Rasterization of 2x2 and of 4x4 regions in ms, to which the clocks of clipping are fitted.
 pub const RASTERIZATION: [f64; 2] = [29.1, 41.5];
-/// Clocks that are tried, to see what comes of them.
+/// Clocks of clipping for trial runs.
 const TRIED: u64 = 1000;
 
 /// Means over the views, in ms.
@@ -24,14 +24,14 @@ pub struct Means {
     pub synchronization: f64,
 }
 
-/// What was found, of each machine of Table 1.
+/// The results for each machine of Table 1.
 #[derive(Default)]
 pub struct Regional {
-    /// Clocks for each region of a packet, and for each beyond its first.
+    /// Clocks for each region of a packet, and for each region beyond its first.
     pub region: f64,
     pub further: f64,
     pub machines: [Means; 3],
-    /// With clipping for nothing.
+    /// With free clipping.
     pub unclipped: [Means; 3],
 }
 
@@ -45,7 +45,7 @@ struct Clipping {
 const NOTHING: Clipping = Clipping { region: 0, further: 0 };
 
 impl Regional {
-    /// Runs all; `None` if it was interrupted.
+    /// Runs all; `None` if interrupted.
     pub fn found(plan: &Plan, watch: &mut Watch) -> Option<Result<Regional, Error>> {
         let [region, further] = [Clipping { region: TRIED, ..NOTHING }, Clipping { further: TRIED, ..NOTHING }];
         let mut means = |clipping| means(plan, clipping, watch);
@@ -54,7 +54,7 @@ impl Regional {
             (Ok(unclipped), Ok(by_region), Ok(by_further)) => (unclipped, by_region, by_further),
             (Err(error), ..) | (_, Err(error), _) | (.., Err(error)) => return Some(Err(error)),
         };
-        // Rasterization is a sum, and so linear in both.
+        // Rasterization is a sum, and so it is linear in both.
         let of = |all: &[Means; 3]| [all[0].rasterization, all[1].rasterization];
         let base = of(&unclipped);
         let slope = |all: &[Means; 3]| [0, 1].map(|at| (of(all)[at] - base[at]) / TRIED as f64);
@@ -70,7 +70,7 @@ impl Regional {
     }
 }
 
-/// x and y of one x + other y = wanted.
+/// Solves one x + other y = wanted for x and y.
 fn solved(one: [f64; 2], other: [f64; 2], wanted: [f64; 2]) -> [f64; 2] {
     let determinant = one[0] * other[1] - one[1] * other[0];
     let x = (wanted[0] * other[1] - wanted[1] * other[0]) / determinant;
@@ -78,7 +78,7 @@ fn solved(one: [f64; 2], other: [f64; 2], wanted: [f64; 2]) -> [f64; 2] {
     [x, y]
 }
 
-/// Of each machine the means over all views, with that clipping.
+/// The means over all views for each machine, with that clipping.
 fn means(plan: &Plan, clipping: Clipping, watch: &mut Watch) -> Option<Result<[Means; 3], Error>> {
     let views: Vec<u32> = plan.views().collect();
     let all = watch.each("drawing regions", &views, |view| of_view(plan, clipping, *view))?;

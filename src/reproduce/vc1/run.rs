@@ -1,4 +1,4 @@
-//! A case, run: a still view, frame after frame, and what it took.
+//! The run of a case: a still view, frame after frame, and its times.
 
 use super::plan::{Case, FIRST, FRAMES, Plan, STEP};
 use std::sync::Arc;
@@ -8,7 +8,7 @@ use tilewright_machines::vc1::{Clocks, Config, FrameReport, Report};
 use tilewright_rtl::clocks::PE;
 use tilewright_scenes::{Projection, Scene, project};
 
-/// What a case took, as means over the frames that are timed. Times are milliseconds.
+/// The numbers of a case, as means over the timed frames. Times are in milliseconds.
 #[derive(Clone, Debug)]
 pub struct Timed {
     pub case: Case,
@@ -18,16 +18,16 @@ pub struct Timed {
     pub drawing: f64,
     /// The busiest processing element over their mean.
     pub imbalance: f64,
-    /// Clocks of a processing element by class, as [`Clocks::NAMES`] has them.
+    /// Clocks of a processing element by class, in the sequence of [`Clocks::NAMES`].
     pub clocks: [f64; 10],
     pub overflows: f64,
-    /// Words on the bus, and how long they are on it.
+    /// Words on the bus, and their time on it.
     pub words: f64,
     pub bus: f64,
     pub polygons: u32,
 }
 
-/// A case to run. Pages beyond those that its views need make no difference, and are left out: so many cases are one.
+/// A case to run. Pages that its views do not need make no difference and are left out, so that many cases are equal.
 pub struct Job {
     pub case: Case,
     config: Config,
@@ -36,14 +36,14 @@ pub struct Job {
 /// Nanoseconds of a clock of the processing elements, in milliseconds.
 pub const CLOCK: f64 = PE.period.picoseconds() as f64 / 1e9;
 
-/// T: the mean of the intervals in which the display changes, in ms.
+/// T: the mean interval between changes of the display, in ms.
 pub fn interval(report: &Report) -> f64 {
     let shown = |number: usize| report.frames[number - 1].times.shown.unwrap_or_default() as f64 / 1e9;
     (shown(FRAMES) - shown(FIRST)) / (FRAMES - FIRST) as f64
 }
 
 impl Timed {
-    /// The same of a case that differs in nothing that is of account.
+    /// The same for an equivalent case.
     pub fn of_case(&self, case: Case) -> Timed {
         Timed { case, ..self.clone() }
     }
@@ -87,7 +87,7 @@ impl Timed {
 }
 
 impl Case {
-    /// The scene as the camera sees it after so many steps.
+    /// The scene as the camera sees it after that number of steps.
     ///
     /// # Errors
     /// It cannot be set up.
@@ -101,7 +101,7 @@ impl Case {
 }
 
 impl Job {
-    /// What there is to run of a case.
+    /// What has to run for a case.
     ///
     /// # Errors
     /// There is no such machine.
@@ -113,7 +113,7 @@ impl Job {
         Ok(Job { case: *case, config: Config { pages: config.pages.map(|pages| pages.min(needed)), ..config } })
     }
 
-    /// Whether one of them is as good as both: they have the same machine and the same views.
+    /// Whether one run is enough for both: they have the same machine and the same views.
     pub fn is_same(&self, other: &Job) -> bool {
         (self.case.scene, self.case.view, self.config) == (other.case.scene, other.case.view, other.config)
     }
@@ -133,7 +133,7 @@ impl Job {
     }
 }
 
-/// Frames of a still view on the model; its polygons are dealt in that first view, if there is one.
+/// Frames of a still view on the model. Its polygons are assigned in `first`, if that is given.
 fn modelled(config: &Config, view: &Arc<Projection>, first: Option<&Arc<Projection>>) -> Result<Report, Error> {
     let model = Model::new(*config)?;
     let first = first.map(|first| model.deal(first, None)).transpose()?;
@@ -155,7 +155,7 @@ mod tests {
         let view = all.case.view(&plan, 0)?;
         let [few, many] = [all.config, all.case.config(&plan)].map(|config| modelled(&config, &view, None));
         assert_eq!(few?.frames, many?.frames);
-        // And those that are make one.
+        // Intervals that are counted give one.
         assert!(!all.is_same(&Job::of(&plan.in_memory("table", 16, 8), &plan)?));
         Ok(())
     }

@@ -5,7 +5,7 @@ use super::regions::Means;
 use super::run::Timed;
 use tilewright_report::{Cell, Section, Table};
 
-/// What Table 1 prints, in milliseconds: the virtual local frame buffer; 2x2 regions; 4x4 with 2 buffers and with 4.
+/// The times of Table 1 in milliseconds: the virtual local frame buffer; 2x2 regions; 4x4 with 2 buffers and with 4.
 pub const PRINTED: [Means; 4] = [
     Means { time: 33.4, geometry: 12.3, rasterization: 14.7, synchronization: 1.4 },
     Means { time: 51.0, geometry: 14.1, rasterization: 29.1, synchronization: 7.3 },
@@ -29,7 +29,7 @@ pub fn vlfb(found: &Found) -> Option<Means> {
 /// The section of the table.
 pub fn section(found: &Found) -> Section {
     let section = Section::new("Table 1: beside regions").paragraph(
-        "These are times of ter1k with 16 processing elements, as means over still views 7.5 degrees apart, 48 of them in a full turn. Clusters are dealt once, in the first view. The other \
+        "These are times of ter1k with 16 processing elements, as means over still views 7.5 degrees apart, 48 of them in a full circle. Clusters are assigned once, in the first view. The other \
              machine divides the screen into regions. A processing element does its geometry, then draws region after region, each into one of its buffers. It may begin a region when the one that \
              was in its buffer is merged, and a region is merged when all have drawn it. A processing element that has drawn its last region begins the geometry of the next frame. The paper \
              simulated that machine on its own, and so does the model here; there is no circuit of it.",
@@ -63,7 +63,7 @@ fn table(found: &Found) -> Table {
 }
 
 fn unclipped(found: &Found) -> Table {
-    let table = Table::new("table-1-unclipped", "The same with clipping for nothing", ["ms"].into_iter().chain(NAMES));
+    let table = Table::new("table-1-unclipped", "The same with free clipping", ["ms"].into_iter().chain(NAMES));
     let model: Vec<Means> = vlfb(found).into_iter().chain(found.regional.unclipped).collect();
     ROWS.into_iter().fold(table, |table, (name, of)| {
         let name = name.trim_end_matches(", fitted");

@@ -1,4 +1,4 @@
-//! What is better read as a table: clusters, the thresholds' effects, section 6, and what cannot be asked.
+//! Tables: clusters, the thresholds' effects, section 6, and what cannot be compared.
 
 use super::claims;
 use super::found::Found;
@@ -7,10 +7,10 @@ use super::statements::{best, named};
 use tilewright_report::{Axis, Cell, Chart, Section, Series, Table};
 use tilewright_rtl::gfb::Blanking;
 
-/// What grows and what falls with the threshold, on the paper's machine.
+/// The effects of the threshold on the paper's machine.
 pub fn effects(found: &Found) -> Table {
     let columns = ["threshold", "T, ms", "D, ms", "busiest over mean", "overflows a frame", "words a frame", "bus, ms"];
-    let table = Table::new("figure-9-effects", "Figure 9: what the threshold does, 1/4.7 of the screen", columns);
+    let table = Table::new("figure-9-effects", "Figure 9: effects of the threshold, 1/4.7 of the screen", columns);
     let plan = &found.plan;
     plan.thresholds().fold(table, |table, apr| {
         match found.of(plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr)) {
@@ -26,8 +26,9 @@ pub fn effects(found: &Found) -> Table {
 /// Section 4.1.
 pub fn clusters(found: &Found) -> Section {
     let columns = ["polygons of a cluster w", "busiest over mean", "vertices transformed", "pages of each"];
-    let table = Table::new("clusters", "ter1k by the size of clusters, n = 16", columns)
-        .note("Vertices and pages are counted, with pages for all; how busy processing elements are is the model’s.");
+    let table = Table::new("clusters", "ter1k by the size of clusters, n = 16", columns).note(
+        "Vertices and pages are counted, with pages for all patches; the load of processing elements is the model’s.",
+    );
     let row = |table: Table, it: &super::counted::Cluster| {
         let imbalance = found.of(found.plan.clustered(it.polygons)).map_or(f64::NAN, |timed| timed.imbalance);
         table.row([f64::from(it.polygons), imbalance, it.vertices, it.pages].map(Cell::Number))
@@ -42,7 +43,7 @@ pub fn section_6(found: &Found) -> Section {
     let plan = &found.plan;
     let columns = ["n", "capacity", "best threshold", "T, ms", "D, ms", "mean area sent, pixels", "bus, ms"];
     let table = Table::new("section-6", "The table with more and more processing elements", columns)
-        .note("Of the thresholds the best one has the least T, and of equal ones the least D.");
+        .note("The best threshold has the least T and, if several have it, the least D.");
     let table = plan.section_6().fold(table, |table, machine| match best(found, machine) {
         None => table,
         Some(it) => {
@@ -69,7 +70,7 @@ pub fn section_6(found: &Found) -> Section {
         .figure(claims::best(found), chart)
 }
 
-/// What nothing here has a number of.
+/// The paper's contents without numbers here.
 pub fn not_compared() -> Section {
     let rows = [
         ("1.3 GFLOPS", "the programs are in Rust with a cost for each step: no floating-point operation is simulated"),
@@ -80,13 +81,13 @@ pub fn not_compared() -> Section {
         ("Figures 3, 10 and 11", "block diagrams and photographs have no numbers"),
         ("texture mapping", "future work in the paper"),
         ("special hardware for rasterization", "future work in the paper"),
-        ("reuse of pages while they are sent", "left out of the paper’s machine as too complex, and so here"),
+        ("reuse of pages while they are sent", "left out of the paper’s machine as too complex, and left out here"),
         ("Figures 7, 8 and 9, point by point", "the curves are not in the text: only its sentences can be compared"),
     ];
     let table = Table::new("not-compared", "What is not compared, and why", ["what", "why"]);
     let table = rows.into_iter().fold(table, |table, (what, why)| table.row([what.into(), why.into()]));
     Section::new("Not compared").part(table).paragraph(
-        "Two numbers that were expected of this machine do not stand. 42.0 ms, T_m and a refresh, is no bound of an overflow’s wait. From 754 clocks of rasterization to the 1492 of 2x2 regions there are 738 more, \
+        "Two expected numbers are wrong. 42.0 ms, T_m and a refresh, is not a bound of an overflow’s wait. From 754 clocks of rasterization to the 1492 of 2x2 regions there are 738 more, \
          and not 739.",
     )
 }

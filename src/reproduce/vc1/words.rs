@@ -1,4 +1,4 @@
-//! What the page says in words: what it is of, and what its words mean.
+//! The introduction of the page, and its definitions.
 
 use super::plan::{Plan, SPLITS, split};
 use tilewright_machines::vc1::CostTable;
@@ -12,14 +12,14 @@ pub fn introduction(page: Page, plan: &Plan) -> Page {
              time. When there is none left, its buffers swap in the midst of a frame.",
         )
         .paragraph(
-            "Here every statement of the paper with a number, an order or a direction stands beside what the machine does. Its rule was fixed before the number was known. Most numbers come from a model that \
-             goes from event to event. Its clocks are the circuit’s: wherever the circuit runs for this page, the two are compared event by event.",
+            "This page compares each statement of the paper with a number, a sequence or a direction with what the machine does. Its rule was fixed before the number was known. Most numbers come from an \
+             event-driven model. Its clocks are the circuit’s: wherever the circuit runs for this page, the two are compared event by event.",
         );
     match plan.is_quick() {
         false => page,
         true => page.paragraph(format!(
-            "This is a quick look, on a screen of {} pixels: a refresh comes as much sooner as T_m is shorter, and programs compute as much faster. Times are given as if they did not. There are few scenes and \
-             few machines, so some statements have nothing to be compared with, and numbers are not those of the paper’s screen.",
+            "This is a quick look, on a screen of {} pixels. Refreshes and programs are faster by the factor by which T_m is shorter, and all times are multiplied by that factor. There are few scenes and \
+             few machines, so some statements cannot be compared, and numbers differ from those of the paper’s screen.",
             plan.size()
         )),
     }
@@ -47,8 +47,8 @@ pub fn provenance(plan: &Plan) -> Provenance {
         .parameter("bus", format!("{send} clocks to send a word, {receive} to receive it"), "the paper gives no number")
         .parameter(
             "clusters",
-            "32 polygons, dealt once by what they are expected to take",
-            "the paper tunes w, and says no number",
+            "32 polygons, assigned once by their expected clocks",
+            "the paper tunes w, and gives no number",
         )
         .parameter(
             "threshold",
@@ -66,12 +66,12 @@ pub fn definitions(plan: &Plan) -> Section {
     let views = plan.views().count();
     Section::new("What the words mean")
         .paragraph(format!(
-            "The view is still. A capacity c is floor(19,200 c) pages in each of the two buffers; 1/4.7 is the paper’s machine with its 4096. Thresholds are 500 pixels with 16 processing elements and 500 · 16 / n \
-             with n, where nothing else is said. The best threshold has the least T, and of equal ones the least D. Table 1 has means over {views} still views, 7.5 degrees apart, for which clusters are dealt once, in \
-             the first.",
+            "The view is still. A capacity c is floor(19,200 c) pages in each of the two buffers; 1/4.7 is the paper’s machine with its 4096 pages. Unless stated otherwise, thresholds are 500 pixels with 16 processing \
+             elements and 500 · 16 / n with n. The best threshold has the least T and, if several have it, the least D. Table 1 has means over {views} still views, 7.5 degrees apart. Their clusters are assigned once, in \
+             the first view.",
         ))
         .paragraph(format!(
-            "Two of Table 1’s numbers are fitted, and have no verdict: 12.3 ms of geometry and 14.7 ms of rasterization, 631 and 754 clocks a polygon. All else is prediction: no cost was moved for it. \
+            "Two of Table 1’s numbers are fitted, and have no verdict: 12.3 ms of geometry and 14.7 ms of rasterization, 631 and 754 clocks a polygon. All other numbers are predictions: no cost was adjusted for them. \
              The splits of the 754 clocks have {} clocks a row.",
             rows.join(", ")
         ))

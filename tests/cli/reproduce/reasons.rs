@@ -18,7 +18,7 @@ const PAGES: [Page; 4] = [
 ];
 
 const QUADTREE: [(&str, &str); 5] = [
-    ("MPG-EQ1", "On each level there are no more windows than the area of the filtered polygon, on the mean."),
+    ("MPG-EQ1", "The mean number of windows on each level is at most the area of the filtered polygon."),
     ("MPG-F6A", "At S = 1000 performance still grows almost in proportion to the processors."),
     ("MPG-F6B", "Near S_k the load of the pipelines is greatest, and almost 100 %: at S_k."),
     ("MPG-F6B", "The load grows with the matrix: S = 1."),
@@ -28,11 +28,11 @@ const QUADTREE: [(&str, &str); 5] = [
 const PIXEL_PLANES: [(&str, &str); 8] = [
     (
         "PP5-ARCH",
-        "Renderers have almost no more to do than with a processor for each pixel of the screen, which processes each polygon once.",
+        "Renderers have hardly more work than a processor for each pixel of the screen, which processes each polygon once.",
     ),
     (
         "PP5-ARCH",
-        "Regions are given to renderers so that these process nearly equal numbers of primitives: 16 renderers that wait for nothing.",
+        "Regions are assigned so that renderers process nearly equal numbers of primitives: 16 renderers that never wait.",
     ),
     (
         "PP5-ARCH",
@@ -77,7 +77,7 @@ const PIXELFLOW: [(&str, &str); 11] = [
 const VC1: [(&str, &str); 16] = [
     (
         "VC1-SW4",
-        "A processor’s worst-case idle time upon an overflow is 33.3 ms: where all swapped together before, at any time.",
+        "A processor’s worst-case idle time upon an overflow is 33.3 ms: if all swapped together before, at any time.",
     ),
     ("VC1-SW4", "A processor’s worst-case idle time upon an overflow is 33.3 ms: in any case."),
     (
@@ -86,10 +86,10 @@ const VC1: [(&str, &str); 16] = [
     ),
     ("VC1-F7", "256 processing elements draw ter250 190 times as fast as one."),
     ("VC1-RATE", "16 processing elements draw 514,000 polygons a second at most."),
-    ("VC1-RATE", "From the paper’s rates follow the times of ter250 with 1 and with 16."),
+    ("VC1-RATE", "The times of ter250 with 1 and with 16 processing elements are those of the paper’s rates."),
     (
         "VC1-LOC",
-        "The memory that processing elements need does not change with the number of polygons: pages of ter250 beside ter1k.",
+        "The memory that processing elements need does not depend on the number of polygons: pages of ter250 beside ter1k.",
     ),
     (
         "VC1-F9",

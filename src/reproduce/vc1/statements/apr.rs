@@ -8,9 +8,9 @@ use super::{ALMOST_LEAST, LITTLE, WITHIN_10, named};
 use tilewright_report::{Rule, Statement};
 use tilewright_rtl::gfb::Blanking;
 
-/// What the paper's best threshold leaves of the time without any (VC1-F9).
+/// The time with the paper's best threshold over that without (VC1-F9).
 const LEFT: f64 = 0.75;
-/// What the area test takes at most of all computing (VC1-APR).
+/// The greatest share of the area test in all computing (VC1-APR).
 const AREA_TEST: f64 = 0.03;
 
 pub fn statements(found: &Found) -> Vec<Statement> {
@@ -19,7 +19,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
     statements
 }
 
-/// The machine of Figure 9 at a threshold; the text does not tell its memory, so it is the paper's machine.
+/// The machine of Figure 9 at a threshold. The text does not state its memory, so it is the paper's machine.
 fn paper(found: &Found, apr: Option<u32>) -> Case {
     found.plan.at_threshold(Capacity::Paper, Blanking::AtStart, apr)
 }
@@ -34,7 +34,7 @@ fn figure_9(found: &Found) -> Vec<Statement> {
     let mut statements = vec![
         Statement::new(
             "VC1-F9",
-            "For the table with 16 processing elements 500 is the most appropriate threshold: T(500) over the least T.",
+            "The most appropriate threshold for the table with 16 processing elements is 500: T(500) over the least T.",
             Rule::AtMost,
         )
         .paper([ALMOST_LEAST])
@@ -91,7 +91,7 @@ fn figure_9(found: &Found) -> Vec<Statement> {
     statements
 }
 
-/// What is saved with pages for all is saved by balance alone.
+/// With pages for all patches, only balance saves time.
 fn gain(found: &Found) -> Statement {
     let saved = |capacity: Capacity| {
         let [with, without] = [Some(THRESHOLD), None]
@@ -104,7 +104,7 @@ fn gain(found: &Found) -> Statement {
     });
     Statement::new(
         "VC1-F9",
-        "The main effect of a threshold is fewer overflows, not balance: what it saves by fewer overflows, less what it saves where pages are enough for all.",
+        "The main effect of a threshold is fewer overflows, not balance: time saved by fewer overflows, less time saved with pages for all patches.",
         Rule::AtLeast,
     )
     .unit("ms")

@@ -40,7 +40,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .found(rtl(), [circuit.round as f64]),
         Statement::new(
             "VC1-ACC",
-            "An access to the local frame buffer follows another in 3 clocks, or in 4 if its patch has no page yet.",
+            "An access to the local frame buffer follows another after 3 clocks, or after 4 if its patch has no page yet.",
             Rule::Equals,
         )
         .unit("clocks")
@@ -56,20 +56,20 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .found(rtl(), [circuit.bus * megahertz]),
         Statement::new(
             "VC1-CLR2",
-            "The processor clears its patch table by software after each swap; here an entry takes 3 clocks.",
+            "After each swap the processor clears its patch table by software; here an entry takes 3 clocks.",
             Rule::Equals,
         )
         .unit("ms")
         .found(found.model(), found.of(found.plan.case("teapot", 16)).map(|it| it.class("clearing")))
         .cannot_be_compared("the paper gives no number"),
         found.figure_6.statement(),
-        idle(found, "where the buffers swapped in a blanking before", |it| it.in_blanking),
-        idle(found, "where all swapped together before, at any time", |it| it.together),
+        idle(found, "if the buffers swapped in a blanking before", |it| it.in_blanking),
+        idle(found, "if all swapped together before, at any time", |it| it.together),
         idle(found, "in any case", |it| it.any.max(it.together).max(it.in_blanking)),
     ]
 }
 
-/// The longest wait of an overflow, of those that were found.
+/// The longest wait of an overflow.
 fn idle(found: &Found, when: &str, of: fn(&Idle) -> f64) -> Statement {
     let text = format!("A processor’s worst-case idle time upon an overflow is 33.3 ms: {when}.");
     let statement = Statement::new("VC1-SW4", text, Rule::AtMost).unit("ms").paper([FLOOR]);

@@ -51,15 +51,19 @@ fn clusters(found: &Found) -> Vec<Statement> {
     vec![
         Statement::new(
             "VC1-CLU",
-            "Polygons one by one balance the load, clusters less: ter1k, n = 16.",
+            "Single polygons balance the load better than clusters: ter1k, n = 16.",
             Rule::Increases { with: "w".to_owned() },
         )
         .unit("the busiest over the mean")
         .found(found.model(), imbalance),
-        Statement::new("VC1-CLU", "Clusters have fewer vertices twice.", Rule::Decreases { with: "w".to_owned() })
-            .unit("vertices transformed")
-            .found(counted.origin(), counted.clusters.iter().map(|it| (format!("w = {}", it.polygons), it.vertices))),
-        Statement::new("VC1-CLU", "Polygons one by one take more pages: w = 1 over w = 32.", Rule::AtLeast)
+        Statement::new(
+            "VC1-CLU",
+            "With larger clusters fewer vertices are transformed twice.",
+            Rule::Decreases { with: "w".to_owned() },
+        )
+        .unit("vertices transformed")
+        .found(counted.origin(), counted.clusters.iter().map(|it| (format!("w = {}", it.polygons), it.vertices))),
+        Statement::new("VC1-CLU", "Single polygons take more pages: w = 1 over w = 32.", Rule::AtLeast)
             .paper([LITTLE])
             .found(counted.origin(), pages(1).zip(pages(32)).map(|(one, other)| one / other)),
     ]
@@ -74,14 +78,14 @@ fn locality(found: &Found) -> Vec<Statement> {
     let mut statements = vec![
         Statement::new(
             "VC1-LOC",
-            "Pixels of a processing element are a p / n, whatever the number of polygons: ter250 beside ter1k.",
+            "The pixels of a processing element are a p / n, whatever the number of polygons: ter250 beside ter1k.",
             WITHIN_5,
         )
         .paper([1.0])
         .found(counted.origin(), beside(|it| it.pixels)),
         Statement::new(
             "VC1-LOC",
-            "The memory that processing elements need does not change with the number of polygons: pages of ter250 beside ter1k.",
+            "The memory that processing elements need does not depend on the number of polygons: pages of ter250 beside ter1k.",
             WITHIN_10,
         )
         .paper([1.0])

@@ -7,7 +7,7 @@ use super::reasons::{COSTS, OVERFLOWS};
 use super::{FLOOR, GUARDS, WITHIN_1, WITHIN_10, place};
 use tilewright_report::{Rule, Statement};
 
-/// What the paper prints of ter250, and what follows from it: the polygons of the scene over the rate, and 190 times the floor.
+/// The paper's numbers for ter250, and what follows from them: the polygons of the scene over the rate, and 190 times the floor.
 const POLYGONS: f64 = 203_522.0;
 const THOUSANDS_WITH_16: f64 = 514.0;
 const MILLIONS_WITH_256: f64 = 6.1;
@@ -79,7 +79,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .unit("million polygons/s, of the fastest scene")
             .paper([MILLIONS_WITH_256])
             .found(found.model(), fastest(256)),
-        Statement::new("VC1-RATE", "From the paper’s rates follow the times of ter250 with 1 and with 16.", WITHIN_10)
+        Statement::new("VC1-RATE", "The times of ter250 with 1 and with 16 processing elements are those of the paper’s rates.", WITHIN_10)
             .unit("ms")
             .formula(derived()[..2].iter().map(|(n, time)| (format!("n = {n}"), *time)))
             .found(

@@ -1,4 +1,4 @@
-//! Section 6: what grows with the machine.
+//! Section 6: larger machines.
 
 use super::super::found::Found;
 use super::super::plan::Plan;
@@ -8,7 +8,7 @@ use super::{FLOOR, WITHIN_1, WITHIN_2};
 use tilewright_report::{Origin, Rule, Statement};
 use tilewright_scenes::Size;
 
-/// The threshold with the least T; of equal ones that with the least D.
+/// The threshold with the least T; if several have it, that with the least D.
 pub fn best(found: &Found, machine: (u32, u32)) -> Option<&Timed> {
     let all = found.plan.thresholds().filter_map(|apr| found.of(found.plan.in_section_6(machine, apr)));
     all.min_by(|one, other| {
@@ -19,7 +19,7 @@ pub fn best(found: &Found, machine: (u32, u32)) -> Option<&Timed> {
 pub fn statements(found: &Found) -> Vec<Statement> {
     let plan: &Plan = &found.plan;
     let bests = || plan.section_6().filter_map(|machine| Some((machine.0, best(found, machine)?)));
-    // No packet is larger than the screen, so that is no threshold.
+    // No packet is larger than the screen, so this means no threshold.
     let screen = Size::VGA.pixels() as f64;
     let thresholds = bests().map(|(n, it)| (format!("n = {n}"), it.case.apr.map_or(screen, f64::from)));
     let areas =
@@ -31,7 +31,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
     vec![
         Statement::new(
             "VC1-THRN",
-            "As the number of processing elements grows, and with it memory shrinks from 1/4 to 1/32, the threshold should be lowered: the best one for the table.",
+            "With more processing elements, and memory from 1/4 down to 1/32, the threshold should be lowered: the best one for the table.",
             Rule::NeverIncreases { with: with() },
         )
         .unit("pixels")
@@ -66,7 +66,7 @@ pub fn statements(found: &Found) -> Vec<Statement> {
             .because(COMMAND),
         Statement::new(
             "VC1-33",
-            "The merger has to be as much faster as there are pixels: T_m of 1280x960 pixels over that of 640x480.",
+            "The merger has to be faster in proportion to the pixels: T_m of 1280x960 pixels over that of 640x480.",
             WITHIN_2,
         )
         .paper([4.0])

@@ -53,9 +53,9 @@ pub fn statements(found: &Found) -> Vec<Statement> {
         .unit("ms")
         .found(model(), [("2 buffers", waiting(&four_with_2)), ("4 buffers", waiting(&four_with_4))]),
         beside(
-            "The increase of synchronization is essential: with clipping for nothing regions wait longer than VLFB.",
+            "The increase of synchronization is essential: with free clipping regions wait longer than VLFB.",
             waiting,
         ),
-        beside("With clipping for nothing regions still take longer than VLFB.", time),
+        beside("With free clipping regions still take longer than VLFB.", time),
     ]
 }

@@ -1,4 +1,4 @@
-//! That verdicts are not foregone: another cost, another page count or another refresh turns one of each kind of rule.
+//! Verdicts can change: another cost, page count or refresh changes a verdict of each kind of rule.
 
 use super::super::figure_6::{Figure6, PAGES};
 use super::super::found::Found;
@@ -22,13 +22,13 @@ fn costs(costs: CostTable) -> Usual {
     Usual { costs, ..Usual::default() }
 }
 
-/// The verdict on the statement with that in its words.
+/// The verdict on the statement that contains these words.
 fn verdict(statements: Vec<Statement>, words: &str) -> String {
     let is_it = |it: &&Statement| format!("{it:?}").contains(words);
     statements.iter().find(is_it).unwrap_or_else(|| panic!("nothing says {words}")).verdict().to_string()
 }
 
-/// It holds for the first machine, and differs for the second.
+/// The verdict is true for the first machine, and differs for the second.
 #[track_caller]
 fn turns(
     [before, after]: [Usual; 2],
@@ -84,7 +84,7 @@ fn another_page_count_turns_the_order_of_figure_6() {
 fn another_cost_turns_what_increases() {
     let pixels = CostTable { vertex: 0, polygon: 0, area: 0, clip: 0, set_up: 0, row: 0, ..CostTable::default() };
     let cases = |plan: &Plan| CLUSTERS.map(|w| plan.clustered(w)).to_vec();
-    turns([costs(CostTable::default()), costs(pixels)], cases, memory::statements, "clusters less");
+    turns([costs(CostTable::default()), costs(pixels)], cases, memory::statements, "Single polygons balance");
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn another_page_count_turns_what_decreases() {
     turns([of(0.03), of(1.0)], cases, section_6::statements, "polygons that are sent become smaller");
 }
 
-/// With four processing elements alone: so few pages that they need a threshold, where sixteen need none.
+/// Only four processing elements have few pages and need a threshold; sixteen need none.
 #[test]
 fn another_page_count_turns_what_never_increases() {
     let found = |usual: Usual, which: usize| {
