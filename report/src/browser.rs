@@ -1,4 +1,4 @@
-//! Opens a page in headless Chromium and says what is wrong with it: for tests, of this crate and of whoever makes pages with it.
+//! Opens a page in headless Chromium and lists its problems, for tests of this crate and of programs that make pages.
 
 use serde::Deserialize;
 use std::ffi::OsStr;
@@ -8,30 +8,29 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// The widths at which a page is looked at, in CSS pixels: of a telephone, and of a desk's screen.
+/// The widths at which a page is checked, in CSS pixels: of a telephone, and of a desktop screen.
 ///
 /// ```
 /// use tilewright_report::browser::WIDTHS;
 ///
-/// assert!(WIDTHS.iter().any(|width| *width < 500), "a page is looked at as on a telephone, too");
+/// assert!(WIDTHS.iter().any(|width| *width < 500), "a page is also checked as on a telephone");
 /// ```
 pub const WIDTHS: [u32; 2] = [390, 1280];
 
-/// Names of the browser, with that of its Debian package first.
+/// Names of the browser; that of its Debian package comes first.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-/// The longest that a browser may take.
+/// The most time that the browser may take.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// All that is wrong with a page, a sentence for each, at each of [`WIDTHS`], in the light and in the dark: what the browser's
-/// console says, a page wider than the window, pictures that are not loaded, anything loaded from elsewhere, a background that is
-/// not light or dark when it should be.
+/// All problems of a page, a sentence for each, at each of [`WIDTHS`], in a light and in a dark scheme. Problems are messages on the
+/// browser's console, a page wider than the window, pictures that are not loaded, resources from elsewhere, and a background that does not
+/// follow the scheme.
 ///
-/// Without Chromium it says `skipped: chromium is not installed` and gives `None`.
+/// Without Chromium it prints `skipped: chromium is not installed` and returns `None`.
 ///
 /// # Panics
-/// The environment variable `CI` is set and there is no Chromium, so that no pipeline passes by leaving out the check; or Chromium
-/// cannot be run.
+/// The environment variable `CI` is set and there is no Chromium, so that no pipeline skips the check; or Chromium cannot be run.
 ///
 /// ```
 /// use tilewright_report::{Page, Provenance, browser};
@@ -45,7 +44,7 @@ pub fn complaints(html: &[u8]) -> Option<Vec<String>> {
     let Some(browser) = BROWSERS.iter().find_map(|name| on_search_path(name)) else {
         let name = BROWSERS[0];
         assert!(std::env::var_os("CI").is_none(), "{name} is not installed, and CI is set: install it, or unset CI");
-        // Not by `eprintln!`, which a test that passes keeps for itself.
+        // Not with `eprintln!`, whose output a passing test hides.
         let _ = writeln!(std::io::stderr(), "skipped: {name} is not installed");
         return None;
     };
@@ -58,11 +57,11 @@ fn on_search_path(name: &str) -> Option<PathBuf> {
     std::env::split_paths(&path).map(|folder| folder.join(name)).find(|file| file.is_file())
 }
 
-/// Light or dark: its name, and Chromium's number.
+/// The name of a scheme, and Chromium's number for it.
 type Scheme = (&'static str, u32);
 const SCHEMES: [Scheme; 2] = [("dark", 0), ("light", 1)];
 
-/// What `browser.js` measures in a window.
+/// The measurements of `browser.js` in a window.
 #[derive(Deserialize)]
 struct Seen {
     width: u32,
@@ -70,14 +69,14 @@ struct Seen {
     /// Whether there is anything on the page.
     is_empty: bool,
     pictures_missing: u32,
-    /// Addresses that it loads something from.
+    /// Addresses from which the page loads something.
     loads: Vec<String>,
     prefers_dark: bool,
     /// The background's brightness, 0 to 1.
     brightness: f64,
 }
 
-/// Opens the page in a frame of each width, in a page that measures them.
+/// Opens the page in frames of each width, inside a page that measures them.
 fn look(browser: &Path, html: &[u8], (scheme, number): Scheme) -> Vec<String> {
     let folder = tempfile::Builder::new().prefix("tilewright-").tempdir().expect("a temporary folder can be made");
     let place = |name: &str| folder.path().join(name);
@@ -85,7 +84,7 @@ fn look(browser: &Path, html: &[u8], (scheme, number): Scheme) -> Vec<String> {
     let [output, messages] = ["output", "messages"]
         .map(|name| (place(name), File::create(place(name)).expect("a temporary file can be made")));
     let mut command = Command::new(browser);
-    // As root it has no sandbox. It opens nothing but our own page, and that without a network.
+    // As root the browser has no sandbox. It opens only our own page, without a network.
     command.args(["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"]);
     command.args(["--disable-background-networking", "--disable-component-update", "--disable-dev-shm-usage"]);
     command.arg("--host-resolver-rules=MAP * ~NOTFOUND");
@@ -148,7 +147,7 @@ fn wrong(seen: &Seen, scheme: &str) -> Vec<String> {
         .collect()
 }
 
-/// Runs the browser to its end, or ends it.
+/// Runs the browser to its end, or kills it after too much time.
 fn run(mut command: Command) {
     let mut browser =
         command.spawn().unwrap_or_else(|error| panic!("{} cannot be run: {error}", command.get_program().display()));

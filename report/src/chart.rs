@@ -21,7 +21,7 @@ use serde::Serialize;
 pub struct Axis {
     /// The quantity and its unit.
     pub label: String,
-    /// Whether equal steps are equal factors. A point that is not above zero has no place on such an axis: it is not drawn, and
+    /// Whether equal steps are equal factors. Such an axis has no place for a point that is not above zero. The point is not drawn, and
     /// the chart says so.
     pub logarithmic: bool,
 }
@@ -51,8 +51,8 @@ impl Axis {
     }
 }
 
-/// Points of one origin, (x, y) from left to right. Series of one name belong together: they share their colour, their line's
-/// dashes and their mark's shape, and stand in one row of the CSV file.
+/// Points of one origin, (x, y) from left to right. Series of the same name belong together: they share their colour, the dashes of their
+/// lines, the shape of their points, and rows of the CSV file.
 ///
 /// ```
 /// use tilewright_report::{Origin, Series};
@@ -62,10 +62,10 @@ impl Axis {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Series {
-    /// What it is a curve of.
+    /// What the curve shows.
     pub name: String,
-    /// Where its numbers come from: formulas are lines, plain counts plus signs, a transaction-level model's points hollow, the
-    /// hardware's filled, and small beside a model's, so that both are seen where they agree, a paper's crosses.
+    /// Where its numbers come from. Formulas are lines, plain counts are plus signs, and a paper's numbers are crosses. A transaction-level
+    /// model's points are hollow, and the hardware's are filled. Beside a model's they are small, so that equal points are both visible.
     pub origin: Origin,
     /// The points.
     pub points: Vec<(f64, f64)>,
@@ -84,7 +84,7 @@ impl Series {
     }
 }
 
-/// A chart of several series, with a legend that can be read without colours and the numbers as a table and a CSV file.
+/// A chart of several series. Its legend is readable without colours, and its numbers are also a table and a CSV file.
 ///
 /// ```
 /// use tilewright_report::{Axis, Chart, Origin, Series};
@@ -118,7 +118,7 @@ impl Chart {
         Chart { id: id.into(), title: title.into(), note: String::new(), x, y, series: Vec::new() }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::{Axis, Chart};
@@ -144,7 +144,7 @@ impl Chart {
         self
     }
 
-    /// The numbers: a row for each x of each name, a column for each origin, and the seeds of what was measured.
+    /// The numbers: a row for each x of each name, a column for each origin, and the seeds of measurements.
     ///
     /// ```
     /// use tilewright_report::{Axis, Chart, Origin, Series};
@@ -168,7 +168,7 @@ impl Chart {
         String::from_utf8_lossy(&csv::csv([names].into_iter().chain(rows))).into_owned()
     }
 
-    /// Names in the order of their first series, each with its x in order.
+    /// Names in the sequence of their first series, each with its sorted x.
     fn rows(&self) -> Vec<Row<'_>> {
         let mut rows: Vec<Row> = Vec::new();
         for name in self.names() {
@@ -176,7 +176,7 @@ impl Chart {
             for series in self.series.iter().filter(|series| series.name == name) {
                 let column = series.origin.column();
                 for &(x, y) in &series.points {
-                    // Two measurements of one place, by different seeds, are two rows.
+                    // Two measurements at one place with different seeds are two rows.
                     let free = rows[first..]
                         .iter()
                         .position(|row| row.x.total_cmp(&x).is_eq() && row.values[column].is_none());
@@ -192,7 +192,7 @@ impl Chart {
         rows
     }
 
-    /// The names of its series, each once, in order.
+    /// The names of its series, each once, in their sequence.
     pub(crate) fn names(&self) -> Vec<&str> {
         let mut names = Vec::new();
         for series in &self.series {
@@ -203,7 +203,7 @@ impl Chart {
         names
     }
 
-    /// How many points have no place on its axes.
+    /// The number of points without a place on its axes.
     fn not_drawn(&self) -> usize {
         let all = self.series.iter().flat_map(|series| &series.points);
         all.filter(|(x, y)| !(self.x.shows(*x) && self.y.shows(*y))).count()
@@ -212,8 +212,8 @@ impl Chart {
     pub(crate) fn html(&self) -> Markup {
         let not_drawn = match self.not_drawn() {
             0 => None,
-            1 => Some("One point has no place on these axes, and is not drawn.".to_owned()),
-            several => Some(format!("{several} points have no place on these axes, and are not drawn.")),
+            1 => Some("One point is outside of these axes, and is not drawn.".to_owned()),
+            several => Some(format!("{several} points are outside of these axes, and are not drawn.")),
         };
         html! {
             (plot::svg(self, plot::WIDE)) (plot::svg(self, plot::NARROW))
@@ -256,7 +256,7 @@ impl Chart {
         }
     }
 
-    /// What it shows, for those who do not see it.
+    /// A description for readers who do not see the chart.
     pub(crate) fn alt(&self) -> String {
         let series = self.series.iter().map(|series| format!("{} ({})", series.name, in_full(&series.origin)));
         format!("{}. {} against {}: {}.", self.title, self.y.label, self.x.label, series.collect::<Vec<_>>().join(", "))

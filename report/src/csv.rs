@@ -1,6 +1,6 @@
 //! Comma-separated values (RFC 4180, with plain line ends).
 
-/// A file of these rows, the first of which are the columns' names.
+/// A file of these rows, after a row with the names of the columns.
 pub fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
     rows.into_iter()
         .map(|row| row.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(",") + "\n")
@@ -8,7 +8,7 @@ pub fn csv(rows: impl IntoIterator<Item = Vec<String>>) -> Vec<u8> {
         .into()
 }
 
-/// A number in full; nothing for what is none.
+/// A number with all its digits; an empty cell if it is not finite.
 pub fn cell(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { String::new() }
 }

@@ -1,4 +1,4 @@
-//! The numbers that a verdict follows from, as a small table: a place a row, beside each other the reference and what was found.
+//! The numbers behind a verdict, as a small table. Each row is a place, with the reference beside the number found.
 
 use crate::number::shown;
 use crate::origin::Origin;
@@ -19,23 +19,23 @@ impl Numbers {
         Numbers { origin, points: points.into_iter().map(Into::into).collect() }
     }
 
-    /// The number of a place. One without a place counts for all.
+    /// The number at a place. A number without a place counts for all places.
     pub fn at(&self, at: &str) -> Option<f64> {
         self.points.iter().find(|point| point.at == at || point.at.is_empty()).map(|point| point.value)
     }
 }
 
-/// How many places are shown besides those that a verdict names; the CSV file has all.
+/// The number of places that are shown besides those that a verdict names. The CSV file has all places.
 const SHOWN: usize = 6;
 
-/// The places of both, in order: of what was found, or of the reference if nothing was.
+/// The places in their sequence: those of the numbers found, or of the reference if there are none.
 pub fn places<'a>(reference: &'a Option<Numbers>, found: &'a Option<Numbers>) -> Vec<&'a str> {
     let both = [found, reference].into_iter().flatten().map(|numbers| &numbers.points);
     let points = both.into_iter().find(|points| !points.is_empty());
     points.map_or_else(Vec::new, |points| points.iter().map(|point| point.at.as_str()).collect())
 }
 
-/// Both beside each other. `named` are the places of which a verdict speaks.
+/// The table of both. `named` are the places that a verdict names.
 pub fn evidence(reference: &Option<Numbers>, found: &Option<Numbers>, unit: &str, named: &[String]) -> Markup {
     let places = places(reference, found);
     if places.is_empty() {

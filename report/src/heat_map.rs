@@ -7,7 +7,7 @@ use crate::statement::in_full;
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// Numbers of a grid as colours, with their scale. Each cell says its number to who points at it; few cells have it written in.
+/// Numbers of a grid as colours, with their scale. Each cell shows its number under the mouse; a map of few cells has the numbers inside.
 ///
 /// ```
 /// use tilewright_report::{HeatMap, Origin};
@@ -25,12 +25,11 @@ pub struct HeatMap {
     pub(crate) rows: Vec<Vec<f64>>,
 }
 
-/// Cells have sides of this many units of the SVG.
+/// The side of a cell, in units of the SVG.
 const CELL: usize = 40;
 
 impl HeatMap {
-    /// A heat map of rows from top to bottom, all of one length. `id` names it in addresses and files: lower-case letters, digits,
-    /// hyphens.
+    /// A heat map of rows of equal length, from top to bottom. `id` names it in addresses and files: lower-case letters, digits, hyphens.
     ///
     /// ```
     /// use tilewright_report::{HeatMap, Origin};
@@ -49,7 +48,7 @@ impl HeatMap {
         HeatMap { id: id.into(), title: title.into(), note: String::new(), unit: unit.into(), origin, rows }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::{HeatMap, Origin};
@@ -97,7 +96,7 @@ impl HeatMap {
     pub(crate) fn html(&self) -> Markup {
         let (columns, rows) = (self.rows.first().map_or(0, Vec::len), self.rows.len());
         let (low, high) = self.ends();
-        // Of numbers that are all the same the colour is the middle one.
+        // If all numbers are equal, their colour is the middle one.
         let share = |value: f64| if high > low { (value - low) / (high - low) * 100.0 } else { 50.0 };
         let is_written = columns <= 8 && rows <= 16;
         let longest = self.rows.iter().flatten().map(|value| shown(*value).chars().count()).max().unwrap_or(1);

@@ -1,12 +1,12 @@
-//! The document: what is around and between the parts.
+//! The document around and between the parts.
 
 use crate::page::{Page, Part, Placed, Section};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// Colours, what is around parts, and charts.
+/// Styles: colours, the document, charts.
 const STYLE: &str = concat!(include_str!("colours.css"), include_str!("style.css"), include_str!("charts.css"));
 
-/// The whole page, in one file: it loads nothing and runs nothing, and a browser is told to let it do neither.
+/// The whole page in one file. It loads nothing and runs nothing, and its policy makes the browser forbid both.
 pub fn document(page: &Page) -> Markup {
     html! {
         (DOCTYPE)
@@ -34,7 +34,7 @@ pub fn document(page: &Page) -> Markup {
     }
 }
 
-/// How many statements hold, in words, each a way to the first of the tables that have them.
+/// The numbers of statements by verdict, each a link to the first table of statements.
 fn summary(page: &Page) -> Markup {
     let [holds, differs, unknown] = page.count();
     let verb = |count, one, several| if count == 1 { one } else { several };
@@ -51,7 +51,7 @@ fn summary(page: &Page) -> Markup {
     }
 }
 
-/// The sections, where there are several.
+/// Links to the sections, if there are several.
 fn contents(page: &Page) -> Markup {
     html! {
         @if page.sections.len() > 2 {
@@ -87,7 +87,7 @@ fn in_section(placed: &Placed) -> Markup {
     }
 }
 
-/// A part with its caption: what it shows, or its title; then what is drawn, and its data.
+/// A part with its caption, which is its claim or its title, then the drawing, and its data.
 fn figure(Placed { claim, part }: &Placed, title: &str, note: &str, inside: Markup) -> Markup {
     let (kind, id) = part.name().unwrap_or_default();
     let file = part.file().map_or(String::new(), |file| file.name);

@@ -1,4 +1,4 @@
-//! Numbers as a page shows them. Files of data hold them in full.
+//! Numbers as a page shows them. Files of data have all digits.
 
 /// A number with four significant digits, or all digits of a whole one.
 pub fn shown(value: f64) -> String {
@@ -16,12 +16,12 @@ pub fn shown(value: f64) -> String {
     if value < 0.0 { format!("\u{2212}{text}") } else { text }
 }
 
-/// A difference in percent, or a factor: two significant digits, so that it never reads as none.
+/// A difference in percent, or a factor, with two significant digits, so that it is never shown as 0.
 pub fn percent(value: f64) -> String {
     if value >= 100.0 { grouped(&format!("{value:.0}")) } else { significant(value, 2) }
 }
 
-/// Without zeros at the end.
+/// A number without zeros at the end.
 fn significant(size: f64, digits: i32) -> String {
     if size == 0.0 {
         return "0".to_owned();
@@ -30,7 +30,7 @@ fn significant(size: f64, digits: i32) -> String {
     format!("{rounded}")
 }
 
-/// Thousands set apart by narrow spaces, from five digits on.
+/// Narrow spaces between thousands, from five digits on.
 fn grouped(digits: &str) -> String {
     if digits.len() < 5 {
         return digits.to_owned();
@@ -47,7 +47,7 @@ fn scientific(size: f64) -> String {
     format!("{factor} × 10{}", raised(exponent))
 }
 
-/// Digits as they stand in an exponent.
+/// Digits as superscripts.
 pub fn raised(digits: &str) -> String {
     let one = |c: char| match c {
         '-' => '⁻',

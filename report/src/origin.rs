@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// Where numbers come from. It stands beside each of them on a page, and decides their column in a CSV file and their mark in a chart,
-/// so that nothing that a formula gave can pass for a measurement. What is measured names its seeds.
+/// Where numbers come from. A page shows the origin beside each number. It also decides the column of a CSV file and the point of a chart,
+/// so that no value of a formula can pass for a measurement. Measurements name their seeds.
 ///
 /// ```
 /// use tilewright_report::Origin;
@@ -37,10 +37,10 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// The origins' names, in the order of a CSV file's columns.
+    /// The origins' names, in the sequence of a CSV file's columns.
     pub(crate) const NAMES: [&str; 5] = ["formula", "plain count", "transaction model", "RTL", "paper"];
 
-    /// The columns of what is measured.
+    /// The columns of measurements.
     pub(crate) const MEASURED: std::ops::Range<usize> = 1..4;
 
     /// Counted by a plain model, which knows what there is to do and no time.
@@ -79,7 +79,7 @@ impl Origin {
         Origin::NAMES[self.column()]
     }
 
-    /// Which of the columns is its own.
+    /// The index of its column.
     pub(crate) fn column(&self) -> usize {
         match self {
             Origin::Formula => 0,
@@ -90,7 +90,7 @@ impl Origin {
         }
     }
 
-    /// The seeds of what was measured.
+    /// The seeds of a measurement.
     ///
     /// ```
     /// assert!(tilewright_report::Origin::Paper.seeds().is_empty());
@@ -107,7 +107,7 @@ impl Origin {
         self.seeds().iter().map(u64::to_string).collect::<Vec<_>>().join(" ")
     }
 
-    /// Whether a machine or a model of it ran for this.
+    /// Whether a machine or a model of it gave the numbers.
     ///
     /// ```
     /// assert!(tilewright_report::Origin::model([7]).is_measured());

@@ -1,4 +1,4 @@
-//! A report: sections made of parts, and the files it becomes.
+//! A report: its sections, their parts, and its files.
 
 use crate::chart::Chart;
 use crate::heat_map::HeatMap;
@@ -11,7 +11,7 @@ use crate::timeline::Timeline;
 use crate::verdicts::Verdicts;
 use serde::Serialize;
 
-/// A report: a title, an introduction, sections, and where it comes from.
+/// A report: a title, an introduction, sections, and its provenance.
 ///
 /// ```
 /// use tilewright_report::{Origin, Page, Provenance, Rule, Section, Statement, Verdicts};
@@ -34,7 +34,7 @@ pub struct Page {
     pub(crate) provenance: Provenance,
 }
 
-/// All of a report as JSON: how many statements hold, and so on; then the page.
+/// A report as JSON: the numbers of statements by verdict, then the page.
 #[derive(Serialize)]
 struct Report<'a> {
     holds: usize,
@@ -59,7 +59,7 @@ pub struct Section {
     pub(crate) parts: Vec<Placed>,
 }
 
-/// A part in its section, with what it shows in one sentence if it is a figure.
+/// A part in its section, with its claim in one sentence if it is a figure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Placed {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -68,7 +68,7 @@ pub(crate) struct Placed {
     pub part: Part,
 }
 
-/// What a section is made of. Each kind becomes one by `into()`.
+/// A part of a section. Each kind of part is converted with `into()`.
 ///
 /// ```
 /// use tilewright_report::{Part, Table};
@@ -81,7 +81,7 @@ pub(crate) struct Placed {
 pub enum Part {
     /// A paragraph.
     Paragraph(String),
-    /// Where there is more.
+    /// Links to other pages.
     Links(Vec<Link>),
     /// Statements of a paper with their verdicts.
     Verdicts(Verdicts),
@@ -181,7 +181,7 @@ impl Page {
         self
     }
 
-    /// How many of all statements hold, differ, and cannot be compared.
+    /// The numbers of statements that hold, that differ, and that cannot be compared.
     ///
     /// ```
     /// use tilewright_report::{Page, Provenance};
@@ -202,12 +202,11 @@ impl Page {
         self.sections.iter().flat_map(|section| &section.parts).map(|placed| &placed.part)
     }
 
-    /// The report as files: `index.html`, which needs none of the others; `report.json` with all numbers; and of each part its data as
-    /// `ID.csv` or its picture as `ID.png`. The same report gives the same bytes.
+    /// The report as files. `index.html` needs none of the others, and `report.json` has all numbers. Each part has its data as `ID.csv`, or
+    /// its picture as `ID.png`. The same report gives the same bytes.
     ///
     /// # Errors
-    /// All that is wrong with its parts: names that are no file names or are there twice, rows of different lengths, pictures that
-    /// are not PNG.
+    /// All problems of its parts: names that cannot name a file or are used twice, rows of different lengths, pictures that are not PNG.
     ///
     /// ```
     /// use tilewright_report::{Page, Picture, Provenance, Section};
@@ -215,7 +214,7 @@ impl Page {
     /// let page = Page::new("A picture", Provenance::new("tilewright", "0.1.0", "tilewright list"))
     ///     .section(Section::new("Frame").part(Picture::new("frame", "The frame", "a teapot", b"GIF89a".to_vec())));
     /// let wrong = page.files().unwrap_err().to_string();
-    /// assert_eq!(wrong, "the picture `frame` is not a PNG file: give it the bytes of one");
+    /// assert_eq!(wrong, "the picture `frame` is not a PNG file: give it the bytes of a PNG file");
     /// ```
     pub fn files(&self) -> Result<Vec<File>, Problems> {
         problems(self)?;
@@ -275,7 +274,7 @@ impl Section {
         self
     }
 
-    /// Adds a figure under the one thing that it shows, a short sentence. The figure’s title then says what is drawn.
+    /// Adds a figure below its claim, a short sentence. The figure’s title then tells what is drawn.
     ///
     /// ```
     /// use tilewright_report::{Axis, Chart, Page, Provenance, Section};
@@ -320,7 +319,7 @@ macro_rules! parts {
 parts!(Verdicts, Chart, Timeline, Picture, HeatMap, Table);
 
 impl Part {
-    /// What it is called in a problem, and its name in addresses and files.
+    /// Its kind in the words of a problem, and its name in addresses and files.
     pub(crate) fn name(&self) -> Option<(&'static str, &str)> {
         match self {
             Part::Paragraph(_) | Part::Links(_) => None,

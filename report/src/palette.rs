@@ -1,15 +1,15 @@
-//! One palette for things that are told apart by colour alone, such as the units of a machine.
+//! A palette for things that only their colour distinguishes, such as the units of a machine.
 
-/// Lightness of three neighbours, by OKLCH: each stands out from white and from black.
+/// Lightness of three neighbours in OKLCH. Each contrasts with white and with black.
 const LIGHTNESS: [f64; 3] = [0.70, 0.56, 0.63];
-/// How colourful all are, by OKLCH; less where a screen has no such colour.
+/// Chroma of all colours in OKLCH; less if a screen has no such colour.
 const CHROMA: f64 = 0.17;
-/// The hue of the first, and from one to the next the golden section of a turn: so any few that follow one another are far apart.
+/// The hue of the first colour. Each next hue is a golden section of the circle further, so that any few neighbours are far apart.
 const FIRST: f64 = 0.72;
 const TURN: f64 = 0.618_033_988_749_895;
 
-/// The colour of a thing of that number: red, green and blue. Neighbours differ in hue and in lightness, as do numbers that are 4, 8 or 16 apart, which are
-/// one below the other in a matrix. Each is legible on a light and on a dark background.
+/// The red, green and blue of a number's colour. Neighbours differ in hue and in lightness. So do numbers that are 4, 8 or 16 apart, which are neighbours in
+/// the columns of a matrix. Each colour is legible on a light and on a dark background.
 ///
 /// ```
 /// use tilewright_report::palette;
@@ -25,7 +25,7 @@ pub fn colour(number: u32) -> [u8; 3] {
     linear(lightness, chroma, hue).map(|part| (255.0 * gamma(part)).round() as u8)
 }
 
-/// As CSS writes it, such as `#1461a8`.
+/// The colour in CSS, such as `#1461a8`.
 pub(crate) fn css(number: u32) -> String {
     let [red, green, blue] = colour(number);
     format!("#{red:02x}{green:02x}{blue:02x}")
@@ -63,7 +63,7 @@ mod tests {
         0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
     }
 
-    /// Roughly how far apart the eye sees two colours: of 0.02 it hardly sees them.
+    /// Roughly the visible distance of two colours; one of 0.02 is hardly visible.
     fn distance(one: u32, other: u32) -> f64 {
         let place = |number: u32| {
             let hue = (FIRST + TURN * f64::from(number)) * std::f64::consts::TAU;

@@ -1,20 +1,20 @@
-//! A picture: a frame, or who drew which pixel.
+//! A picture: a frame, or the unit that drew each pixel.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// How every PNG file begins: its signature, then the header chunk's length and name.
+/// The begin of every PNG file: its signature, then the header chunk's length and name.
 const START: &[u8] = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR";
 
-/// How wide a small picture is shown, at most, in CSS pixels.
+/// The greatest width to which a small picture is enlarged, in CSS pixels.
 const ENLARGED: u32 = 320;
 
-/// How wide a picture may be to be shown pixel by pixel, in CSS pixels: as wide as the page's text.
+/// The greatest width of a picture that is shown pixel by pixel, in CSS pixels: that of the page's text.
 const WIDEST: u32 = 760;
 
-/// A PNG picture. It is shown with sharp pixels, as large as the page is wide at most; a larger one is made smaller, with pixels mixed.
+/// A PNG picture. It is shown with sharp pixels, at most as wide as the page. A larger one is scaled down, with mixed pixels.
 ///
 /// ```
 /// use tilewright_report::Picture;
@@ -33,7 +33,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// A picture: its name in addresses and files, its title, what is on it for those who do not see it, and the bytes of a PNG file.
+    /// A picture: its name in addresses and files, its title, a description for readers who do not see it, and the bytes of a PNG file.
     ///
     /// ```
     /// # let png = include_bytes!("../examples/dots.png").to_vec();
@@ -46,7 +46,7 @@ impl Picture {
         Picture { id: id.into(), title: title.into(), note: String::new(), alt: alt.into(), png }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::Picture;
@@ -58,7 +58,7 @@ impl Picture {
         Picture { note: note.into(), ..self }
     }
 
-    /// Width and height in pixels, as the PNG's header says; `None` if there is no such header.
+    /// Width and height in pixels from the PNG's header; `None` without such a header.
     ///
     /// ```
     /// # let png = include_bytes!("../examples/dots.png").to_vec();

@@ -1,10 +1,10 @@
-//! What can be wrong with the parts of a page.
+//! Problems of the parts of a page.
 
 use crate::page::{Page, Part};
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// All that is wrong with a page, a sentence for each.
+/// All problems of a page, a sentence for each.
 ///
 /// ```
 /// use tilewright_report::{Page, Provenance, Section, Table};
@@ -24,7 +24,7 @@ impl fmt::Display for Problems {
 
 impl std::error::Error for Problems {}
 
-/// Looks at all parts.
+/// Checks all parts.
 pub fn problems(page: &Page) -> Result<(), Problems> {
     let mut found = Vec::new();
     let mut names = BTreeSet::from(["index", "report"].map(str::to_owned));
@@ -33,11 +33,11 @@ pub fn problems(page: &Page) -> Result<(), Problems> {
         let is_plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
         if id.is_empty() || !id.chars().all(is_plain) {
             found.push(format!(
-                "the {kind} `{id}` has a name that is no plain file name: use lower-case letters, digits and hyphens"
+                "the {kind} `{id}` has a name that is not a plain file name: use lower-case letters, digits and hyphens"
             ));
         } else if !names.insert(id.to_owned()) {
             found.push(format!(
-                "the {kind} `{id}` has a name that is taken: give each part its own, and none `index` or `report`"
+                "the {kind} `{id}` has a name that is taken: give each part another name, but not `index` or `report`"
             ));
         }
         found.extend(inside(part).map(|wrong| format!("the {kind} `{id}` {wrong}")));
@@ -45,11 +45,11 @@ pub fn problems(page: &Page) -> Result<(), Problems> {
     if found.is_empty() { Ok(()) } else { Err(Problems(found)) }
 }
 
-/// What is wrong with the part itself, as the end of a sentence.
+/// The problem of the part itself, as the end of a sentence.
 fn inside(part: &Part) -> Option<String> {
     match part {
         Part::Picture(picture) if picture.size().is_none() => {
-            Some("is not a PNG file: give it the bytes of one".to_owned())
+            Some("is not a PNG file: give it the bytes of a PNG file".to_owned())
         }
         Part::Timeline(chart) => chart.problem(),
         Part::Table(table) => {
@@ -63,7 +63,7 @@ fn inside(part: &Part) -> Option<String> {
         Part::HeatMap(map) => {
             let cells = map.rows.first().map_or(0, Vec::len);
             if cells == 0 {
-                return Some("has no cells: give it a row of numbers or more".to_owned());
+                return Some("has no cells: give it at least one row of numbers".to_owned());
             }
             let wrong = map.rows.iter().position(|row| row.len() != cells)?;
             let other = map.rows[wrong].len();

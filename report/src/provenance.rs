@@ -1,9 +1,9 @@
-//! Where a report comes from: all that is needed to make it again.
+//! Where a report comes from: everything that is needed to repeat it.
 
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// The program, the command line and the numbers that a report follows from. No time and no place: the same input gives the same bytes.
+/// The program, the command line and the parameters of a report. It has no time and no place, so that the same input gives the same bytes.
 ///
 /// ```
 /// use tilewright_report::Provenance;
@@ -50,7 +50,7 @@ impl Provenance {
         Provenance { seeds: seeds.into_iter().collect(), ..self }
     }
 
-    /// A parameter: its name, its value, and why it is that.
+    /// A parameter: its name, its value, and the reason for that value.
     ///
     /// ```
     /// let provenance = tilewright_report::Provenance::new("tilewright", "0.1.0", "tilewright list");

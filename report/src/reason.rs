@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// Why a statement differs, in two parts of a sentence or more each.
+/// Why a statement differs, in two parts of at least a sentence each.
 ///
 /// ```
 /// use tilewright_report::Reason;
@@ -15,7 +15,7 @@ use serde::Serialize;
 pub struct Reason {
     /// Where the difference comes from.
     pub why: String,
-    /// What would have to change for the statement to hold, in the paper or in how it is read.
+    /// What would have to change to make the statement true, in the paper or in its reading.
     pub change: String,
 }
 

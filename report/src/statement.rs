@@ -1,4 +1,4 @@
-//! A statement of a paper beside what was found of it here.
+//! A statement of a paper, with the numbers found here.
 
 use crate::csv;
 use crate::evidence::{Numbers, evidence, places};
@@ -9,7 +9,7 @@ use maud::{Markup, html};
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
-/// A statement of a paper, the rule by which it is judged, and the numbers that the rule is asked of. The verdict follows from these.
+/// A statement of a paper, its rule, and the numbers that the rule compares. The verdict follows from these.
 ///
 /// ```
 /// use tilewright_report::{Origin, Rule, Statement, Verdict};
@@ -59,7 +59,7 @@ impl Statement {
         Statement { unit: unit.into(), ..self }
     }
 
-    /// What the paper prints: a number, or several with their places.
+    /// The paper's number, or several numbers with their places.
     ///
     /// ```
     /// use tilewright_report::{Origin, Rule, Statement};
@@ -72,7 +72,7 @@ impl Statement {
         Statement { reference: Some(Numbers::new(Origin::Paper, points)), ..self }
     }
 
-    /// What the paper's formula gives, where that is what the rule compares with.
+    /// The values of the paper's formula, if the rule compares with them.
     ///
     /// ```
     /// use tilewright_report::{Origin, Rule, Statement};
@@ -85,7 +85,7 @@ impl Statement {
         Statement { reference: Some(Numbers::new(Origin::Formula, points)), ..self }
     }
 
-    /// What was found here.
+    /// The numbers found here.
     ///
     /// ```
     /// use tilewright_report::{Origin, Rule, Statement};
@@ -98,7 +98,7 @@ impl Statement {
         Statement { found: Some(Numbers::new(origin, points)), ..self }
     }
 
-    /// Says why it cannot be compared, as the end of a sentence.
+    /// Adds why it cannot be compared, as the end of a sentence.
     ///
     /// ```
     /// use tilewright_report::{Rule, Statement};
@@ -110,7 +110,7 @@ impl Statement {
         Statement { obstacle: Some(why.into()), ..self }
     }
 
-    /// Says why it differs, if it does, and what would have to change for it to hold.
+    /// Adds why it differs, and what would have to change to make it true. The page shows that only if it differs.
     ///
     /// ```
     /// use tilewright_report::{Origin, Page, Provenance, Rule, Section, Statement, Verdicts};
@@ -127,7 +127,7 @@ impl Statement {
         Statement { reason: Some(reason.into()), ..self }
     }
 
-    /// What its rule says of its numbers.
+    /// The verdict of its rule on its numbers.
     ///
     /// ```
     /// use tilewright_report::{Origin, Rule, Statement};
@@ -148,7 +148,7 @@ impl Statement {
         }
     }
 
-    /// The rule as it stands beside the statement.
+    /// The rule in the words that stand beside the statement.
     ///
     /// ```
     /// use tilewright_report::{Rule, Statement};
@@ -161,7 +161,7 @@ impl Statement {
         in_words(&self.rule, if is_formula { "the formula’s value" } else { "the paper’s value" })
     }
 
-    /// The statement with its rule, the verdict if that is not plain from where it stands, and what is said of it; beside these, its numbers.
+    /// The statement with its rule, its reason, and its verdict unless its place shows that. The numbers stand beside these.
     pub(crate) fn html(&self, more: Markup) -> Markup {
         let verdict = self.verdict();
         let named = match &verdict {
@@ -203,7 +203,7 @@ impl Statement {
     }
 }
 
-/// The verdict stands beside what it follows from.
+/// The verdict stands beside its numbers.
 impl Serialize for Statement {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut it = serializer.serialize_struct("Statement", 10)?;
@@ -221,11 +221,11 @@ impl Serialize for Statement {
     }
 }
 
-/// The verdict where a statement does not hold, with its colour and its sign, of which it needs neither.
+/// The verdict on a statement that is not true, with its colour and its sign. It is readable without either.
 fn in_words_beside(verdict: &Verdict) -> Markup {
     let (class, sign, words) = match verdict {
         Verdict::Holds => return html! {},
-        // Its number and unit stay on one line.
+        // Number and unit stay on one line.
         Verdict::Differs { by, at } => ("differs", "≠", format!("differs {by}{}", place(at)).replace(" %", "\u{a0}%")),
         Verdict::CannotBeCompared { why } => ("unknown", "–", format!("cannot be compared: {why}")),
     };
@@ -240,7 +240,7 @@ fn place(at: &[String]) -> String {
     }
 }
 
-/// The origin with its seeds, of which many are counted.
+/// The origin with its seeds, or with their number if there are many.
 pub(crate) fn in_full(origin: &Origin) -> String {
     match origin.seeds() {
         [] => origin.name().to_owned(),

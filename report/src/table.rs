@@ -5,7 +5,7 @@ use crate::number::shown;
 use maud::{Markup, html};
 use serde::Serialize;
 
-/// What is in a cell of a table.
+/// The content of a table's cell.
 ///
 /// ```
 /// use tilewright_report::Cell;
@@ -16,14 +16,14 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Cell {
-    /// A number, shown with four digits; files of data have all.
+    /// A number, shown with four digits. Files of data have all digits.
     Number(f64),
     /// Words.
     Text(String),
 }
 
 impl Cell {
-    /// Whether it stands for a number that there is not.
+    /// Whether it stands for a missing number.
     fn is_missing(&self) -> bool {
         matches!(self, Cell::Text(text) if text == "–")
     }
@@ -79,7 +79,7 @@ impl Table {
         Table { id: id.into(), title: title.into(), note: String::new(), columns, rows: Vec::new() }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::Table;
@@ -90,7 +90,7 @@ impl Table {
         Table { note: note.into(), ..self }
     }
 
-    /// Adds a row of as many cells as there are columns.
+    /// Adds a row with a cell for each column.
     ///
     /// ```
     /// use tilewright_report::Table;
@@ -103,7 +103,7 @@ impl Table {
         self
     }
 
-    /// Its cells, numbers in full.
+    /// Its cells, with all digits of numbers.
     ///
     /// ```
     /// use tilewright_report::Table;
@@ -121,7 +121,7 @@ impl Table {
     }
 
     pub(crate) fn html(&self) -> Markup {
-        // A column of numbers, some of which may be missing, has its name above them.
+        // The name of a column of numbers is above them, even if some are missing.
         let is_number = |column: usize| {
             let mut cells =
                 self.rows.iter().filter_map(|row| row.get(column)).filter(|cell| !cell.is_missing()).peekable();

@@ -1,4 +1,4 @@
-//! A chart of times: what goes on in each of several lanes, and when something happens in one.
+//! A chart of times: the activities of several lanes, and events in them.
 
 use crate::csv;
 use crate::number::shown;
@@ -30,15 +30,15 @@ pub struct Timeline {
     pub(crate) kinds: Vec<Kind>,
 }
 
-/// A kind of what columns are made of.
+/// A kind of activity in columns.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Kind {
     pub what: String,
-    /// Nothing is done meanwhile, so that it is grey.
+    /// Whether it is waiting, which is grey.
     pub is_quiet: bool,
 }
 
-/// What goes on in one place.
+/// The activities at one place.
 ///
 /// ```
 /// use tilewright_report::Lane;
@@ -58,16 +58,16 @@ pub struct Lane {
     pub(crate) colour: Option<u32>,
 }
 
-/// A time in which several things went on, each for a share of it.
+/// A time with several activities, each for a share of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Column {
     pub from: f64,
     pub to: f64,
-    /// What, and for which share of the time, from 0 to 1.
+    /// Each activity, with its share of the time from 0 to 1.
     pub shares: Vec<(String, f64)>,
 }
 
-/// Something that goes on for a time. Spans of one name look alike.
+/// An activity from one time to another. Spans of one name look alike.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Span {
     pub what: String,
@@ -75,7 +75,7 @@ pub(crate) struct Span {
     pub to: f64,
 }
 
-/// Something that happens, with the sign by which the chart has it.
+/// An event, with its sign in the chart.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct Event {
     pub sign: String,
@@ -84,7 +84,7 @@ pub(crate) struct Event {
 }
 
 impl Lane {
-    /// A lane in which nothing happens.
+    /// An empty lane.
     ///
     /// ```
     /// assert_eq!(tilewright_report::Lane::new("sender").name, "sender");
@@ -106,7 +106,7 @@ impl Lane {
         Lane { colour: Some(number), ..self }
     }
 
-    /// Adds what goes on from one time to another.
+    /// Adds an activity from one time to another.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -119,8 +119,7 @@ impl Lane {
         self
     }
 
-    /// Adds a time in which several things went on, each for a share of it from 0 to 1; they stand one on the other in the order of
-    /// [`Timeline::kinds`].
+    /// Adds a time with several activities, each for a share of it from 0 to 1. They are stacked in the sequence of [`Timeline::kinds`].
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -135,7 +134,7 @@ impl Lane {
         self
     }
 
-    /// Adds what happens at a time, with a sign of one or two characters.
+    /// Adds an event at a time, with a sign of one or two characters.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -166,8 +165,8 @@ impl Lane {
 }
 
 impl Timeline {
-    /// A chart without lanes. `id` names it in addresses and files: lower-case letters, digits, hyphens. `axis` is what lies along the
-    /// time, with its unit.
+    /// A chart without lanes. `id` names it in addresses and files: lower-case letters, digits, hyphens. `axis` is the label of the time
+    /// axis, with its unit.
     ///
     /// ```
     /// use tilewright_report::{Origin, Timeline};
@@ -180,7 +179,7 @@ impl Timeline {
         Timeline { id, title, note: String::new(), axis, origin, lanes: Vec::new(), kinds: Vec::new() }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::{Origin, Timeline};
@@ -205,7 +204,7 @@ impl Timeline {
         self
     }
 
-    /// Says of what columns are made, from the bottom of a bar to its top: of work, and of waiting, which is grey.
+    /// Sets the kinds of activities in columns, from bottom to top: kinds of work, then kinds of waiting, which are grey.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -224,7 +223,7 @@ impl Timeline {
         self
     }
 
-    /// The chart as a picture of its own, an SVG file with its legend, light or dark as the reader's screen is.
+    /// The chart as a separate SVG file with its legend, light or dark like the reader's screen.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -236,7 +235,7 @@ impl Timeline {
         plot::svg_file_of_times(self).into_string() + "\n"
     }
 
-    /// A row for each span and each share, and for each event with its sign, which begins and ends at once. Where there are shares they have a column.
+    /// A row for each span, share and event. An event has its sign, and begins and ends at the same time. Shares, if there are any, have a column.
     ///
     /// ```
     /// use tilewright_report::{Lane, Origin, Timeline};
@@ -263,7 +262,7 @@ impl Timeline {
         self.lanes.iter().flat_map(Lane::rows).collect()
     }
 
-    /// What its columns and spans are of, each once, in order.
+    /// The names of its columns and spans, each once, in their sequence.
     pub(crate) fn names(&self) -> Vec<&str> {
         let mut names: Vec<&str> = self.kinds.iter().map(|kind| kind.what.as_str()).collect();
         let spans = self.lanes.iter().flat_map(|lane| &lane.spans).map(|span| span.what.as_str());
@@ -276,7 +275,7 @@ impl Timeline {
         names
     }
 
-    /// The signs of its events with what they mean, each once, in the order of signs.
+    /// The signs of its events with their meanings, each once, sorted by sign.
     fn signs(&self) -> Vec<(&str, &str)> {
         let all = self.lanes.iter().flat_map(|lane| &lane.events);
         let mut signs: Vec<_> = all.map(|event| (event.sign.as_str(), event.what.as_str())).collect();
@@ -285,7 +284,7 @@ impl Timeline {
         signs
     }
 
-    /// What is wrong with it, as the end of a sentence.
+    /// Its problem, as the end of a sentence.
     pub(crate) fn problem(&self) -> Option<String> {
         if self.lanes.is_empty() {
             return Some("has no lanes: give it one or more".to_owned());
@@ -293,7 +292,7 @@ impl Timeline {
         let is_wrong = |row: &Row| !(row.from.is_finite() && row.to.is_finite() && row.from <= row.to);
         let Row { lane, what, from, to, .. } = self.rows().into_iter().find(is_wrong)?;
         let (from, to) = (shown(from), shown(to));
-        Some(format!("has `{what}` from {from} to {to} in the lane {lane}: give it numbers that do not fall"))
+        Some(format!("has `{what}` from {from} to {to} in the lane {lane}: give it numbers that do not decrease"))
     }
 
     pub(crate) fn html(&self) -> Markup {
@@ -332,7 +331,7 @@ impl Timeline {
         }
     }
 
-    /// What it shows, for those who do not see it.
+    /// A description for readers who do not see the chart.
     pub(crate) fn alt(&self) -> String {
         let lanes: Vec<&str> = self.lanes.iter().map(|lane| lane.name.as_str()).collect();
         let signs = self.signs().into_iter().map(|(sign, what)| format!("{sign} {what}"));
@@ -344,7 +343,7 @@ impl Timeline {
 /// A span, or an event.
 struct Row<'a> {
     lane: &'a str,
-    /// Nothing of a span.
+    /// The sign of an event; empty for a span.
     sign: &'a str,
     what: &'a str,
     from: f64,

@@ -1,10 +1,10 @@
-//! Rules by which a statement of a paper is judged, and the verdicts they give.
+//! The rules for statements of a paper, and their verdicts.
 
 use crate::number::percent;
 use serde::Serialize;
 use std::fmt;
 
-/// A number, and where on a curve or in a list it stands.
+/// A number, and its place on a curve or in a list.
 ///
 /// ```
 /// use tilewright_report::Point;
@@ -14,7 +14,7 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Point {
-    /// Where, such as `k = 2`; empty for a number that stands alone.
+    /// The place, such as `k = 2`; empty for a single number.
     pub at: String,
     /// The number.
     pub value: f64,
@@ -32,8 +32,8 @@ impl<S: Into<String>> From<(S, f64)> for Point {
     }
 }
 
-/// How numbers are compared with those of a reference, or with each other. Several numbers are compared one by one, each with the
-/// reference's of the same place; a reference of one number without a place counts for all.
+/// How numbers are compared with those of a reference, or with each other. Each number is compared with the reference's number at the same
+/// place. A reference of one number without a place counts for all places.
 ///
 /// ```
 /// use tilewright_report::{Difference, Rule, Verdict};
@@ -48,19 +48,19 @@ impl<S: Into<String>> From<(S, f64)> for Point {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Rule {
-    /// As far from the reference as that many percent of it, or nearer.
+    /// The reference, with at most this difference.
     Within {
-        /// The greatest difference allowed, in percent of the reference.
+        /// The greatest allowed difference, in percent of the reference.
         percent: f64,
     },
-    /// Between the reference divided by a factor and the reference times it.
+    /// Between the reference divided by a factor and the reference times that factor.
     WithinFactor {
         /// The factor, 1 or more.
         factor: f64,
     },
     /// Exactly the reference.
     Equals,
-    /// Exactly 0, with no reference: of what must not be, such as pixels that differ.
+    /// Exactly 0, without a reference: for what must not occur, such as pixels that differ.
     Zero,
     /// The reference or less.
     AtMost,
@@ -88,7 +88,7 @@ pub enum Rule {
     },
 }
 
-/// What a rule says of the numbers. Only a rule makes the first two.
+/// The result of a rule. Only a rule gives the first two.
 ///
 /// ```
 /// use tilewright_report::Rule;
@@ -99,23 +99,23 @@ pub enum Rule {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "kebab-case")]
 pub enum Verdict {
-    /// The rule is kept by all numbers.
+    /// All numbers satisfy the rule.
     Holds,
-    /// It is not.
+    /// A number violates the rule.
     Differs {
-        /// How far the worst number is off.
+        /// The difference of the worst number.
         by: Difference,
-        /// Where that is: one place, or for a rule of growth the two between which it is. None if there is one number.
+        /// Its place; for a rule of growth, the two places of the step. Empty if there is one number.
         at: Vec<String>,
     },
-    /// There is nothing that the rule could be asked of.
+    /// There are no numbers for the rule.
     CannotBeCompared {
         /// Why, as the end of a sentence.
         why: String,
     },
 }
 
-/// How far a number is from where a rule wants it.
+/// The distance of a number from the values that satisfy a rule.
 ///
 /// ```
 /// use tilewright_report::Difference;
@@ -125,18 +125,18 @@ pub enum Verdict {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Difference {
-    /// Percent of the reference, or of the number before.
+    /// Percent of the reference, or of the previous number.
     Percent(f64),
-    /// Times the reference, or a part of it as that many times less.
+    /// Times the reference, or the reference divided by this.
     Factor(f64),
-    /// The number itself, where the reference is zero.
+    /// The number itself, if the reference is zero.
     FromZero(f64),
     /// A number should have changed and did not.
     NoChange,
 }
 
 impl Difference {
-    /// The worse, the greater.
+    /// A size by which differences are compared; the worst is greatest.
     fn size(self) -> f64 {
         match self {
             Difference::NoChange => 0.0,
@@ -176,7 +176,7 @@ impl fmt::Display for Verdict {
 }
 
 impl Rule {
-    /// Compares what was found with a reference; [`Rule::Zero`] and a rule of growth need none.
+    /// Compares the numbers found with a reference. [`Rule::Zero`] and rules of growth need none.
     ///
     /// ```
     /// use tilewright_report::Rule;
@@ -193,7 +193,7 @@ impl Rule {
         };
         match differences {
             Err(why) => Verdict::CannotBeCompared { why },
-            // The first of the worst, so that the verdict does not depend on what comes after it.
+            // The first of the worst, so that the verdict does not depend on later numbers.
             Ok(all) => match all.into_iter().rev().max_by(|(one, _), (other, _)| one.size().total_cmp(&other.size())) {
                 Some((by, at)) => Verdict::Differs { by, at },
                 None => Verdict::Holds,
@@ -201,7 +201,7 @@ impl Rule {
         }
     }
 
-    /// Whether it compares numbers with each other: what it asks of a number and the next.
+    /// The comparison of a number with the next, if the rule compares numbers with each other.
     fn trend(&self) -> Option<fn(f64, f64) -> bool> {
         match self {
             Rule::Increases { .. } => Some(|before, value| value > before),
@@ -212,7 +212,7 @@ impl Rule {
         }
     }
 
-    /// What does not keep the rule, with its place.
+    /// The numbers that violate the rule, with their places.
     fn distances(&self, reference: &[Point], found: &[Point]) -> Result<Vec<(Difference, Vec<String>)>, String> {
         let (reference, found) = (finite(reference)?, finite(found)?);
         let for_all = match reference {
@@ -233,7 +233,7 @@ impl Rule {
         Ok(differences)
     }
 
-    /// How far a number is off, if it does not keep the rule.
+    /// The difference of a number that violates the rule.
     fn distance(&self, wanted: f64, value: f64) -> Option<Difference> {
         let is_kept = match self {
             Rule::Within { percent } => (value - wanted).abs() <= percent / 100.0 * wanted.abs(),
@@ -253,10 +253,10 @@ impl Rule {
     }
 }
 
-/// The steps from number to number that are not as they should be.
+/// The steps from number to number that violate the rule.
 fn steps(found: &[Point], is_kept: fn(f64, f64) -> bool) -> Result<Vec<(Difference, Vec<String>)>, String> {
     if finite(found)?.len() < 2 {
-        return Err("one number alone neither grows nor falls".to_owned());
+        return Err("a single number neither increases nor decreases".to_owned());
     }
     let wrong = found.windows(2).filter(|pair| !is_kept(pair[0].value, pair[1].value));
     let places = |pair: &[Point]| pair.iter().map(|point| point.at.clone()).collect();
@@ -267,16 +267,16 @@ fn step(before: f64, value: f64) -> Difference {
     if before == value { Difference::NoChange } else { Difference::from(before, value) }
 }
 
-/// The numbers, if there are some and each is one.
+/// The numbers, if there are any and each is finite.
 fn finite(points: &[Point]) -> Result<&[Point], String> {
     match points.iter().find(|point| !point.value.is_finite()) {
-        Some(Point { at, .. }) if at.is_empty() => Err("a value is no finite number".to_owned()),
-        Some(Point { at, .. }) => Err(format!("the value at {at} is no finite number")),
+        Some(Point { at, .. }) if at.is_empty() => Err("a value is not a finite number".to_owned()),
+        Some(Point { at, .. }) => Err(format!("the value at {at} is not a finite number")),
         None => Ok(points),
     }
 }
 
-/// The rule as it stands beside a statement; `reference` is what it compares with, such as "the paper's value".
+/// The rule in the words that stand beside a statement; `reference` names the reference, such as "the paper's value".
 pub(crate) fn in_words(rule: &Rule, reference: &str) -> String {
     match rule {
         Rule::Within { percent } => format!("within {percent} % of {reference}"),

@@ -34,7 +34,7 @@ impl Verdicts {
         Verdicts { id: id.into(), title: title.into(), note: String::new(), statements: Vec::new() }
     }
 
-    /// What the caption says besides the title.
+    /// A note below the title, in the caption.
     ///
     /// ```
     /// use tilewright_report::Verdicts;
@@ -71,7 +71,7 @@ impl Verdicts {
         self
     }
 
-    /// How many statements hold, differ, and cannot be compared.
+    /// The numbers of statements that hold, that differ, and that cannot be compared.
     ///
     /// ```
     /// assert_eq!(tilewright_report::Verdicts::new("table", "Statements").count(), [0, 0, 0]);
@@ -88,7 +88,7 @@ impl Verdicts {
         count
     }
 
-    /// Those that differ, with their reasons; then, folded, those that hold, and those that cannot be compared.
+    /// The statements that differ, with their reasons; then, folded, those that hold, and those that cannot be compared.
     pub(crate) fn html(&self) -> Markup {
         let [holds, differs, unknown] = self.count();
         let of = |kind: fn(&Verdict) -> bool| self.statements.iter().filter(move |it| kind(&it.verdict()));
@@ -144,7 +144,7 @@ impl Verdicts {
     }
 }
 
-/// Statements that differ for one reason, together, each reason where its first one stands.
+/// Groups of statements that differ for the same reason, in the sequence of their first statements.
 fn by_reason<'a>(statements: impl Iterator<Item = &'a Statement>) -> Vec<(Option<&'a Reason>, Vec<&'a Statement>)> {
     let mut groups: Vec<(Option<&Reason>, Vec<&Statement>)> = Vec::new();
     for it in statements {

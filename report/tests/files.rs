@@ -272,14 +272,14 @@ fn all_that_is_wrong_is_said_at_once() {
         .part(HeatMap::new("ragged", "Busy", "clocks", Origin::Formula, [vec![1.0], vec![1.0, 2.0]]));
     let page = Page::new("Wrong", Provenance::new("program", "1.2.3", "program")).section(section);
     let expected = "\
-the table `Forms` has a name that is no plain file name: use lower-case letters, digits and hyphens
-the table `index` has a name that is taken: give each part its own, and none `index` or `report`
+the table `Forms` has a name that is not a plain file name: use lower-case letters, digits and hyphens
+the table `index` has a name that is taken: give each part another name, but not `index` or `report`
 the table `forms` has 1 cells in row 1 and 2 columns: give each row a cell for each column
-the table of verdicts `forms` has a name that is taken: give each part its own, and none `index` or `report`
-the picture `dots` is not a PNG file: give it the bytes of one
-the heat map `map` has no cells: give it a row of numbers or more
+the table of verdicts `forms` has a name that is taken: give each part another name, but not `index` or `report`
+the picture `dots` is not a PNG file: give it the bytes of a PNG file
+the heat map `map` has no cells: give it at least one row of numbers
 the chart of times `times` has no lanes: give it one or more
-the chart of times `late` has `sending` from 2 to 1 in the lane bus: give it numbers that do not fall
+the chart of times `late` has `sending` from 2 to 1 in the lane bus: give it numbers that do not decrease
 the heat map `ragged` has 2 cells in row 2 and 1 in row 1: give all rows one length";
     assert_eq!(page.files().unwrap_err().to_string(), expected);
 }

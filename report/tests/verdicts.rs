@@ -130,13 +130,13 @@ fn what_cannot_be_compared_says_why() {
     let cases = [
         (Rule::Equals.judge(&two(), &[]), "nothing was found"),
         (grows.judge(&[], &[]), "nothing was found"),
-        (grows.judge(&[], &points([("a", 1.0)])), "one number alone neither grows nor falls"),
-        (grows.judge(&[], &points([("a", 1.0), ("b", f64::NAN)])), "the value at b is no finite number"),
+        (grows.judge(&[], &points([("a", 1.0)])), "a single number neither increases nor decreases"),
+        (grows.judge(&[], &points([("a", 1.0), ("b", f64::NAN)])), "the value at b is not a finite number"),
         (Rule::Equals.judge(&[], &two()), "there is nothing to compare with"),
         (Rule::Equals.judge(&points([("a", 1.0)]), &two()), "there is nothing to compare with at b"),
         (Rule::Equals.judge(&two(), &points([("a", 1.0)])), "nothing was found at b"),
-        (Rule::Equals.judge(&[1.0.into()], &[f64::INFINITY.into()]), "a value is no finite number"),
-        (Rule::AtMost.judge(&[f64::NAN.into()], &[1.0.into()]), "a value is no finite number"),
+        (Rule::Equals.judge(&[1.0.into()], &[f64::INFINITY.into()]), "a value is not a finite number"),
+        (Rule::AtMost.judge(&[f64::NAN.into()], &[1.0.into()]), "a value is not a finite number"),
     ];
     for (verdict, why) in cases {
         assert_eq!(verdict, Verdict::CannotBeCompared { why: why.to_owned() });

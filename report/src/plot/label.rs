@@ -1,4 +1,4 @@
-//! Names of series at the ends of their curves, so that no eye has to go to the legend and back.
+//! Names of series at the ends of their curves, so that readers do not need the legend.
 
 use super::svg::TENTHS;
 use super::{Format, Shown};
@@ -8,7 +8,7 @@ use crate::chart::Chart;
 pub struct Label<'a> {
     pub lines: Vec<&'a str>,
     pub number: usize,
-    /// Where the curve begins and ends.
+    /// The begin and the end of the curve.
     pub first: (f64, f64),
     pub last: (f64, f64),
 }
@@ -17,25 +17,25 @@ pub struct Label<'a> {
 pub const LINE: i32 = 14 * TENTHS;
 
 impl Label<'_> {
-    /// The room that it takes beside its curve, in tenths.
+    /// Its width beside its curve, in tenths.
     pub fn width(&self) -> i32 {
         let longest = self.lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
         (longest as i32 * 7 + 22) * TENTHS
     }
 
-    /// How high it is, in tenths.
+    /// Its height, in tenths.
     pub fn height(&self) -> i32 {
         self.lines.len() as i32 * LINE
     }
 }
 
-/// Whether the names of a chart stand at the ends of its curves in that format, so that it needs no legend of them.
+/// Whether a chart of that format has its names at the ends of its curves, and so needs no legend.
 pub fn are_beside(chart: &Chart, format: Format) -> bool {
     let names = chart.names();
     names.len() > 1 && names.iter().all(|name| lines(name, format.longest).is_some())
 }
 
-/// The labels of a chart of several names, if there is room for all: each beside its first series.
+/// The labels of a chart of several names, if all of them fit; each is beside its first series.
 pub fn labels<'a>(chart: &'a Chart, shown: &[Shown], format: Format) -> Vec<Label<'a>> {
     if !are_beside(chart, format) {
         return vec![];
@@ -47,7 +47,7 @@ pub fn labels<'a>(chart: &'a Chart, shown: &[Shown], format: Format) -> Vec<Labe
     chart.names().iter().enumerate().filter_map(label).collect()
 }
 
-/// A name in one line, or broken where its two lines are most alike in length; none if that is too long for the room.
+/// A name in one line, or in two lines of similar lengths; `None` if it is too long.
 fn lines(name: &str, longest: usize) -> Option<Vec<&str>> {
     let length = |text: &str| text.chars().count();
     if length(name) <= longest {
@@ -58,20 +58,20 @@ fn lines(name: &str, longest: usize) -> Option<Vec<&str>> {
     best.iter().all(|half| length(half) <= longest).then(|| best.to_vec())
 }
 
-/// Heights of lines of labels, in tenths, moved as little as is needed for each to be readable.
+/// Heights of lines of labels, in tenths, moved no more than needed to keep each readable.
 pub fn apart(heights: &[i32]) -> Vec<i32> {
     apart_by(heights, &vec![LINE; heights.len()])
 }
 
-/// The same of labels that take the room of `sizes`; heights are of their middles.
+/// The same for labels of the heights `sizes`; results are those of their middles.
 pub fn apart_by(heights: &[i32], sizes: &[i32]) -> Vec<i32> {
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by_key(|index| heights[*index]);
     let mut moved = heights.to_vec();
-    // Labels that touch are a group, which stands where its members are nearest to their places.
+    // Labels that touch form a group. It is placed where its members are nearest to their places.
     let mut groups: Vec<Vec<usize>> = Vec::new();
     let room = |group: &[usize]| group.iter().map(|index| sizes[*index]).sum::<i32>();
-    // How far below the top of its group the middle of each is.
+    // The distance of each label's middle from the top of its group.
     let middles = |group: &[usize]| {
         let mut above = 0;
         let middle = |index: &usize| {

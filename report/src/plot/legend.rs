@@ -1,4 +1,4 @@
-//! The legend: which shape and dashes are which series, and which kind of mark is which origin.
+//! The legend: the shape and the dashes of each series, and the kind of point of each origin.
 
 use super::label::are_beside;
 use super::mark::{CROSS, LOOKS, PLUS, filled, outline};
@@ -9,14 +9,14 @@ use crate::origin::Origin;
 use crate::statement::in_full;
 use maud::{Markup, html};
 
-/// The series' names in their looks, where they do not stand beside their curves; then the origins in plain ink.
+/// The series' names in their looks, unless they stand beside their curves; then the origins in plain ink.
 pub fn legend(chart: &Chart) -> Markup {
     let names = chart.names();
     let mut origins: Vec<&Origin> = chart.series.iter().map(|series| &series.origin).collect();
     origins.sort();
     origins.dedup();
     html! {
-        // What has no room in a wide chart has none in a narrow one.
+        // Labels that do not fit a wide chart do not fit a narrow one.
         @if !are_beside(chart, NARROW) {
             ul.legend.names.narrow[are_beside(chart, WIDE)] aria-label="Legend" {
                 @for (number, name) in names.iter().enumerate() {
@@ -36,11 +36,11 @@ fn of_name<'a>(chart: &'a Chart, name: &str) -> Vec<&'a Origin> {
     chart.series.iter().filter(|series| series.name == name).map(|series| &series.origin).collect()
 }
 
-/// A line and a mark as they are in the chart.
+/// A line and a point as in the chart.
 fn sample(look: &str, origins: &[&Origin], number: usize) -> Markup {
     let is_formula = origins.contains(&&Origin::Formula);
     let [is_count, is_model, is_rtl] = [1, 2, 3].map(|column| origins.iter().any(|origin| origin.column() == column));
-    // A name is known by the shape of its marks, which strokes would hide.
+    // The shape of its points identifies a name; strokes would hide it.
     let strokes = match (is_model || is_rtl, is_count, origins.contains(&&Origin::Paper)) {
         (false, true, _) => &PLUS[..],
         (false, false, true) => &CROSS,

@@ -1,4 +1,4 @@
-//! What a chart is painted with, and the marks of points.
+//! The paints of a chart, and the shapes of its points.
 
 use super::svg::{Svg, TENTHS};
 use crate::origin::Origin;
@@ -6,7 +6,7 @@ use plotters::element::{DynElement, IntoDynElement};
 use plotters::prelude::*;
 use plotters_backend::BackendColor;
 
-/// What something is painted with: a class of the style sheet.
+/// A paint: a class of the style sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Paint {
     Axis,
@@ -14,7 +14,7 @@ pub enum Paint {
     FineGrid,
     /// A number along an axis.
     Tick,
-    /// What an axis shows.
+    /// The label of an axis.
     Label,
     /// The line of a formula.
     Curve,
@@ -22,7 +22,7 @@ pub enum Paint {
     Thread,
     /// The name of a series, at the end of its curve.
     Name,
-    /// A mark with what is behind it inside.
+    /// A point that is transparent inside.
     Hollow,
     Filled,
     Cross,
@@ -42,11 +42,11 @@ const CLASSES: [(Paint, &str); 11] = [
     (Paint::Cross, "cross"),
 ];
 
-/// How many looks (colour, dashes, shape) a series can have; one more looks as the first.
+/// The number of looks (colour, dashes, shape) of series; further series repeat them.
 pub const LOOKS: usize = 6;
 
 impl Paint {
-    /// `plotters` knows colours alone, so it is given the paint as one, with the number of a series' name.
+    /// `plotters` knows only colours, so a paint and the number of a series' name are encoded as one.
     pub fn colour(self, number: usize) -> RGBColor {
         let index = CLASSES.iter().position(|(paint, _)| *paint == self).unwrap_or(0);
         RGBColor(index as u8, (number % LOOKS) as u8, 0)
@@ -56,13 +56,13 @@ impl Paint {
         self.colour(number).stroke_width(1)
     }
 
-    /// The size is for `plotters`, which leaves room for text.
+    /// The size is for `plotters`, which reserves space for text.
     pub fn text<'a>(self, number: usize) -> TextStyle<'a> {
         ("sans-serif", 13 * TENTHS).with_color(self.colour(number)).into_text_style(&(0, 0))
     }
 }
 
-/// The classes of what `plotters` gives as a colour: the paint's, and for series the look's.
+/// The classes for a colour of `plotters`: that of the paint, and for series that of the look.
 pub fn classes(colour: BackendColor) -> String {
     let (index, look, _) = colour.rgb;
     let (paint, class) = CLASSES[usize::from(index).min(CLASSES.len() - 1)];
@@ -72,8 +72,8 @@ pub fn classes(colour: BackendColor) -> String {
     }
 }
 
-/// The mark of a point: by its shape the series' name, by its paint the origin. A formula's points have none. Where there are a model's
-/// points of that name, those of the hardware are small.
+/// A point: its shape shows the series' name, its paint the origin. A formula's points are not drawn. If a model has points of that name, those of
+/// the hardware are small.
 pub fn mark(
     number: usize,
     origin: &Origin,
@@ -100,16 +100,16 @@ pub fn mark(
 /// The strokes of a cross, in tenths around its centre.
 pub const CROSS: [[(i32, i32); 2]; 2] = [[(-45, -45), (45, 45)], [(-45, 45), (45, -45)]];
 
-/// The strokes of a plus sign, likewise.
+/// The strokes of a plus sign, in tenths around its centre.
 pub const PLUS: [[(i32, i32); 2]; 2] = [[(-45, 0), (45, 0)], [(0, -45), (0, 45)]];
 
-/// A filled mark; beside that of a model it leaves the outline around it free.
+/// A filled point. Beside that of a model it leaves the outline free.
 pub fn filled(number: usize, has_model: bool) -> Vec<(i32, i32)> {
     let parts = if has_model { 5 } else { 8 };
     outline(number).into_iter().map(|(x, y)| (x * parts / 8, y * parts / 8)).collect()
 }
 
-/// The shape of a series' marks, in tenths around its centre: circle, square, triangle, diamond, triangle on its tip, pentagon.
+/// The shape of a series' points, in tenths around its centre: circle, square, triangle, diamond, triangle on its tip, pentagon.
 pub fn outline(number: usize) -> Vec<(i32, i32)> {
     let (corners, radius, turn) =
         [(20, 38.0, 0.0), (4, 46.0, 0.125), (3, 50.0, 0.0), (4, 50.0, 0.0), (3, 50.0, 0.5), (5, 46.0, 0.0)]

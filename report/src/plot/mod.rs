@@ -1,4 +1,4 @@
-//! Draws charts. `plotters` lays them out, with axes and grid; here are its scales, marks, and the SVG that it draws into.
+//! Draws charts. `plotters` lays out axes and grid. This module has the scales, the points, and the SVG backend.
 
 mod label;
 mod legend;
@@ -28,13 +28,13 @@ use std::convert::Infallible;
 use std::rc::Rc;
 use svg::{Svg, TENTHS};
 
-/// How large a chart is drawn, in CSS pixels. Text does not shrink with a picture, so there is one for narrow screens.
+/// The size of a chart in CSS pixels. Text does not shrink with a picture, so narrow screens have a chart of their own.
 #[derive(Debug, Clone, Copy)]
 pub struct Format {
     class: &'static str,
     width: u32,
     height: u32,
-    /// About how many labels are along an axis.
+    /// The approximate number of labels along an axis.
     labels: (usize, usize),
     /// The most characters in a line of a name beside its curve.
     longest: usize,
@@ -50,7 +50,7 @@ pub fn svg(chart: &Chart, format: Format) -> Markup {
     let elements = Rc::default();
     let Ok(()) = drawn(chart, format, Rc::clone(&elements)).map_err(|error| match error {
         DrawingAreaErrorKind::BackendError(DrawingErrorKind::DrawingError(never)) => never,
-        // A font or a locked picture is in no way involved.
+        // Fonts and locked pictures are not involved, so nothing can fail.
         other => unreachable!("{other}"),
     });
     html! {
@@ -60,15 +60,15 @@ pub fn svg(chart: &Chart, format: Format) -> Markup {
     }
 }
 
-/// What can be drawn of a series.
+/// The drawable part of a series.
 struct Shown<'a> {
-    /// Of the series' name.
+    /// The number of the series' name.
     number: usize,
     series: &'a Series,
     points: Vec<(f64, f64)>,
 }
 
-/// The series of a chart with those of their points that have a place on its axes.
+/// The series of a chart with the points that have a place on its axes.
 fn shown(chart: &Chart) -> Vec<Shown<'_>> {
     let names = chart.names();
     let number = |series: &Series| names.iter().position(|name| *name == series.name).unwrap_or(0);
@@ -86,7 +86,7 @@ fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn 
     let labels = label::labels(chart, &shown, format);
     let root = Svg::new(elements, (format.width, format.height)).into_drawing_area();
     let mut plot = axes(&root, chart, format, &shown, labels.iter().map(Label::width).max())?;
-    // Lines first, so that no mark is hidden by one.
+    // Lines first, so that they hide no point.
     for Shown { number, series, points } in &shown {
         if let Some(paint) = line(chart, series) {
             plot.draw_series(LineSeries::new(points.iter().copied(), paint.line(*number)))?;
@@ -100,7 +100,7 @@ fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn 
     root.present()
 }
 
-/// The grid and the axes with their labels, that of the vertical one on top. `right` is the room for names at the ends of curves, in
+/// The grid and the axes with their labels; that of the vertical axis is on top. `right` is the space for names at the ends of curves, in
 /// tenths.
 fn axes<'a>(
     root: &'a Area,
@@ -112,7 +112,7 @@ fn axes<'a>(
     let all = || shown.iter().flat_map(|it| &it.points);
     let x = Scale::around(all().map(|point| point.0), chart.x.logarithmic);
     let y = Scale::around(all().map(|point| point.1), chart.y.logarithmic);
-    // Fine lines are those of 2 to 9 between two powers of ten.
+    // Fine lines are at 2 to 9 between two powers of ten.
     let fine = |logarithmic| if logarithmic { 10 } else { 1 };
     let mut plot = ChartBuilder::on(root)
         .margin_top(26 * TENTHS)
@@ -149,14 +149,14 @@ fn line(chart: &Chart, series: &Series) -> Option<Paint> {
         Origin::Formula => Some(Paint::Curve),
         // The few points of the hardware lie on its model's line.
         Origin::Rtl { .. } if has_model(chart, series) => None,
-        // Without a curve of their own, points are joined for the eye.
+        // Points without a curve are joined for the eye.
         Origin::Count { .. } | Origin::Model { .. } | Origin::Rtl { .. } => (!has_curve()).then_some(Paint::Thread),
         Origin::Paper => None,
     }
 }
 
-/// Names beside the ends of their curves, each with a line to its own if it had to move away. Where curves meet on the right and not on
-/// the left, they stand above their beginnings.
+/// Names beside the ends of their curves. A name that had to move has a line to its curve. If curves meet on the right but not on the left,
+/// names stand above their beginnings.
 fn names(root: &Area, plot: &Plot, labels: &[Label]) -> Drawn {
     let sizes: Vec<i32> = labels.iter().map(Label::height).collect();
     let placed = |of: fn(&Label) -> (f64, f64), above: i32| {
@@ -184,5 +184,5 @@ fn names(root: &Area, plot: &Plot, labels: &[Label]) -> Drawn {
     Ok(())
 }
 
-/// How far above the beginning of its curve a name stands, in tenths.
+/// The distance of a name above the beginning of its curve, in tenths.
 const ABOVE: i32 = 10 * TENTHS;

@@ -1,7 +1,7 @@
-//! The scale of an axis, linear or logarithmic, with ticks that read well.
+//! The scale of an axis, linear or logarithmic, with readable ticks.
 //!
-//! `plotters` has scales of its own, a type for each kind. This is one type for both, and its ticks are counted, not added up, so that
-//! there are few of them whatever the numbers.
+//! `plotters` has a type for each kind of scale. This is one type for both. Its ticks are counted, not summed, so that their number is
+//! small for all values.
 
 use super::svg::TENTHS;
 use crate::number::{raised, shown};
@@ -9,7 +9,7 @@ use plotters::coord::ranged1d::{BoldPoints, KeyPointHint, KeyPointWeight, NoDefa
 use plotters::prelude::*;
 use std::ops::Range;
 
-/// A scale from one number to another. Of a logarithmic one these are the exponents of ten.
+/// A scale from one number to another; for a logarithmic scale these are exponents of ten.
 pub struct Scale {
     low: f64,
     high: f64,
@@ -17,41 +17,41 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// A scale with room for these values: linear with a margin, logarithmic from one power of ten to another.
+    /// A scale that contains these values: linear with a margin, or logarithmic from one power of ten to another.
     pub fn around(values: impl Iterator<Item = f64>, logarithmic: bool) -> Scale {
         let place = |value: f64| if logarithmic { value.log10() } else { value };
         let ends =
             values.map(place).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), it| (low.min(it), high.max(it)));
-        // No value at all makes no scale.
+        // Without values there is no scale.
         let (low, high) = if ends.0 <= ends.1 { ends } else { (0.0, 1.0) };
         if logarithmic {
             let low = low.floor();
             return Scale { low, high: high.ceil().max(low + 1.0), logarithmic };
         }
-        // Values that are all the same stand in the middle.
+        // Equal values are in the middle.
         let margin = if low == high { low.abs().max(1e-9) / 2.0 } else { high / 20.0 - low / 20.0 };
-        // A quantity that begins near zero begins at it.
+        // A scale that begins near zero begins at zero.
         let start = if (0.0..=high / 3.0).contains(&low) { 0.0 } else { (low - margin).max(f64::MIN) };
         Scale { low: start, high: (high + margin).min(f64::MAX), logarithmic }
     }
 
-    /// The room that the labels of a vertical axis take, in tenths.
+    /// The width of a vertical axis's labels, in tenths.
     pub fn label_width(&self, labels: usize) -> i32 {
         let ticks = self.key_points(BoldPoints(labels));
         let longest = ticks.iter().map(|tick| self.format_ext(tick).chars().count()).max().unwrap_or(0);
         (longest as i32 * 7 + 14).max(30) * TENTHS
     }
 
-    /// The multiples of a step that are on the scale: at most `count`, of a step that is 1, 2 or 5 times a power of ten.
+    /// The multiples of a step on the scale, at most `count`. The step is 1, 2 or 5 times a power of ten.
     fn multiples(&self, count: usize) -> Vec<f64> {
-        // Both ends can be the greatest numbers there are.
+        // Both ends can be the greatest possible numbers.
         let least = (self.high / 4.0 - self.low / 4.0) / count.max(1) as f64 * 4.0;
         let power = 10f64.powf(least.log10().floor());
         let step =
             [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power).into_iter().find(|step| *step >= least).unwrap_or(least);
         let (first, last) = ((self.low / step).ceil(), (self.high / step).floor());
         let all = (0..=count).map(|index| first + index as f64).take_while(|index| *index <= last);
-        // Divided where the step is below one: 3 / 10 is what one writes as 0.3.
+        // Divide if the step is below one: 3 / 10 is exactly the number written 0.3.
         all.map(|index| if power < 1.0 { index * (step / power).round() / (1.0 / power).round() } else { index * step })
             .collect()
     }
@@ -80,7 +80,7 @@ impl Ranged for Scale {
         match (self.logarithmic, is_bold) {
             (false, _) => self.multiples(count),
             (true, true) => self.powers(count),
-            // From power to power the numbers between, unless there are too many powers.
+            // The numbers between powers, unless there are too many powers.
             (true, false) => {
                 let powers = self.powers(count);
                 let is_fine = (self.high - self.low) * 9.0 <= count as f64;

@@ -1,5 +1,5 @@
-//! The SVG that `plotters` draws into. What it paints with is a class (see [`classes`]), so that a style sheet decides on colours: for light,
-//! for dark and for paper.
+//! The SVG backend of `plotters`. Paints are classes (see [`classes`]), so that a style sheet decides on colours for light screens, dark screens and
+//! paper.
 
 use super::mark::classes;
 use maud::{Render, html};
@@ -10,10 +10,10 @@ use std::cell::RefCell;
 use std::convert::Infallible;
 use std::rc::Rc;
 
-/// `plotters` counts whole pixels. It is given ten for each of ours, for smooth curves.
+/// `plotters` counts whole pixels. It gets ten for each of ours, for smooth curves.
 pub const TENTHS: i32 = 10;
 
-/// Text that SVG elements are added to. It is shared, for `plotters` takes what it draws into and does not give it back.
+/// Text to which SVG elements are added. It is shared, because `plotters` takes its backend and does not return it.
 pub struct Svg {
     elements: Rc<RefCell<String>>,
     size: (u32, u32),
@@ -72,7 +72,7 @@ impl DrawingBackend for Svg {
             HPos::Center => "middle",
             HPos::Right => "end",
         };
-        // From the height of the line that is meant to its foot.
+        // From the requested height to the baseline.
         let down = match style.anchor().v_pos {
             VPos::Top => "0.75em",
             VPos::Center => "0.35em",
@@ -82,7 +82,7 @@ impl DrawingBackend for Svg {
         self.add(&html! { text class=(class) x=(tenths(x)) y=(tenths(y)) dy=(down) text-anchor=(anchor) { (text) } })
     }
 
-    /// Roughly: the browser has the fonts.
+    /// A rough size, as only the browser has the fonts.
     fn estimate_text_size<S: BackendTextStyle>(
         &self,
         text: &str,
@@ -92,12 +92,12 @@ impl DrawingBackend for Svg {
     }
 }
 
-/// As `12.3,4 5,6.7`.
+/// Points written as `12.3,4 5,6.7`.
 pub fn points(path: impl IntoIterator<Item = BackendCoord>) -> String {
     path.into_iter().map(|(x, y)| format!("{},{}", tenths(x), tenths(y))).collect::<Vec<_>>().join(" ")
 }
 
-/// In CSS pixels.
+/// A length in CSS pixels.
 pub fn tenths(value: i32) -> f64 {
     f64::from(value) / f64::from(TENTHS)
 }

@@ -12,34 +12,34 @@ use maud::{Markup, html};
 use plotters::coord::ranged1d::{BoldPoints, ValueFormatter};
 use plotters::prelude::Ranged;
 
-/// Heights in tenths: of a bar, of the signs above it, of what is between two lanes, and of the axis.
+/// Heights in tenths: of a bar, of the signs above it, of the gap between two lanes, and of the axis.
 const BAR: i32 = 18 * TENTHS;
 const SIGNS: i32 = 18 * TENTHS;
 const GAP: i32 = 10 * TENTHS;
 const SMALL_GAP: i32 = 4 * TENTHS;
 const AXIS: i32 = 44 * TENTHS;
 
-/// What a character of a label takes, in tenths.
+/// The width of a label's character, in tenths.
 const CHARACTER: i32 = 7 * TENTHS;
 
-/// Where things are.
+/// The layout of a chart.
 struct Layout<'a> {
     scale: Scale,
     /// The ends of the axis.
     ends: (i32, i32),
-    /// What columns and spans are of, and how each looks.
+    /// The names of columns and spans, and the look of each.
     names: Vec<&'a str>,
     looks: Vec<Look>,
     /// Whether lanes have columns.
     has_kinds: bool,
-    /// What squares of lanes' colours take, if some have one.
+    /// The space for squares with lanes' colours, if some lane has one.
     squares: i32,
 }
 
 /// The side of a square.
 const SQUARE: i32 = 10 * TENTHS;
 
-/// Whether a lane has columns, or would have.
+/// Whether a lane has columns, or kinds for columns.
 fn is_of_columns(chart: &Timeline, lane: &Lane) -> bool {
     !chart.kinds.is_empty() && lane.spans.is_empty()
 }
@@ -52,7 +52,7 @@ pub fn svg_of_times(chart: &Timeline, format: Format) -> Markup {
     }
 }
 
-/// What is in that element, and its height.
+/// The content of that element, and its height.
 pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
     let longest = chart.lanes.iter().map(|lane| lane.name.chars().count() as i32).max().unwrap_or(0);
     let width = format.width as i32 * TENTHS;
@@ -96,27 +96,27 @@ pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
     (inside, tenths(bottom + AXIS))
 }
 
-/// What a span or a part of a column looks like in the legend.
+/// The look of a span or of a part of a column in the legend.
 pub fn sample_of_span(chart: &Timeline, number: usize) -> Markup {
     html! {
         svg.sample viewBox="-15 -7 30 14" aria-hidden="true" { (sample(chart, number)) }
     }
 }
 
-/// The same, around its centre.
+/// The same around its centre.
 pub fn sample(chart: &Timeline, number: usize) -> Markup {
     let look = looks(chart).swap_remove(number);
     html! { rect class=(look.class) style=[look.style] x="-14" y="-6" width="28" height="12" {} }
 }
 
-/// How a kind of span looks.
+/// The look of a kind of span.
 struct Look {
     class: String,
-    /// Its colour, if that is of the palette.
+    /// Its colour, if it is one of the palette.
     style: Option<String>,
 }
 
-/// Of each name. Kinds of work have the palette's colours, those of waiting are grey.
+/// The look of each name. Kinds of work have the palette's colours; kinds of waiting are grey.
 fn looks(chart: &Timeline) -> Vec<Look> {
     let (mut work, mut waiting) = (0, 0);
     let look = |(number, _)| match chart.kinds.get(number) {
@@ -136,7 +136,7 @@ fn looks(chart: &Timeline) -> Vec<Look> {
 /// Greys of the style sheet.
 const QUIET: usize = 4;
 
-/// Twice as many looks as there are colours: filled and hollow by turns, and then the other way round.
+/// Twice as many looks as colours: filled and hollow alternate, and then the other way round.
 fn look(number: usize) -> String {
     let style = if (number + number / LOOKS) % 2 == 1 { "hollow" } else { "filled" };
     format!("{style} look{}", number % LOOKS)
@@ -148,7 +148,7 @@ impl Layout<'_> {
     }
 
     fn lane(&self, lane: &Lane, top: i32) -> Markup {
-        // Before it is a square, if lanes have colours.
+        // A square is before it, if lanes have colours.
         let end = self.ends.0 - 6 * TENTHS - self.squares;
         html! {
             @if let Some(number) = lane.colour {
@@ -161,7 +161,7 @@ impl Layout<'_> {
         }
     }
 
-    /// Columns side by side: for each name the outline of all shares up to its own, so that those before it hide what is not its.
+    /// Columns side by side. Each name has the outline of all shares up to its own, and the names before it cover theirs.
     fn columns(&self, columns: &[Column], top: i32) -> Markup {
         let (left, right) = self.ends;
         html! {
@@ -173,7 +173,7 @@ impl Layout<'_> {
         }
     }
 
-    /// The path around the shares up to that name; nothing where there are none of it.
+    /// The path around the shares up to that name; nothing where the name has no share.
     fn outline(&self, columns: &[Column], number: usize, top: i32) -> String {
         let is_below = |what: &str| self.names.iter().position(|name| *name == what).is_some_and(|it| it <= number);
         let height = |column: &Column| {
@@ -206,7 +206,7 @@ impl Layout<'_> {
         if high > 0 { path + &format!("V{}", tenths(foot)) } else { path }
     }
 
-    /// A bar, with its name inside if there is room.
+    /// A bar, with its name inside if that fits.
     fn bar(&self, span: &Span, top: i32) -> Markup {
         let (from, to) = (self.x(span.from), self.x(span.to));
         let number = self.names.iter().position(|name| *name == span.what).unwrap_or(0);
@@ -224,7 +224,7 @@ impl Layout<'_> {
         }
     }
 
-    /// The signs of events, moved apart where they would be on one another, each with a line to its time.
+    /// The signs of events, each with a line to its time. Signs that would overlap are moved apart.
     fn signs(&self, events: &[Event], top: i32) -> Markup {
         let places: Vec<i32> = events.iter().map(|event| self.x(event.at)).collect();
         html! {
@@ -265,7 +265,7 @@ mod tests {
         }
     }
 
-    /// Bars are as wide as their times, and lanes one below the other.
+    /// Widths of bars are their times, and lanes are one below the other.
     #[test]
     fn bars_are_where_their_times_are() {
         let lanes = [("one", 50.0), ("two", 25.0)];

@@ -1,11 +1,11 @@
-//! A chart of times as a file of its own.
+//! A chart of times as a separate file.
 
 use super::Format;
 use super::timeline::{inside, sample};
 use crate::timeline::Timeline;
 use maud::{Markup, PreEscaped, html};
 
-/// What a style sheet of a page says beside the colours and the charts.
+/// The style of a file besides the colours and the charts of a page.
 const STYLE: &str = concat!(
     include_str!("../colours.css"),
     include_str!("../charts.css"),
@@ -13,7 +13,7 @@ const STYLE: &str = concat!(
 );
 
 const FORMAT: Format = Format { class: "file", width: 960, height: 0, labels: (12, 0), longest: 20 };
-/// Around all of it; from the top to the chart; and a line of the legend.
+/// The margin, the distance from the top to the chart, and the height of a line of the legend.
 const MARGIN: f64 = 20.0;
 const HEAD: f64 = 34.0;
 const LINE: f64 = 20.0;
@@ -42,7 +42,7 @@ pub fn svg_file_of_times(chart: &Timeline) -> Markup {
     }
 }
 
-/// Where the entries of a legend are, from the left, and in which line.
+/// The places of the entries of a legend: the distance from the left, and the line.
 fn places(names: &[&str], width: f64) -> Vec<(f64, f64)> {
     let (mut left, mut line) = (0.0, 0.0);
     let place = |name: &&str| {
