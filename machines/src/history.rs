@@ -1,13 +1,13 @@
-//! What a machine did in the time of a frame: which unit wrote which pixel when, and what each unit did in its clocks.
+//! What a machine did in the time of a frame: the unit and the time of each written pixel, and the activity of each unit in its clocks.
 //!
-//! A machine that is given a [`Recorder`] fills it while it renders. Of a frame without one nothing is kept.
+//! A machine with a [`Recorder`] fills it while it renders. Without one, nothing is kept of a frame.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tilewright_scenes::frame::blank;
 use tilewright_scenes::{Frame, Size};
 
-/// Where a machine leaves the history of the frame that it rendered last. Copies share it.
+/// The place for the history of the last frame that a machine rendered. Clones share it.
 ///
 /// ```
 /// use tilewright_machines::{Recorder, Watch, quadtree};
@@ -26,7 +26,7 @@ use tilewright_scenes::{Frame, Size};
 pub struct Recorder(Arc<Mutex<Option<History>>>);
 
 impl Recorder {
-    /// The history of the last frame, once.
+    /// Takes the history of the last frame.
     pub fn take(&self) -> Option<History> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
@@ -36,69 +36,69 @@ impl Recorder {
     }
 }
 
-/// What happened in the time of a frame. All times are simulated picoseconds from the beginning of the run.
+/// The history of a frame. All times are simulated picoseconds from the beginning of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct History {
     /// The size of the picture.
     pub size: Size,
     /// The colour of pixels that nothing covers.
     pub background: [u8; 3],
-    /// The width and height of the regions that are drawn one by one, if there are some.
+    /// The width and height of the regions that are drawn one by one, if the machine has regions.
     pub region: Option<[u32; 2]>,
     /// The names of the units that draw, by number, such as `PE 3`.
     pub painters: Vec<String>,
     /// Each change of a pixel, by time.
     pub writes: Vec<Write>,
-    /// What units did, in the order of a chart.
+    /// The activities of units, in the sequence of a chart.
     pub lanes: Vec<Lane>,
 }
 
-/// A unit changes a pixel of the picture.
+/// A change of a pixel by a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Write {
-    /// When, in picoseconds.
+    /// The time in picoseconds.
     pub time: u64,
-    /// Which pixel, in raster order.
+    /// The number of the pixel in raster order.
     pub pixel: u32,
     /// The number of the unit.
     pub painter: u32,
-    /// What the pixel is from then on: depth above colour.
+    /// The new word of the pixel: depth above colour.
     pub word: u64,
 }
 
-/// What a unit, or several alike, did in its clocks.
+/// The activities of a unit, or of several similar units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lane {
-    /// What it is, such as `PE 3`.
+    /// Its name, such as `PE 3`.
     pub name: String,
-    /// What the amounts of its spans count: `clocks` or `bits`.
+    /// The unit of its spans' amounts: `clocks` or `bits`.
     pub of: &'static str,
-    /// The most of them in a picosecond.
+    /// The greatest amount in a picosecond.
     pub rate: f64,
-    /// By time.
+    /// The spans, sorted by time.
     pub spans: Vec<Span>,
 }
 
-/// Something that a unit did for a time.
+/// An activity of a unit for a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span {
-    /// What, such as `clearing`.
+    /// The activity, such as `clearing`.
     pub what: &'static str,
-    /// From when to when, in picoseconds.
+    /// The begin, in picoseconds.
     pub from: u64,
-    /// See `from`.
+    /// The end, in picoseconds.
     pub to: u64,
-    /// How much of it: as many clocks as there are in that time, or fewer if the unit did it only now and then.
+    /// The amount: all clocks of that time, or fewer if the unit did it only in some of them.
     pub amount: u64,
 }
 
 impl Lane {
-    /// A unit with clocks of that period, or so many units.
+    /// One unit, or several, with clocks of that period.
     pub(crate) fn of_clocks(name: impl Into<String>, period: u64, units: u32) -> Lane {
         Lane { name: name.into(), of: "clocks", rate: f64::from(units) / period as f64, spans: Vec::new() }
     }
 
-    /// Adds a span that has some time, and lengthens the last one if that goes on.
+    /// Adds a span unless it is empty, or lengthens the last span if the activity continues.
     pub(crate) fn add(&mut self, what: &'static str, from: u64, to: u64, amount: u64) {
         if amount == 0 || from == to {
             return;
@@ -112,7 +112,7 @@ impl Lane {
         }
     }
 
-    /// How much of something there was in all of its time.
+    /// The total amount of an activity.
     ///
     /// ```
     /// use tilewright_machines::{Lane, Span};
@@ -134,14 +134,14 @@ impl Span {
 }
 
 impl History {
-    /// By pixel, in raster order: the number of the unit whose word it has in the end; none where nothing was drawn.
+    /// For each pixel in raster order, the number of the unit whose word it has at the end; `None` where nothing was drawn.
     pub fn owners(&self) -> Vec<Option<u32>> {
         let mut owners = vec![None; self.size.pixels()];
         self.writes.iter().for_each(|write| owners[write.pixel as usize] = Some(write.painter));
         owners
     }
 
-    /// The picture as it was at that time, with all that was written until then.
+    /// The picture at that time, with all pixels that were written until then.
     pub fn picture_at(&self, time: u64) -> Frame {
         let mut frame = Frame::blank(self.size, self.background);
         let until = self.writes.partition_point(|write| write.time <= time);
@@ -165,7 +165,7 @@ impl Painting {
         Painting { size, background, words: vec![blank(background); size.pixels()], writes: Vec::new() }
     }
 
-    /// A unit has a word for a pixel, which that takes if it is nearer than what it has, by the rule.
+    /// A unit has a word for a pixel. The pixel takes it if the rule prefers it to the old word.
     pub fn draw(&mut self, write: Write, is_nearer: impl Fn(u64, u64) -> bool) {
         let kept = &mut self.words[write.pixel as usize];
         if is_nearer(write.word, *kept) {
@@ -174,10 +174,10 @@ impl Painting {
         }
     }
 
-    /// The history of the frame: of units by their names, and of what they did.
+    /// The history of the frame, with the names of units and their activities.
     pub fn into_history(self, painters: Vec<String>, lanes: Vec<Lane>) -> History {
         let Painting { size, background, mut writes, .. } = self;
-        // Stable: what was written at once stays in its order.
+        // Stable: changes at the same time keep their sequence.
         writes.sort_by_key(|write| write.time);
         History { size, background, region: None, painters, writes, lanes }
     }

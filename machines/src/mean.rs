@@ -1,17 +1,17 @@
-//! Means over random polygons, of sums in integers.
+//! Means over random polygons, from sums in integers.
 
 use serde::Serialize;
 
-/// A mean over random polygons, and how far it may be off.
+/// A mean over random polygons, and its error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Mean {
     /// The mean.
     pub mean: f64,
-    /// Its standard error; 0 of a single polygon.
+    /// Its standard error; 0 for a single polygon.
     pub error: f64,
 }
 
-/// A number of each polygon, summed.
+/// The sum of a number over polygons.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Sum {
     of_values: u128,
@@ -24,7 +24,7 @@ impl Sum {
         self.of_squares += other.of_squares;
     }
 
-    /// Over `count` polygons, in parts of `unit`.
+    /// The mean over `count` polygons, divided by `unit`.
     pub(crate) fn mean(self, count: u64, unit: f64) -> Mean {
         let (values, squares, count) = (self.of_values as f64, self.of_squares as f64, count as f64);
         let mean = values / count;

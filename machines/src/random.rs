@@ -4,7 +4,7 @@
 pub(crate) struct Random(u64);
 
 impl Random {
-    /// The sequence number `index` of those that belong to a seed.
+    /// Sequence number `index` of a seed.
     pub(crate) fn new(seed: u64, index: u64) -> Random {
         Random(Random(seed).next() ^ Random(!index).next())
     }
@@ -17,15 +17,15 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// A number of 0 to 1, 1 excluded.
+    /// A number from 0 to 1, excluding 1.
     pub(crate) fn fraction(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    /// A number of `least` to `most`.
+    /// A number from `least` to `most`.
     pub(crate) fn between(&mut self, least: i32, most: i32) -> i32 {
         let count = (i64::from(most) - i64::from(least) + 1) as u128;
-        // The upper bits of a product, so that each number comes up equally often to 2^-32.
+        // The upper bits of a product: all numbers have equal probabilities to within 2^-32.
         (i64::from(least) + ((u128::from(self.next()) * count) >> 64) as i64) as i32
     }
 }

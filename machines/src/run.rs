@@ -1,27 +1,27 @@
-//! What a caller may do while a machine runs: watch its progress and stop it.
+//! Progress and cancellation of a running machine.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::error::Error;
 
-/// Clocks between two reports of progress, and between two looks at the cancellation flag.
+/// Clocks between two reports of progress, and between two checks of the cancellation flag.
 pub(crate) const PROGRESS_CLOCKS: u64 = 1024;
 
-/// How far a frame is.
+/// The progress of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
-    /// What the machine does, such as `drawing`.
+    /// The machine's activity, such as `drawing`.
     pub phase: &'static str,
-    /// How much of the phase is done, from 0 to 1.
+    /// The part of the phase that is done, from 0 to 1.
     pub fraction: f64,
 }
 
 /// Hooks into a run; [`Watch::default`] has none.
 #[derive(Default)]
 pub struct Watch<'a> {
-    /// Called some hundreds of times in a frame, and at the end of each phase.
+    /// Called some hundred times in a frame, and at the end of each phase.
     pub progress: Option<&'a mut dyn FnMut(Progress)>,
-    /// The run stops soon after this has become true, with [`Error::Cancelled`](crate::Error::Cancelled).
+    /// The run stops with [`Error::Cancelled`](crate::Error::Cancelled) soon after this becomes true.
     pub cancel: Option<&'a AtomicBool>,
 }
 
@@ -32,7 +32,7 @@ impl Watch<'_> {
         }
     }
 
-    /// Reports, and stops the run, which is at that simulated time, if the caller wants it.
+    /// Reports the progress of a run at that simulated time, and stops it if the caller asks for it.
     pub(crate) fn go_on(&mut self, phase: &'static str, fraction: f64, time: u64) -> Result<(), Error> {
         self.report(phase, fraction);
         match self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {

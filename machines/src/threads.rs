@@ -1,4 +1,4 @@
-//! Work that is cut into jobs, on all processors of the computer.
+//! Work in jobs, on all processors of the computer.
 
 use crate::run::Watch;
 
@@ -7,14 +7,14 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, mpsc};
 use std::thread;
 
-/// As many threads as the computer has processors for.
+/// The number of threads that the computer has processors for.
 pub(crate) fn all_threads() -> usize {
     thread::available_parallelism().map_or(1, NonZeroUsize::get)
 }
 
 impl Watch<'_> {
-    /// Does `work` on each job, on all processors of the computer, and reports after each how much of the phase is done. The results are in
-    /// the order of the jobs; `None` if it was broken off.
+    /// Does `work` on each job, on all processors of the computer, and reports the progress of the phase after each. The results are in the
+    /// sequence of the jobs; `None` if interrupted.
     ///
     /// ```
     /// use tilewright_machines::Watch;
@@ -31,7 +31,7 @@ impl Watch<'_> {
         self.each_on(all_threads(), phase, jobs, work)
     }
 
-    /// The same on so many threads.
+    /// The same on that number of threads.
     pub(crate) fn each_on<J: Sync, R: Send>(
         &mut self,
         threads: usize,
@@ -50,7 +50,7 @@ impl Watch<'_> {
     }
 }
 
-/// Does `work` on each of what may change, on all processors of the computer; the first of the errors, in order.
+/// Does `work` on each item, which it may change, on all processors of the computer. Returns the first error in the sequence of the items.
 pub(crate) fn each_mut<J: Send, E: Send>(
     jobs: &mut [J],
     work: impl Fn(usize, &mut J) -> Result<(), E> + Sync,
@@ -73,8 +73,8 @@ pub(crate) fn each_mut<J: Send, E: Send>(
     failed.into_iter().min_by_key(|(number, _)| *number).map_or(Ok(()), |(_, error)| Err(error))
 }
 
-/// Does `work` on each job, on so many threads; `done` gets the number of each job and its result as it comes, in any order. Once
-/// the flag is raised no job is begun.
+/// Does `work` on each job, on that number of threads. `done` gets the number and the result of each job as it ends, in any sequence. No job
+/// begins after the flag is raised.
 pub(crate) fn on_threads<J: Sync, R: Send>(
     threads: usize,
     jobs: &[J],
@@ -89,15 +89,15 @@ pub(crate) fn on_threads<J: Sync, R: Send>(
     on_threads_heard(threads, jobs, cancel, |job, _: &dyn Fn(())| work(job), heard);
 }
 
-/// What comes of jobs.
+/// A message of a job.
 pub(crate) enum Heard<M, R> {
-    /// What one of them says on its way.
+    /// A message during a job.
     Said(M),
     /// The number of a job, and its result.
     Done(usize, R),
 }
 
-/// The same; what jobs say on their way is heard, too.
+/// The same, with messages during jobs.
 pub(crate) fn on_threads_heard<J: Sync, M: Send, R: Send>(
     threads: usize,
     jobs: &[J],
@@ -116,7 +116,7 @@ pub(crate) fn on_threads_heard<J: Sync, M: Send, R: Send>(
         for _ in 0..threads {
             let (sender, work, next_job) = (sender.clone(), &work, &next_job);
             scope.spawn(move || {
-                // Who receives lives as long as this scope.
+                // The receiver lives as long as this scope.
                 let say = |message| drop(sender.send(Heard::Said(message)));
                 while let Some((number, job)) = next_job() {
                     let _ = sender.send(Heard::Done(number, work(job, &say)));

@@ -282,7 +282,7 @@ fn a_machine_that_cannot_be_is_refused_in_a_sentence() {
             Config { costs, ..config },
             "a cost table with accesses in 0 clocks: a pixel, a cleared entry and a word take at least 1 each",
         ),
-        (Config { queue: 9, ..config }, "receive queues of 9 words: they have to hold a polygon, which is 10"),
+        (Config { queue: 9, ..config }, "receive queues of 9 words: they need space for a polygon, which has 10"),
     ];
     for (config, problem) in problems {
         assert_eq!(refused(config), problem);

@@ -73,7 +73,7 @@ fn the_slower_of_geometry_and_renderers_gives_the_rate_of_frames() {
         let text = folder.stdout(&line);
         let ms = |clocks: u64| clocks as f64 * 25e-6;
         let rate = format!("a frame is sent every {:.3} ms, {:.3} ms after", ms(clocks.max(sent)), ms(clocks + sent));
-        let busy = format!("The longest at work is the {limit}: busy clocks are geometry {clocks}, ");
+        let busy = format!("The {limit} limits the rate of frames: busy clocks are geometry {clocks}, ");
         assert!(text.contains(&rate) && text.contains(&busy), "{rate}; {busy}: {text}");
     }
     for count in ["0", "257"] {
@@ -107,7 +107,7 @@ fn a_slow_ring_is_told_by_who_waited_for_it() {
     let text = folder.stdout(&format!("{SMALL} --ring 400"));
     let first = &slow["first_starved"];
     let sentence = format!(
-        "The first that had to wait for an instruction was renderer {}, in clock {}.\n",
+        "Renderer {} was the first to wait for an instruction, in clock {}.\n",
         first["renderer"], first["clock"]
     );
     assert!(text.contains(", a ring of 400 Mbit/s, ") && text.contains(&sentence), "{text}");

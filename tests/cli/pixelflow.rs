@@ -26,7 +26,7 @@ fn the_report_has_each_region_s_way_and_each_node() {
     let text = folder.stdout(SMALL);
     for part in [
         "pyramid: PixelFlow, base system, deferred shading: 24x16 pixels in 6 regions of 8x8,\n",
-        "4 nodes: 2 rasterize, 1 shade, one holds the frame\n",
+        "4 nodes: 2 rasterize, 1 shade, one has the frame buffer\n",
         "\nshader 1 ",
     ] {
         assert!(text.contains(part), "{part}: {text}");
@@ -205,7 +205,7 @@ fn mistakes_are_said() {
     };
     said("--nodes 3 --shaders 2 --size 32x24", "none is left to rasterize; give at least 4");
     said("--array 12x8", "powers of two from 2 to 256");
-    said("--array 4x8", "the machine's have 8 to 256 along each side");
+    said("--array 4x8", "each side has to be from 8 to 256 pixels");
     said("--array wide", "give width and height in pixels, such as 128x64");
     said("--system non-texturing --shaders 2", "has no shaders: leave out --shaders");
     said("--system non-texturing --array 8x8 --size 64x64", "have room for 44");

@@ -1,7 +1,7 @@
-//! Which renderer takes which region: the region allocator as a plain model.
+//! The region allocator as a plain model: it assigns regions to renderers.
 //!
-//! Source: PP5-ARCH (regions are assigned dynamically, so that the counts of primitives balance), facts E3: the next region in order of
-//! decreasing bin size goes to the first renderer that is free. How long a renderer is busy with a region is the caller's to say.
+//! Source: PP5-ARCH (regions are assigned dynamically, so that the counts of primitives balance), facts E3. Regions are sorted by decreasing
+//! bin size, and the next one goes to the first free renderer. The caller gives the time of a region.
 
 /// The regions of each renderer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,20 +10,20 @@ pub struct Allocation {
     pub renderers: Vec<Renderer>,
 }
 
-/// What a renderer has to do.
+/// The work of a renderer.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Renderer {
-    /// Its regions, by number, in the order in which it takes them.
+    /// The numbers of its regions, in the sequence in which it takes them.
     pub regions: Vec<usize>,
     /// The primitives in their bins.
     pub primitives: u64,
-    /// When it has done the last one: the sum of their costs.
+    /// The time at which it has drawn the last one: the sum of their costs.
     pub busy: u64,
 }
 
-/// Gives all regions to `renderers` renderers, at least one: by decreasing size of their bins, of equal ones the lower number first, each
-/// to the renderer that is free first, of equal ones to the lower number. A bin of a size takes `cost` of it; also an empty
-/// one is given to a renderer, as it has to be cleared and shown.
+/// Assigns all regions to `renderers` renderers, at least one. Regions are sorted by decreasing size of their bins, and each goes to the
+/// renderer that is free first. Between equals the lower number comes first. `cost` gives the time of a bin of that size. Empty bins are
+/// assigned, too, because their regions have to be cleared and shown.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Renderer, allocate};
@@ -38,7 +38,7 @@ pub struct Renderer {
 /// There is no renderer.
 pub fn allocate(bins: &[u64], renderers: usize, cost: impl Fn(u64) -> u64) -> Allocation {
     let mut order: Vec<usize> = (0..bins.len()).collect();
-    // Stable: equal ones stay in order.
+    // Stable: equal bins keep their sequence.
     order.sort_by_key(|&region| std::cmp::Reverse(bins[region]));
     let mut renderers = vec![Renderer::default(); renderers];
     for region in order {
@@ -51,12 +51,12 @@ pub fn allocate(bins: &[u64], renderers: usize, cost: impl Fn(u64) -> u64) -> Al
 }
 
 impl Allocation {
-    /// The primitives of the renderer with the most of them, P_w (PP5-UT); each counts in each of its bins.
+    /// The primitives of the busiest renderer, P_w (PP5-UT). A primitive counts in each of its bins.
     pub fn worst_load(&self) -> u64 {
         self.renderers.iter().map(|renderer| renderer.primitives).max().unwrap_or_default()
     }
 
-    /// The worst load over the mean one: 1 in perfect balance, and where there are no primitives.
+    /// The worst load over the mean load: 1 in perfect balance, and without primitives.
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::allocate;
@@ -72,7 +72,7 @@ impl Allocation {
         }
     }
 
-    /// When the last renderer is done.
+    /// The time at which the last renderer is done.
     pub fn time(&self) -> u64 {
         self.renderers.iter().map(|renderer| renderer.busy).max().unwrap_or_default()
     }

@@ -1,7 +1,7 @@
-//! What a renderer gets to draw a region: the geometry processor's last step.
+//! The instructions that a renderer gets for a region: the geometry processor's last step.
 //!
-//! Source: PP5-ARCH, facts E0. A packet's functions are of the screen's pixels; a renderer's coefficients are relative to the region, so those
-//! of its upper left pixel stand in place of those of the screen's.
+//! Source: PP5-ARCH, facts E0. A packet's functions are relative to the screen, and a renderer's coefficients are relative to the region. So
+//! the constant term is the value at the region's upper left pixel.
 
 use tilewright_rtl::pixel_planes::instruction::Instruction;
 use tilewright_rtl::pixel_planes::programs::{
@@ -16,7 +16,7 @@ use super::config::Config;
 use super::outline::Binner;
 use super::regions::Regions;
 
-/// The bins of all regions: the numbers of their primitives in order of submission. Spheres, by their boxes, have the numbers after those of the polygons.
+/// The bins of all regions: the numbers of their primitives in the sequence of submission. Spheres are binned by their boxes, and numbered after the polygons.
 pub(super) fn bins(regions: &Regions, polygons: &Polygons) -> Vec<Vec<u32>> {
     let mut bins = regions.bins(&polygons.vertices, Binner::Tight);
     for (number, sphere) in (polygons.polygons.len() as u32..).zip(&polygons.spheres) {
@@ -25,21 +25,21 @@ pub(super) fn bins(regions: &Regions, polygons: &Polygons) -> Vec<Vec<u32>> {
     bins
 }
 
-/// What has a number in [`bins`].
+/// A primitive with a number in [`bins`].
 pub(super) enum Primitive<'a> {
     Polygon(&'a Polygon),
     Sphere(&'a SpherePacket),
 }
 
 impl<'a> Primitive<'a> {
-    /// That of a number.
+    /// The primitive of that number.
     pub fn of(polygons: &'a Polygons, number: u32) -> Primitive<'a> {
         let number = number as usize;
         let sphere = || Primitive::Sphere(&polygons.spheres[number - polygons.polygons.len()]);
         polygons.polygons.get(number).map_or_else(sphere, Primitive::Polygon)
     }
 
-    /// The polygon of the scene that it is of.
+    /// The number of its polygon in the scene.
     pub fn polygon(&self) -> u32 {
         match self {
             Primitive::Polygon(polygon) => polygon.polygon,
@@ -59,17 +59,17 @@ pub(super) struct Bin<'a> {
 }
 
 impl<'a> Bin<'a> {
-    /// Of region number `region`.
+    /// The bin of region number `region`.
     pub fn new(region: usize, regions: &Regions, config: &'a Config) -> Bin<'a> {
         Bin { region, pixels: regions.pixels(region), config }
     }
 
-    /// What empties the region.
+    /// The instructions that clear the region.
     fn begin(&self, [red, green, blue]: [u8; 3]) -> Vec<Instruction<u64>> {
         clear(u32::from_be_bytes([0, red, green, blue]))
     }
 
-    /// The program for a polygon: that of one colour where it has no other in the region.
+    /// The program for a polygon: that for one colour if it has only one in the region.
     fn program(&self, polygon: &Polygon) -> &'static Program {
         match (self.config.strict, self.only_colour(polygon).is_some()) {
             (true, true) => &FLAT_STRICT,
@@ -79,7 +79,7 @@ impl<'a> Bin<'a> {
         }
     }
 
-    /// What draws a polygon by a program: nothing if an edge leaves nothing of it in the region.
+    /// The instructions of a program for a polygon; none if an edge excludes the whole region.
     pub fn draw(&self, program: &Program, polygon: &Polygon) -> Vec<Instruction<u64>> {
         let edges: Vec<Expression> = polygon.edges.iter().map(|edge| self.edge(edge)).collect();
         let z = self.plane(&polygon.z);
@@ -90,7 +90,7 @@ impl<'a> Bin<'a> {
         program.draw(self.config.side, self.config.edges, &edges, &surface)
     }
 
-    /// What draws a sphere, and what that is called: nothing if no pixel of it is in the region.
+    /// The instructions for a sphere, and their name; none if it has no pixel in the region.
     fn draw_sphere(&self, sphere: &SpherePacket) -> (&'static str, Vec<Instruction<u64>>) {
         let (name, program) =
             if self.config.strict { (SPHERE_STRICT, &SMOOTH_STRICT) } else { (SPHERE_LEAST, &SMOOTH_LEAST) };
@@ -101,7 +101,7 @@ impl<'a> Bin<'a> {
         (name, program.draw_sphere(self.config.side, &here(&sphere.inside), &surface))
     }
 
-    /// What draws a primitive, with the name of the program.
+    /// The instructions for a primitive, with the name of the program.
     fn primitive(&self, primitive: &Primitive) -> (&'static str, Vec<Instruction<u64>>) {
         match primitive {
             Primitive::Polygon(polygon) => {
@@ -112,12 +112,12 @@ impl<'a> Bin<'a> {
         }
     }
 
-    /// What sends the region, when the one before is sent.
+    /// The instructions that send the region, after the one before is sent.
     fn end(&self) -> Vec<Instruction<u64>> {
         save(self.region as u32)
     }
 
-    /// The colour of a polygon, if all pixels that it may have here have the same.
+    /// The colour of a polygon, if all its possible pixels here have the same.
     fn only_colour(&self, polygon: &Polygon) -> Option<u32> {
         let (bounds, pixels) = (polygon.bounds, self.pixels);
         let places = PixelBox {
@@ -136,7 +136,7 @@ impl<'a> Bin<'a> {
     }
 
     fn plane(&self, plane: &Plane) -> Expression {
-        // All is modulo 2^40 or 2^24, so the products may wrap.
+        // Values are modulo 2^40 or 2^24, so the products may wrap.
         self.relative(plane.x as i64, plane.y as i64, plane.origin as i64)
     }
 
@@ -146,9 +146,9 @@ impl<'a> Bin<'a> {
     }
 }
 
-/// The channel of a plane of colour, if it is the same at all those pixels.
+/// The channel of a plane of colour, if it is equal at all those pixels.
 fn only_channel(plane: &Plane, pixels: &PixelBox) -> Option<u8> {
-    // Modulo 2^24, so any numbers will do that are the same there; these are those nearest to 0.
+    // Any congruent numbers modulo 2^24 will do; these are nearest to 0.
     const ABOVE: u32 = u64::BITS - COLOUR_PLANE_BITS;
     let [x, y, origin] = [plane.x, plane.y, plane.origin].map(|number| (number << ABOVE) as i64 >> ABOVE);
     let first = origin + x * i64::from(pixels.left) + y * i64::from(pixels.top);
@@ -161,22 +161,22 @@ fn only_channel(plane: &Plane, pixels: &PixelBox) -> Option<u8> {
     (least >> FRACTION_BITS == greatest >> FRACTION_BITS).then_some((least >> FRACTION_BITS) as u8)
 }
 
-/// All that a region needs.
+/// All instructions of a region.
 pub(super) struct Work {
     /// Its number.
     pub region: usize,
-    /// Primitives in the bin, and those of them that have instructions.
+    /// Primitives in the bin, and the number of those with instructions.
     pub primitives: [u64; 2],
-    /// What draws them, clears and sends.
+    /// The instructions that clear the region, draw the primitives and send it.
     pub instructions: Vec<Instruction<u64>>,
     /// The clocks of primitives.
     pub programs: Tally,
-    /// Each primitive in the bin by its number, with how many instructions it has here.
+    /// The number of each primitive in the bin, with the number of its instructions here.
     pub made: Vec<(u32, u32)>,
 }
 
 impl Work {
-    /// Of the primitives of those numbers.
+    /// The work for the primitives of those numbers.
     pub fn new(bin: &Bin, numbers: &[u32], polygons: &Polygons, background: [u8; 3]) -> Work {
         let drawn = numbers.iter().map(|&number| {
             let (program, instructions) = bin.primitive(&Primitive::of(polygons, number));
@@ -185,7 +185,7 @@ impl Work {
         Work::of(bin, drawn, background)
     }
 
-    /// Of primitives, each with its number, its program's name, and its instructions.
+    /// The work for primitives, each with its number, its program's name and its instructions.
     pub fn of(
         bin: &Bin,
         primitives: impl Iterator<Item = (u32, &'static str, Vec<Instruction<u64>>)>,
@@ -216,7 +216,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Modulo 2^24, as the pixels have it.
+        /// The value modulo 2^24, as in the pixels.
         #[test]
         fn a_channel_is_the_only_one_where_all_pixels_have_it(
             slopes in prop::array::uniform2(prop_oneof![-2000..2000i64, -(1i64 << 23)..1 << 23, -40_000..40_000i64]),
@@ -236,7 +236,7 @@ mod tests {
             if let Some(channel) = found {
                 prop_assert!(is_only && i64::from(channel) == first, "{:?}", found);
             } else {
-                // One that goes through all channels may come back to the first.
+                // A plane that goes through all channels may return to the first.
                 let comes_back = x.abs() * i64::from(columns) + y.abs() * i64::from(rows) >= 255 << FRACTION_BITS;
                 prop_assert!(!is_only || comes_back);
             }

@@ -1,7 +1,7 @@
 //! The clocks of a renderer for a primitive, N: from its first operation to the next one's.
 //!
-//! Source: PP5-UT, facts E3. They follow from the instructions by the controller's [`Schedule`], which the hardware agrees with in each
-//! clock; so a primitive's depend on what the one before it has left to the memory. Instructions always come in time here.
+//! Source: PP5-UT, facts E3. The clocks follow from the instructions by the controller's [`Schedule`], which agrees with the hardware in each
+//! clock. They depend on the memory's remaining work for the primitive before. Here instructions always arrive in time.
 
 use serde::Serialize;
 use tilewright_rtl::parameter::ParameterError;
@@ -13,19 +13,19 @@ use tilewright_scenes::Polygons;
 use super::bin::{Bin, Work, bins};
 use super::config::Config;
 
-/// What a program that draws spheres strictly is called: `smooth_strict` with quadratics.
+/// The name of the program that draws spheres strictly: `smooth_strict` with quadratics.
 pub const SPHERE_STRICT: &str = "sphere_strict";
-/// What one is called that keeps the least word: `smooth_least` with quadratics.
+/// The name of the program that draws spheres and keeps the least word: `smooth_least` with quadratics.
 pub const SPHERE_LEAST: &str = "sphere_least";
-/// Those that draw polygons.
+/// The number of programs for polygons.
 const POLYGONS: usize = Program::PRIMITIVES.len();
 
-/// The clocks of the primitives that one program draws.
+/// The clocks of the primitives of one program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ProgramClocks {
-    /// The program's name; of spheres [`SPHERE_STRICT`] or [`SPHERE_LEAST`].
+    /// The program's name; for spheres [`SPHERE_STRICT`] or [`SPHERE_LEAST`].
     pub program: &'static str,
-    /// Primitives that it draws, each as often as it is drawn in a region.
+    /// Primitives that it draws; a primitive counts once for each region.
     pub primitives: u64,
     /// Their clocks, from the first operation of each to that of the next.
     pub clocks: u64,
@@ -34,12 +34,12 @@ pub struct ProgramClocks {
 }
 
 impl ProgramClocks {
-    /// Of no primitive.
+    /// The clocks without primitives.
     fn none(program: &'static str) -> ProgramClocks {
         ProgramClocks { program, primitives: 0, clocks: 0, most: 0 }
     }
 
-    /// Clocks of a primitive on the mean, N; 0 where there is none.
+    /// Mean clocks of a primitive, N; 0 without primitives.
     pub fn mean(&self) -> f64 {
         self.clocks as f64 / self.primitives.max(1) as f64
     }
@@ -51,7 +51,7 @@ impl ProgramClocks {
     }
 }
 
-/// The clocks of all programs that draw primitives, in the order of [`Program::PRIMITIVES`], and then of spheres.
+/// The clocks of all programs that draw primitives, in the sequence of [`Program::PRIMITIVES`], then for spheres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tally([ProgramClocks; POLYGONS + 2]);
 
@@ -64,12 +64,12 @@ impl Default for Tally {
 }
 
 impl Tally {
-    /// Of those programs that draw anything.
+    /// The clocks of those programs that draw anything.
     pub fn used(&self) -> impl Iterator<Item = ProgramClocks> {
         self.0.into_iter().filter(|it| it.primitives > 0)
     }
 
-    /// All of both.
+    /// The sum of both.
     pub fn add(&mut self, other: Tally) {
         self.0.iter_mut().zip(other.0).for_each(|(sum, it)| sum.add(it));
     }
@@ -79,7 +79,7 @@ impl Tally {
     }
 }
 
-/// A renderer that takes instructions of regions and primitives, and has their clocks counted.
+/// A renderer that takes instructions of regions and primitives, and counts their clocks.
 pub(super) struct Clocked {
     schedule: Schedule,
     pub tally: Tally,
@@ -90,14 +90,14 @@ impl Clocked {
         Clocked { schedule: Schedule::new(side_by_side), tally: Tally::default() }
     }
 
-    /// Takes what is done to a region.
+    /// Takes the instructions for a region.
     pub fn region(&mut self, instructions: &[Instruction<u64>]) {
         for instruction in instructions {
             self.schedule.take(&Step::from(instruction));
         }
     }
 
-    /// Takes a primitive; gives its clocks. All begin with what needs the tree alone, so it does not matter what the next one is.
+    /// Takes a primitive and returns its clocks. All primitives begin with instructions for the tree alone, so the next one does not matter.
     pub fn primitive(&mut self, program: &'static str, instructions: &[Instruction<u64>]) -> u64 {
         let begun = self.schedule.tree_free();
         self.region(instructions);
@@ -109,8 +109,8 @@ impl Clocked {
     }
 }
 
-/// The clocks of a scene's primitives in the bins of a machine's regions, by program, without the machine: those that
-/// [`Report::programs`](super::Report::programs) has of it.
+/// The clocks of a scene's primitives in the bins of a machine's regions, by program, computed without the machine. They are those of
+/// [`Report::programs`](super::Report::programs).
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Config, scene_clocks};
@@ -126,7 +126,7 @@ impl Clocked {
 /// ```
 ///
 /// # Errors
-/// There are no such regions.
+/// The side of the regions is out of range.
 pub fn scene_clocks(config: &Config, polygons: &Polygons) -> Result<Tally, ParameterError> {
     let regions = config.regions()?;
     let mut tally = Tally::default();

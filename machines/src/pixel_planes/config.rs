@@ -1,4 +1,4 @@
-//! The sizes of a machine, and what its pixels keep.
+//! The parameters of a machine.
 
 use serde::Serialize;
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -13,7 +13,7 @@ use tilewright_scenes::Size;
 use super::geometry::GeometryCosts;
 use super::regions::Regions;
 
-/// What a machine is built for.
+/// The parameters of a machine.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::Config;
@@ -31,14 +31,14 @@ pub struct Config {
     pub renderers: u32,
     /// Pixels along a side of a region, S: a power of two from 8 to 256.
     pub side: u32,
-    /// Instructions that the queue of each renderer holds.
+    /// Size of each renderer's queue, in instructions.
     pub queue: u32,
-    /// What the ring brings in Mbit/s: a multiple of 40, a bit in each clock.
+    /// Bandwidth of the ring in Mbit/s: a multiple of 40, which is one bit in each clock.
     pub ring: u32,
-    /// Depth alone decides, and of equal depths the first drawn stays, as in
+    /// Depth alone is compared, and the first drawn of equal depths stays, as in
     /// [`golden::render_strict`](tilewright_scenes::golden::render_strict).
     pub strict: bool,
-    /// The tree may have the next primitive's edges while the memory has what the one before leaves.
+    /// The tree may work on the next primitive's edges while the memory stores the one before.
     pub side_by_side: bool,
     /// The form in which edges are sent.
     pub edges: Edges,
@@ -46,7 +46,7 @@ pub struct Config {
     pub quadratic: bool,
     /// Geometry processors: 1 to [`Config::MOST_GEOMETRY`].
     pub geometry: u32,
-    /// What their program costs.
+    /// The costs of their program.
     pub costs: GeometryCosts,
 }
 
@@ -55,15 +55,15 @@ impl Config {
     pub const MOST_RENDERERS: u32 = 32;
     /// The most geometry processors.
     pub const MOST_GEOMETRY: u32 = 256;
-    /// What the ring of the machine that was built brings in Mbit/s: 5 Gbit/s, 125 bits in each clock of 25 ns.
+    /// The ring of the machine that was built, in Mbit/s: 5 Gbit/s, or 125 bits in each clock of 25 ns.
     pub const RING: u32 = 5000;
-    /// A ring in Mbit/s that brings all that any machine takes: an instruction to each renderer and a plane in each clock.
+    /// A ring, in Mbit/s, that is enough for any machine: an instruction for each renderer and a plane in each clock.
     pub const AMPLE_RING: u32 = 320_000;
     /// The smallest region's side in pixels.
     pub const SMALLEST_SIDE: u32 = 8;
 
-    /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size. Of the geometry processors the paper's text
-    /// says nothing: that there are two for each renderer is a choice.
+    /// 16 renderers with regions of 128 x 128 pixels (PP5-ARCH, PP5-UTV), for a screen of that size. The paper's text does not mention the
+    /// number of geometry processors; two for each renderer are a choice.
     pub fn new(size: Size) -> Config {
         let (renderers, costs) = (16, GeometryCosts::default());
         Config {
@@ -84,12 +84,12 @@ impl Config {
     /// The screen's regions.
     ///
     /// # Errors
-    /// There are none of that side.
+    /// The side is out of range.
     pub fn regions(&self) -> Result<Regions, ParameterError> {
         if self.side < Config::SMALLEST_SIDE {
             let (side, least) = (self.side, Config::SMALLEST_SIDE);
             return Err(ParameterError(format!(
-                "regions of {side}x{side} pixels: the machine's are of {least} to 256 a side"
+                "regions of {side}x{side} pixels: the side has to be from {least} to 256 pixels"
             )));
         }
         Regions::new(self.size, pixel_planes::side(self.side)?)
@@ -98,7 +98,7 @@ impl Config {
     /// The hardware of each renderer.
     ///
     /// # Errors
-    /// There is no such region or queue, or no such number of renderers.
+    /// The side of regions, the queue or the number of renderers is out of range.
     pub fn renderer(&self) -> Result<Renderer, ParameterError> {
         if !(1..=Config::MOST_RENDERERS).contains(&self.renderers) {
             let (asked, most) = (self.renderers, Config::MOST_RENDERERS);
@@ -108,10 +108,10 @@ impl Config {
         Ok(Renderer::new(self.side, self.queue)?.quadratic(self.quadratic))
     }
 
-    /// That there is such a number of geometry processors.
+    /// Checks the number of geometry processors.
     ///
     /// # Errors
-    /// There is not.
+    /// It is out of range.
     pub(crate) fn check_geometry(&self) -> Result<(), ParameterError> {
         match (1..=Config::MOST_GEOMETRY).contains(&self.geometry) {
             true => Ok(()),
@@ -125,12 +125,12 @@ impl Config {
     /// The hardware between geometry processors, renderers and frame buffer.
     ///
     /// # Errors
-    /// It brings no whole number of bits in a clock, or more than there is hardware for; or as [`Config::renderer`].
+    /// The ring's bandwidth is not a whole number of bits in a clock, or too high; or as [`Config::renderer`].
     pub fn ring(&self) -> Result<Ring, ParameterError> {
         Ring::new(self.renderers, self.renderer()?.side(), Ring::bits_a_clock(self.ring)?)
     }
 
-    /// The hardware that puts regions together.
+    /// The hardware that assembles regions to a frame.
     ///
     /// # Errors
     /// As [`Config::regions`].
@@ -138,7 +138,7 @@ impl Config {
         FrameBuffer::new(Screen::new(self.size.width(), self.size.height())?, self.side)
     }
 
-    /// All of its hardware as one circuit.
+    /// The whole machine as one circuit.
     ///
     /// # Errors
     /// As [`Config::ring`] and [`Config::frame_buffer`].
@@ -149,7 +149,7 @@ impl Config {
         Ok(machine.quadratic(self.quadratic))
     }
 
-    /// As a report shows it.
+    /// The configuration for a report.
     pub(crate) fn built(&self) -> Built {
         let Config { size, renderers, side, queue, ring, strict, side_by_side, edges, quadratic, geometry, costs } =
             *self;
@@ -158,7 +158,7 @@ impl Config {
     }
 }
 
-/// A configuration as a report shows it.
+/// A configuration in a report.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Built {
     /// Pixels in a row.
@@ -169,11 +169,11 @@ pub struct Built {
     pub renderers: u32,
     /// Pixels along a side of a region.
     pub side: u32,
-    /// Instructions that the queue of each renderer holds.
+    /// Size of each renderer's queue, in instructions.
     pub queue: u32,
-    /// What the ring brings in Mbit/s.
+    /// Bandwidth of the ring in Mbit/s.
     pub ring: u32,
-    /// Whether of equal depths the first drawn stays.
+    /// Whether the first drawn of equal depths stays.
     pub strict: bool,
     /// Whether tree and memory may work on two instructions.
     pub side_by_side: bool,

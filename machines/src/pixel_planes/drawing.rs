@@ -1,4 +1,4 @@
-//! What a scene is to the transaction-level model: made once, for machines with any number of renderers and any ring.
+//! A scene for the transaction-level model, made once for machines with any number of renderers and any ring.
 
 use super::clocks::Tally;
 use super::machine::Machine;
@@ -6,19 +6,19 @@ use super::model::Step;
 use crate::error::Error;
 use tilewright_scenes::Polygons;
 
-/// What is to be done for a scene, by region, in the order in which regions are given to renderers: those with most primitives first.
+/// The work for a scene by region. Regions are in the sequence in which renderers get them: those with most primitives come first.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    /// The instructions of each region, as [`Model::run`](super::model::Model::run) takes them.
+    /// The instructions of each region, for [`Model::run`](super::model::Model::run).
     pub steps: Vec<Vec<Step>>,
     /// The primitives of each region.
     pub primitives: Vec<u64>,
-    /// The clocks of the primitives, if instructions always come in time.
+    /// The clocks of the primitives, if instructions always arrive in time.
     pub programs: Tally,
 }
 
 impl Machine {
-    /// What is to be done for a scene. It is the same for all machines that differ only in the number of renderers, in queues and in the ring.
+    /// The work for a scene. It is the same for all machines that differ only in the number of renderers, in queues and in the ring.
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::{Config, Machine, model::Model};

@@ -1,7 +1,7 @@
-//! How many regions a vector falls in, how much a renderer has to do, and how long it takes: the paper's formulas.
+//! The paper's formulas: regions of a vector, load of a renderer, and time of a frame.
 //!
-//! Source: PP5-UT to PP5-UTV, as facts A0 restore them. The formula of the bounding box has fallen out of the paper's text; only
-//! `(1 + L cos t/S)(1 + L sin t/S)` gives its 1.63 for vectors of 50 pixels at 45 degrees, and then 94 clocks a vector its 239 ns.
+//! Source: PP5-UT to PP5-UTV, as facts A0 restore them. The formula of the bounding box is missing in the paper's text. Only
+//! `(1 + L cos t/S)(1 + L sin t/S)` gives its 1.63 for vectors of 50 pixels at 45 degrees, and with it 94 clocks a vector give its 239 ns.
 
 use serde::Serialize;
 use tilewright_rtl::pixel_planes::ring::Ring;
@@ -23,7 +23,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Regions of `side` x `side` pixels that the vector's bounding box meets, on the mean over all places (PP5-HVB).
+    /// Mean number of regions of `side` x `side` pixels that the vector's bounding box meets, over all places (PP5-HVB).
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::Shape;
@@ -36,9 +36,9 @@ impl Shape {
         (1.0 + x) * (1.0 + y)
     }
 
-    /// Regions that the vector is binned to if each column of regions that it meets has those that it passes when it goes on to both
-    /// sides of the column, on the mean over all places; rows instead of columns if it is steeper than 45 degrees (PP5-HV). Of
-    /// a vector that is shorter than a column, more than by its box; as long as one, as many.
+    /// Mean number of regions of a vector that is binned by columns, over all places (PP5-HV). In each column that it meets, the vector is
+    /// extended to both sides of the column, and binned to all regions that it then passes. Vectors steeper than 45 degrees are binned by rows.
+    /// A vector shorter than a column has more regions than its box; a vector of the same length has as many.
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::Shape;
@@ -56,7 +56,7 @@ impl Shape {
         (1.0 + long) * (1.0 + tangent)
     }
 
-    /// Regions that the vector itself meets, on the mean over all places: one, and one more for each border that it crosses (facts
+    /// Mean number of regions that the vector itself meets, over all places: one, and one more for each border that it crosses (facts
     /// A0, PP5-HVB).
     ///
     /// ```
@@ -80,10 +80,9 @@ impl Shape {
     }
 }
 
-/// The primitives of the renderer with the heaviest load, P_w, at least: each of `primitives` is in one region, and `renderers` have
-/// equally many (PP5-PW).
+/// The lower bound of the greatest load P_w: each of `primitives` is in one region, and all `renderers` have the same number (PP5-PW).
 ///
-/// With as many times more primitives as a vector falls in regions, this is the load in perfect balance (PP5-PWV).
+/// If `primitives` counts a vector once for each of its regions, this is the load in perfect balance (PP5-PWV).
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Shape, least_load};
@@ -95,19 +94,19 @@ pub fn least_load(primitives: f64, renderers: usize) -> f64 {
     primitives / renderers as f64
 }
 
-/// P_w at most, by the paper: each primitive is in each of `regions`, and each renderer has `regions / renderers` of them (PP5-PW).
+/// The paper's upper bound of P_w: each primitive is in each of `regions`, and each renderer has `regions / renderers` of them (PP5-PW).
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{greatest_load, least_load};
 ///
-/// // Apart by a factor of R, 80 on the paper's screen.
+/// // The bounds differ by a factor of R, 80 on the paper's screen.
 /// assert_eq!(greatest_load(1000.0, 80, 16) / least_load(1000.0, 16), 80.0);
 /// ```
 pub fn greatest_load(primitives: f64, regions: usize, renderers: usize) -> f64 {
     primitives * regions as f64 / renderers as f64
 }
 
-/// P_w at most, where the renderers do not divide the regions: one of them has the next whole number of regions (facts E3).
+/// The upper bound of P_w if the renderers do not divide the regions: one of them has the next whole number of regions (facts E3).
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::greatest_load_of_whole_regions;
@@ -119,8 +118,8 @@ pub fn greatest_load_of_whole_regions(primitives: u64, regions: usize, renderers
     primitives * regions.div_ceil(renderers) as u64
 }
 
-/// The time of a frame, in the unit of `period`: `cycles` for each of the `load` primitives of the renderer with the heaviest load, which
-/// never waits for one (PP5-UT).
+/// The time of a frame, in the unit of `period`. The busiest renderer takes `cycles` clocks for each of its `load` primitives, and never waits
+/// for one (PP5-UT).
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{PERIOD, Shape, VECTOR_CYCLES, least_load, update_time};
@@ -133,17 +132,17 @@ pub fn update_time(cycles: u64, load: f64, period: f64) -> f64 {
     cycles as f64 * load * period
 }
 
-/// The first clock in which a renderer could begin its next instruction, but the ring has not brought it: of so many renderers that all
-/// get a region in the beginning, with instructions that take `clocks` one after another, and queues long enough for all of them. The clocks are
-/// counted from that in which the first region is given.
+/// The first clock in which a renderer could begin its next instruction, but the ring has not brought it. All renderers get a region at the
+/// beginning, their instructions take `clocks` one after another, and their queues have space for all of them. Clocks are counted from the
+/// one in which the first region is given.
 ///
-/// It follows from the rate alone: once all B renderers have a region, in clock B, the ring brings the j-th of their instructions, taken by
-/// turns and counted from 0, 154 j / `bits` clocks later; and an instruction is wanted when those before it are done.
+/// The clock follows from the rate alone. In clock B all B renderers have a region, and the ring serves them in rotation. It brings the j-th
+/// instruction, counted from 0, 154 j / `bits` clocks later. An instruction is needed when those before it are done.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::first_starved;
 ///
-/// // One in 2 clocks; after one of 20 clocks, each takes 1: when the 20th has been taken, the next one is not there yet.
+/// // One arrives in 2 clocks. The first takes 20 clocks, the others 1. When the 20th has been taken, the next one has not arrived.
 /// let clocks = [vec![20], vec![1; 40]].concat();
 /// assert_eq!(first_starved(1, 77, &clocks), Some(41));
 /// assert_eq!(first_starved(1, 154, &clocks), None);
@@ -155,7 +154,7 @@ pub fn first_starved(renderers: usize, bits: u64, clocks: &[u64]) -> Option<u64>
     let instruction = u64::from(Ring::INSTRUCTION);
     assert!(bits > (renderers as u64 - 1) * instruction, "the first instructions are late");
     let first = |renderer: usize| {
-        // What came while others had no region yet: one a clock.
+        // Instructions that came while others had no region yet: one a clock.
         let before = renderers - 1 - renderer;
         let turn = (renderer + renderers - 1) % renderers;
         let brought = |number: usize| {

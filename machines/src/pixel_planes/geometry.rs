@@ -1,13 +1,13 @@
-//! The geometry processors in time alone: what they do before renderers can draw, and the clocks of it.
+//! The clocks of the geometry processors, which work before renderers can draw.
 //!
 //! ```text
 //! polygons, dealt one by one --> processor 0: transform, set up, bin --> instructions of each region
 //!                            '-> processor 1: ..
 //! ```
 //!
-//! Source: section I.3.2.1 has renderers "operating on separate streams of polygon input data", and says nothing of what makes these: so the
-//! number of processors and the last two costs are choices. A processor is an i860 at 40 MHz, as in a VC-1 (VC1-PE), whose clocks for
-//! geometry per polygon (VC1-T1) and for set-up (facts E1) it has; its clock is that of the renderers.
+//! Source: section I.3.2.1 has renderers "operating on separate streams of polygon input data", and does not mention the source of these. So the
+//! number of processors and the last two costs are choices. A processor is an i860 at 40 MHz, as in a VC-1 (VC1-PE). It has the VC-1's clocks
+//! for geometry per polygon (VC1-T1) and for set-up (facts E1), and the clock of the renderers.
 
 use serde::Serialize;
 use tilewright_scenes::Polygons;
@@ -27,14 +27,14 @@ use super::bin::{Primitive, Work};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct GeometryCosts {
-    /// Transformation, lighting and clipping of a polygon, drawn or not; a sphere is charged as one, which is a choice.
+    /// Transformation, lighting and clipping of a polygon, drawn or not. A sphere counts as a polygon, which is a choice.
     pub transform: u64,
-    /// Set-up of a primitive that is left of it.
+    /// Set-up of a primitive that remains of it.
     pub set_up: u64,
-    /// Each region that a primitive is binned to: the region is found, and the end of its bin.
+    /// Each region of a primitive: the region and the end of its bin are found.
     pub bin: u64,
-    /// Each instruction of it there: two products and two sums bring an expression to the region's corner, five words of 32 bits are stored, and
-    /// three clocks go on.
+    /// Each instruction there: two products and two sums move an expression to the region's corner, five words of 32 bits are stored, and
+    /// three clocks advance the loop.
     pub instruction: u64,
 }
 
@@ -53,13 +53,13 @@ pub struct GeometryReport {
     pub set_up: u64,
     /// Regions and their instructions, of all together.
     pub binning: u64,
-    /// Clocks of the processor with most to do: until then all instructions are made.
+    /// Clocks of the busiest processor; then all instructions are made.
     pub clocks: u64,
 }
 
 impl GeometryReport {
-    /// Of a scene whose regions need those works, on so many processors, at least 1: polygon i is done by processor i modulo their number, with all
-    /// that comes of it.
+    /// The clocks of a scene whose regions need those works, on at least one processor. Polygon i and its primitives belong to processor i modulo
+    /// the number of processors.
     pub(super) fn new(processors: u32, costs: &GeometryCosts, polygons: &Polygons, works: &[Work]) -> GeometryReport {
         let mut clocks = vec![0; processors as usize];
         let mut report = GeometryReport::default();

@@ -1,4 +1,4 @@
-//! A renderer in simulation, which follows the clocks of the model, and the frame buffer that takes what renderers send.
+//! A simulated renderer, which follows the clocks of the model, and the frame buffer that takes the renderers' planes.
 
 use tilewright_rtl::pixel_planes::backing_store::BitPlane;
 use tilewright_rtl::pixel_planes::frame_buffer::{FrameBuffer, FrameBufferIn, FrameBufferOut};
@@ -10,36 +10,36 @@ use tilewright_sim::{EngineKind, IntoValue, Simulation};
 use super::model::RendererTiming;
 use crate::error::Error;
 
-/// A renderer in simulation, and what the model says of it.
+/// A renderer in simulation, and the model's clocks for it.
 pub(super) struct Course<'a> {
     /// Its number.
     pub number: usize,
     pub timing: &'a RendererTiming,
-    /// The numbers of its regions in turn, and their instructions.
+    /// The numbers of its regions in their sequence, and their instructions.
     pub regions: Vec<(usize, &'a [Instruction<u64>])>,
 }
 
-/// What has been of a course before a clock.
+/// The progress of a renderer before a clock.
 #[derive(Clone, Copy, Default)]
 struct Done {
     clock: u64,
-    /// Instructions that came, and those of them that the controller took.
+    /// Instructions that have arrived, and those that the controller has taken.
     arrived: usize,
     taken: usize,
-    /// Planes that went.
+    /// Planes that were sent.
     planes: usize,
-    /// The clock behind that of the last bit of all instructions that were taken.
+    /// The clock after the last bit of all instructions that were taken.
     ended: u64,
 }
 
 impl Course<'_> {
-    /// Runs a renderer in the clocks of the model; gives the bits of the planes that it sends, one after another. After some handshakes `go_on` is
-    /// told how many, and the clock.
+    /// Runs a renderer in the clocks of the model. Returns the bits of the planes that it sends, one after another. From time to time `go_on` gets
+    /// the number of handshakes and the clock.
     ///
-    /// Clocks in which it is at rest are left out: nothing in it changes.
+    /// Clocks in which the renderer is idle are skipped, because nothing in it changes.
     ///
     /// # Errors
-    /// [`Error::Differs`]: a handshake is in another clock; [`Error::Simulation`]; what `go_on` says.
+    /// [`Error::Differs`]: a handshake is in another clock; [`Error::Simulation`]; an error of `go_on`.
     pub fn run(
         &self,
         renderer: &Renderer,
@@ -99,7 +99,7 @@ impl Course<'_> {
         next.into_iter().flatten().min().copied()
     }
 
-    /// Compares all that the renderer says to others with the model.
+    /// Compares all outputs of the renderer with the model.
     fn compare(
         &self,
         sim: &mut Simulation<RendererIn, RendererOut>,
@@ -126,7 +126,7 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Compares what a plane is of with the regions that it has drawn.
+    /// Compares the region, line and number of a plane with the regions that were drawn.
     fn compare_plane(
         &self,
         sim: &mut Simulation<RendererIn, RendererOut>,
@@ -154,7 +154,7 @@ impl Course<'_> {
     }
 }
 
-/// Puts an instruction before a renderer.
+/// Puts an instruction at a renderer's port.
 fn show(sim: &mut Simulation<RendererIn, RendererOut>, instruction: &Instruction<u64>) {
     let port = sim.i.instructions.payload;
     sim.set(port.operation, instruction.operation);
@@ -181,7 +181,7 @@ impl Frames {
         Ok(Frames { sim })
     }
 
-    /// Puts the planes of a line to their place; takes a clock each.
+    /// Writes the planes of a line to their place; each takes a clock.
     pub fn put(
         &mut self,
         region: usize,

@@ -1,4 +1,4 @@
-//! What a machine did in the time of a frame: by the clocks of the model, which are the circuit's, and by what its instructions draw.
+//! What a machine did in the time of a frame, from the clocks of the model, which are the circuit's, and from the pixels of its instructions.
 
 use std::collections::BTreeMap;
 
@@ -14,10 +14,10 @@ use super::model::{RendererTiming, Timing};
 use super::regions::Regions;
 use crate::history::{History, Lane, Painting, Write};
 
-/// Clocks of a span of the ring and of the frame buffer, which do a little now and then.
+/// Clocks of a span of the ring and of the frame buffer, which work in single clocks.
 const SPAN: u64 = 64;
 
-/// What is drawn by what.
+/// The primitives, and the instructions that draw them.
 pub(super) struct Scene<'a> {
     pub config: &'a Config,
     pub regions: &'a Regions,
@@ -26,7 +26,7 @@ pub(super) struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// The history of a frame; the geometry of the next one takes so many clocks.
+    /// The history of a frame; `geometry` is the clocks of the next frame's geometry.
     pub fn history(&self, works: &[Work], timing: &Timing, geometry: u64) -> History {
         let mut painting = Painting::new(self.regions.size(), self.background);
         for (number, renderer) in (0..).zip(&timing.renderers) {
@@ -41,13 +41,13 @@ impl Scene<'_> {
         History { region, ..painting.into_history(names, lanes) }
     }
 
-    /// What a renderer draws: a primitive is there when its last instruction has ended and has come through the pixels' pipeline.
+    /// The changes by a renderer. A primitive is visible when its last instruction has ended and has passed the pixels' pipeline.
     fn paint(&self, painting: &mut Painting, painter: u32, timing: &RendererTiming, works: &[Work]) {
         let (strict, mut ended) = (self.config.strict, timing.ended.iter());
         for work in timing.regions.iter().map(|place| &works[*place]) {
             let pixels = self.regions.pixels(work.region);
             let of_primitives: usize = work.made.iter().map(|(_, count)| *count as usize).sum();
-            // A region begins with what clears it and ends with its save.
+            // A region begins with its clearing and ends with its save.
             let begin = work.instructions.len() - 1 - of_primitives;
             ended.by_ref().take(begin).for_each(drop);
             for &(primitive, instructions) in &work.made {
@@ -93,7 +93,7 @@ fn frame_buffer(timing: &Timing) -> Lane {
     lane
 }
 
-/// Adds so much for each of those clocks, which come in any order.
+/// Adds an amount for each of those clocks, which are not sorted.
 fn now_and_then(lane: &mut Lane, what: &'static str, clocks: impl Iterator<Item = u64>, amount: u64) {
     let mut sums: BTreeMap<u64, u64> = BTreeMap::new();
     clocks.for_each(|clock| *sums.entry(clock / SPAN).or_default() += amount);

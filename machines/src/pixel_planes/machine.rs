@@ -1,8 +1,8 @@
 //! The machine: bins of regions, renderers that take one after another, and the frame that they make (PP5-ARCH).
 //!
-//! Renderers wait for the ring, and the ring for renderers; but when, the transaction-level model knows before. So each renderer is a simulation
-//! of its own, on all processors of the computer, that gets its instructions and is rid of its planes in the clocks of the model,
-//! and all that it says to others is compared with the model's. The frame buffer then gets the lines in the order in which the ring brings them.
+//! Renderers wait for the ring, and the ring waits for renderers. The transaction-level model knows these clocks before. So each renderer is
+//! simulated separately, on all processors of the computer. It gets its instructions and gives its planes in the clocks of the model, and all its
+//! outputs are compared with the model's. Then the frame buffer gets the lines in the sequence in which the ring brings them.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::{PERIOD, fields};
@@ -22,7 +22,7 @@ use crate::history::Recorder;
 use crate::run::Watch;
 use crate::threads::{Heard, all_threads, on_threads_heard};
 
-/// What progress and errors call a frame.
+/// The name of a frame in progress and errors.
 const PHASE: &str = "drawing";
 
 /// A machine of renderers, which may draw several frames.
@@ -51,7 +51,7 @@ impl Machine {
     /// A machine.
     ///
     /// # Errors
-    /// [`Error::Parameter`]: there is no such machine.
+    /// [`Error::Parameter`]: a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.renderer()?;
         config.ring()?;
@@ -65,13 +65,13 @@ impl Machine {
         Machine { engine, ..self }
     }
 
-    /// The same machine, which leaves there what it did. Times are counted from the clock in which the first region is given, and a pixel has what is
-    /// drawn when the last instruction of the primitive has ended.
+    /// The same machine with a recorder. Times are counted from the clock in which the first region is given. A pixel changes when the last
+    /// instruction of its primitive has ended.
     pub fn recorded(self, recorder: &Recorder) -> Machine {
         Machine { recorder: Some(recorder.clone()), ..self }
     }
 
-    /// Renders a frame: the picture as the frame buffer has it, and the report.
+    /// Renders a frame. Returns the picture in the frame buffer, and the report.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the polygons are of another screen, or there are spheres and the renderers are not [quadratic](Config::quadratic); [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Differs`].
@@ -97,7 +97,7 @@ impl Machine {
         Ok((frame, Report::new(self.config.built(), primitives, geometry, &works, &timing)))
     }
 
-    /// The clocks of a frame by the transaction-level model alone, which are those of [`Machine::render`]; regions are told in the order in
+    /// The clocks of a frame by the transaction-level model alone, which are those of [`Machine::render`]. Regions are in the sequence in
     /// which they are given, by decreasing number of primitives.
     ///
     /// ```
@@ -119,7 +119,7 @@ impl Machine {
         self.timing_of(&self.works(&self.config.regions()?, polygons, [0; 3])?)
     }
 
-    /// What is to be done for each region, those with most primitives first.
+    /// The work for each region; those with most primitives come first.
     pub(super) fn works(
         &self,
         regions: &Regions,
@@ -132,12 +132,12 @@ impl Machine {
             return Err(ParameterError(problem).into());
         }
         if !polygons.spheres.is_empty() && !self.config.quadratic {
-            let problem = "spheres, on a machine whose renderers evaluate no quadratics: build one that does";
+            let problem = "spheres on a machine whose renderers cannot evaluate quadratics: build one that can";
             return Err(ParameterError(problem.to_owned()).into());
         }
         let bins = bins(regions, polygons);
         let mut order: Vec<usize> = (0..bins.len()).collect();
-        // Stable: of equal ones the lower number is first.
+        // Stable: between equals the lower number is first.
         order.sort_by_key(|&region| std::cmp::Reverse(bins[region].len()));
         let work = |region: usize| {
             let bin = Bin::new(region, regions, &self.config);
@@ -151,7 +151,7 @@ impl Machine {
         Ok(Model::new(&self.config)?.run(&steps))
     }
 
-    /// What each renderer that has a region sends.
+    /// The planes of each renderer that has a region.
     fn simulate(
         &self,
         works: &[Work],
@@ -161,7 +161,7 @@ impl Machine {
         let renderer = self.config.renderer()?;
         let renderers = timing.renderers.iter().enumerate();
         let mut courses: Vec<Course> = renderers.map(|(number, it)| course(number, it, works)).collect();
-        // Those with most to do first, so that no processor of the computer has one of them at last.
+        // The busiest come first, so that no processor of the computer begins one of them at the end.
         courses.sort_by_key(|it| std::cmp::Reverse(it.timing.busy));
         let mut results: Vec<_> = timing.renderers.iter().map(|_| None).collect();
         let all = timing.ring.instructions + timing.ring.planes;
@@ -188,7 +188,7 @@ impl Machine {
         results.into_iter().map(|result| result.unwrap_or(Err(Error::Cancelled { phase: PHASE, time }))).collect()
     }
 
-    /// Brings what renderers send to the frame buffer, line by line as the ring does, and reads the picture.
+    /// Brings the renderers' planes to the frame buffer, line by line like the ring, and reads the picture.
     fn frame(
         &self,
         regions: &Regions,
@@ -224,7 +224,7 @@ impl Machine {
     }
 }
 
-/// What a renderer has to do.
+/// The work of a renderer.
 fn course<'a>(number: usize, timing: &'a RendererTiming, works: &'a [Work]) -> Course<'a> {
     let region = |place: &usize| (works[*place].region, works[*place].instructions.as_slice());
     Course { number, timing, regions: timing.regions.iter().map(region).collect() }

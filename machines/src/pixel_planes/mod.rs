@@ -1,7 +1,7 @@
 //! Pixel-planes 5: renderers, each an array of 128x128 pixel processors, that take the screen's regions one after another.
 //!
-//! Here is what of it is not hardware: which regions a primitive is binned to, which renderer takes which region, and what the paper says of
-//! both in formulas; and the machine as a whole, which draws scenes with the hardware.
+//! This module has the parts that are not hardware: the binning of primitives to regions, the assignment of regions to renderers, and the
+//! paper's formulas for both. It also has the whole machine, which draws scenes with the hardware.
 //!
 //! ```text
 //! primitives -> Outline -- Binner --> bins of Regions -- allocate --> Allocation: the regions of each renderer, P_w

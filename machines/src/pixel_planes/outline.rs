@@ -1,26 +1,26 @@
-//! The real extent of a primitive, and which squares of a grid it is binned to.
+//! The extent of a primitive, and the squares of a grid to which it is binned.
 //!
-//! Source: PP5-HVB (bounding box) and PP5-HV (whole columns of regions). Extents are those of the vertices, not of the pixels drawn: the
-//! formulas hold of them exactly, on the mean over all places.
+//! Source: PP5-HVB (bounding box) and PP5-HV (whole columns of regions). Extents are those of the vertices, not of the drawn pixels. For them
+//! the formulas are exact as means over all places.
 //!
-//! No centre of a pixel lies on a border of squares, so a square in which a polygon has a pixel meets its extent. A line has, in each column, the
-//! pixel that its own point is in, so that its extent needs no width. But where that point is on the border of two pixels the fill rule may
-//! give it the upper one, or of a steep line the left one: so a border of squares belongs to those above and to the left of it.
+//! No centre of a pixel is on a border of squares, so a square in which a polygon has a pixel meets its extent. In each column, a line has the
+//! pixel that contains its point there, so its extent needs no width. If that point is on the border of two pixels, the fill rule may choose the
+//! upper one, or for a steep line the left one. So a border of squares belongs to the squares above and to the left of it.
 
 use std::ops::RangeInclusive;
 use tilewright_scenes::ScreenVertex;
 use tilewright_scenes::packet::SUBPIXELS;
 
-/// How the squares of a primitive are found.
+/// The way to find the squares of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Binner {
-    /// All that the box round its vertices meets (PP5-HVB).
+    /// All squares that the bounding box of its vertices meets (PP5-HVB).
     Box,
-    /// Of each column of squares that a line meets, those that it passes if it goes on to both sides of the column: at most two. Of a
-    /// line of more than 45 degrees, rows instead of columns (PP5-HV). Polygons are binned as by [`Binner::Box`].
+    /// In each column that a line meets, the squares that it passes if it is extended to both sides of the column: at most two (PP5-HV). Lines
+    /// of more than 45 degrees have rows instead of columns. Polygons are binned as by [`Binner::Box`].
     Columns,
-    /// Of each column of squares, those between its least and greatest place in the column: none but what it meets. Of a line of more than 45
-    /// degrees, rows instead of columns.
+    /// In each column, the squares between its least and its greatest place there, which are exactly those that it meets. Lines of more than 45
+    /// degrees have rows instead of columns.
     Tight,
 }
 
@@ -29,7 +29,7 @@ impl Binner {
     pub const ALL: [Binner; 3] = [Binner::Box, Binner::Columns, Binner::Tight];
 }
 
-/// A convex polygon, or a line, by its vertices.
+/// The vertices of a convex polygon, or of a line.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Binner, Outline, Regions};
@@ -41,7 +41,7 @@ impl Binner {
 /// let regions = Regions::new(Size::new(512, 256)?, 128)?;
 /// let of = |line| Binner::ALL.map(|binner| regions.of(line, binner));
 /// assert_eq!(of(&long), [vec![0, 1, 2, 3, 4, 5, 6, 7], vec![0, 1, 2, 6, 7], vec![0, 1, 2, 6, 7]]);
-/// // It goes on to the region below, in its column.
+/// // Extended in its column, it reaches the region below.
 /// assert_eq!(of(&short), [vec![2], vec![2, 6], vec![2]]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -53,11 +53,11 @@ pub struct Outline {
 
 type Place = (i64, i64);
 
-/// Columns of squares, counted from the left border of the screen, each with rows: or, transposed, rows with columns.
+/// Columns of squares, counted from the left border of the screen, each with rows. If transposed, rows with columns.
 pub(super) type Spans = Vec<(i64, RangeInclusive<i64>)>;
 
 impl Outline {
-    /// The outline of a line's two ends, or of the corners of a convex polygon, as [`tilewright_scenes::Polygons::vertices`] has them.
+    /// The outline of a line's two ends, or of a convex polygon's corners, as in [`tilewright_scenes::Polygons::vertices`].
     pub fn of(vertices: &[ScreenVertex]) -> Outline {
         Outline { corners: vertices.iter().map(|v| (i64::from(v.x), i64::from(v.y))).collect() }
     }
@@ -66,7 +66,7 @@ impl Outline {
         self.corners.len() == 2
     }
 
-    /// Whether it is no longer along y than along x.
+    /// Whether its extent along y is at most that along x.
     fn is_flat(&self) -> bool {
         let length = |(least, greatest): (i64, i64)| greatest - least;
         length(self.range(|place| place.0)) >= length(self.range(|place| place.1))
@@ -78,7 +78,7 @@ impl Outline {
         positions.fold((i64::MAX, i64::MIN), |(least, greatest), at| (least.min(at), greatest.max(at)))
     }
 
-    /// Rows of squares of `side` pixels by column, or columns by row if `true` is beside them.
+    /// Rows of squares of `side` pixels by column, or, with `true`, columns by row.
     pub(super) fn spans(&self, binner: Binner, side: u32) -> (Spans, bool) {
         let unit = i64::from(SUBPIXELS) * i64::from(side);
         if self.is_line() && !self.is_flat() {
@@ -130,7 +130,7 @@ impl Outline {
     }
 }
 
-/// The number of the square of `unit` that a position is in: on a border the one after it, or of a line the one `before`.
+/// The number of the square of `unit` that contains a position. On a border it is the square after it, or for a line the one `before`.
 fn square(position: i64, unit: i64, before: bool) -> i64 {
     (position - i64::from(before)).div_euclid(unit)
 }
@@ -146,13 +146,13 @@ impl Side {
         if p.0 <= q.0 { Side { from: p, to: q } } else { Side { from: q, to: p } }
     }
 
-    /// The rows of squares of `unit` that the side, or its continuation, passes from x = `left` to x = `right`; an upright one is as long
-    /// as it is.
+    /// The rows of squares of `unit` that the side, or its continuation, passes from x = `left` to x = `right`. A vertical side is not
+    /// continued.
     fn rows(&self, left: i64, right: i64, unit: i64, before: bool) -> RangeInclusive<i64> {
         let (dx, dy) = (self.to.0 - self.from.0, self.to.1 - self.from.1);
         let (first, last) = match dx {
             0 => (square(self.from.1, unit, before), square(self.to.1, unit, before)),
-            // In parts of dx, so exact; below 2^40.
+            // Multiplied by dx, so exact; below 2^40.
             _ => {
                 let row = |x: i64| square(self.from.1 * dx + (x - self.from.0) * dy, dx * unit, before);
                 (row(left), row(right))

@@ -1,7 +1,7 @@
-//! The regions of a screen, and the bins of primitives that belong to them.
+//! The regions of a screen, and their bins of primitives.
 //!
-//! Source: PP5-ARCH. A renderer works on one region at a time, so each primitive goes into the bin of each region that it may have a pixel
-//! in. Regions are numbered line by line from the upper left.
+//! Source: PP5-ARCH. A renderer works on one region at a time, so a primitive goes into the bin of each region in which it may have a pixel.
+//! Regions are numbered line by line from the upper left.
 
 use super::outline::{Binner, Outline};
 use serde::Serialize;
@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::{MAX_SIDE, PixelBox, ScreenVertex, Size};
 
-/// A screen in square regions; those at its right and lower border may reach beyond it.
+/// A screen in square regions. Regions at its right and lower border may extend beyond it.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::Regions;
@@ -26,7 +26,7 @@ pub struct Regions {
     side: u32,
 }
 
-/// As a report shows them.
+/// The regions in a report.
 impl Serialize for Regions {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         [self.size.width(), self.size.height(), self.side].serialize(serializer)
@@ -34,7 +34,7 @@ impl Serialize for Regions {
 }
 
 impl Regions {
-    /// A screen of `size` pixels in regions of `side` x `side`; 128 in the paper (PP5-ARCH).
+    /// A screen of `size` pixels in regions of `side` x `side`; the paper has 128 (PP5-ARCH).
     ///
     /// # Errors
     /// The side is 0, or larger than any screen.
@@ -47,7 +47,7 @@ impl Regions {
         }
     }
 
-    /// The paper's: 1280x1024 pixels in regions of 128x128 (PP5-ARCH).
+    /// The paper's screen: 1280x1024 pixels in regions of 128x128 (PP5-ARCH).
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::Regions;
@@ -68,12 +68,12 @@ impl Regions {
         self.side
     }
 
-    /// Regions side by side.
+    /// Regions in a row.
     pub fn columns(&self) -> u32 {
         self.size.width().div_ceil(self.side)
     }
 
-    /// Regions one below the other.
+    /// Regions in a column.
     pub fn rows(&self) -> u32 {
         self.size.height().div_ceil(self.side)
     }
@@ -95,7 +95,7 @@ impl Regions {
         }
     }
 
-    /// The number of the region that pixel (x, y) of the screen is in.
+    /// The number of the region that contains pixel (x, y) of the screen.
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::Regions;
@@ -108,7 +108,7 @@ impl Regions {
         (y / self.side * self.columns() + x / self.side) as usize
     }
 
-    /// The numbers of the regions that a primitive is binned to, ascending: at least all those that it has a pixel in.
+    /// The numbers of a primitive's regions, ascending: at least all regions in which it has a pixel.
     pub fn of(&self, outline: &Outline, binner: Binner) -> Vec<usize> {
         let (spans, is_transposed) = outline.spans(binner, self.side);
         let (lanes, length) = match is_transposed {
@@ -146,8 +146,8 @@ impl Regions {
         rows.flat_map(move |row| columns.clone().map(move |column| (row * across + column) as usize))
     }
 
-    /// The bins of all regions: each has the numbers of its primitives, in order of submission. A primitive is its vertices, as
-    /// [`Outline::of`] takes them.
+    /// The bins of all regions: the numbers of the primitives in each, in the sequence of submission. A primitive is given by its vertices, as
+    /// for [`Outline::of`].
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::{Binner, Regions};
@@ -173,7 +173,7 @@ impl Regions {
     }
 }
 
-/// What of a span is from 0 to `length`, that excluded.
+/// The part of a span from 0 to `length`, excluding `length`.
 fn within(span: RangeInclusive<i64>, length: u32) -> RangeInclusive<i64> {
     *span.start().max(&0)..=*span.end().min(&(i64::from(length) - 1))
 }

@@ -1,4 +1,4 @@
-//! What a frame took: primitives, regions and clocks, the same on every run.
+//! The report of a frame: primitives, regions and clocks, the same in every run.
 
 use serde::Serialize;
 use std::fmt;
@@ -10,24 +10,24 @@ use super::config::Built;
 use super::geometry::GeometryReport;
 use super::model::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 
-/// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
+/// The report of a frame. All numbers are counted in the simulated machine, and none depends on the computer that runs it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The machine.
     pub machine: Built,
     /// Primitives of the scene, P.
     pub primitives: u64,
-    /// What the geometry processors did.
+    /// The clocks of the geometry processors.
     pub geometry: GeometryReport,
-    /// The regions, in the order in which they were drawn: those with most primitives first.
+    /// The regions in the sequence in which they were drawn: those with most primitives come first.
     pub regions: Vec<RegionReport>,
-    /// What each renderer did.
+    /// The numbers of each renderer.
     pub renderers: Vec<RendererReport>,
-    /// The clocks of the primitives drawn, by the programs that drew any.
+    /// The clocks of the drawn primitives, by program.
     pub programs: Vec<ProgramClocks>,
-    /// What the ring brought.
+    /// The traffic on the ring.
     pub ring: RingReport,
-    /// Where a renderer had to wait for an instruction first, if one had to.
+    /// The first wait of a renderer for an instruction, if there was one.
     pub first_starved: Option<StarvedReport>,
     /// Clocks until the last primitive was drawn.
     pub drawn: u64,
@@ -35,7 +35,7 @@ pub struct Report {
     pub sent: u64,
 }
 
-/// What became of a region.
+/// The numbers of a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct RegionReport {
     /// Its number, counted line by line from the upper left.
@@ -44,19 +44,19 @@ pub struct RegionReport {
     pub renderer: usize,
     /// Primitives in its bin.
     pub primitives: u64,
-    /// Those of them that no edge, and no outline of a sphere, keeps out of it.
+    /// Those of them that no edge, and no outline of a sphere, excludes from it.
     pub drawn: u64,
     /// The clock in which the renderer got it.
     pub begun: u64,
-    /// Clocks until the renderer could be given another one.
+    /// Clocks until the renderer could get another region.
     pub clocks: u64,
-    /// Those of them in which it could have begun its next instruction, but that had not come yet.
+    /// Clocks of them in which it could have begun its next instruction, which had not arrived.
     pub starved: u64,
-    /// Those in which it could not save the region, as the one before was not sent yet.
+    /// Clocks in which it could not save the region, because the one before was not sent yet.
     pub waited_for_store: u64,
 }
 
-/// What a renderer did.
+/// The numbers of a renderer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct RendererReport {
     /// Regions.
@@ -67,20 +67,20 @@ pub struct RendererReport {
     pub drawn: u64,
     /// Clocks in which it had a region.
     pub busy: u64,
-    /// Those of them in which it could have begun its next instruction, but that had not come yet.
+    /// Clocks of them in which it could have begun its next instruction, which had not arrived.
     pub starved: u64,
-    /// Those in which it could not save its region, as the one before was not sent yet.
+    /// Clocks in which it could not save its region, because the one before was not sent yet.
     pub waited_for_store: u64,
 }
 
 impl RendererReport {
-    /// Clocks in which it had a region and waited for nobody.
+    /// Clocks in which it had a region and did not wait.
     pub fn working(&self) -> u64 {
         self.busy - self.starved - self.waited_for_store
     }
 }
 
-/// What the ring brought.
+/// The traffic on the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct RingReport {
     /// Instructions to renderers.
@@ -89,9 +89,9 @@ pub struct RingReport {
     pub planes: u64,
     /// The bits of both.
     pub bits: u64,
-    /// Clocks that these bits take, one after another.
+    /// Clocks of these bits, one after another.
     pub clocks: u64,
-    /// The bits in parts of those that it can bring until the last one, from 0 to 1.
+    /// The bits over the ring's capacity until the last one, from 0 to 1.
     pub load: f64,
 }
 
@@ -119,16 +119,16 @@ impl fmt::Display for Unit {
     }
 }
 
-/// How long units of a kind work on a frame.
+/// The working time of a kind of unit for a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Busy {
     /// The kind.
     pub unit: Unit,
-    /// Clocks of the one of them that works longest, without those in which it waits.
+    /// Clocks of the unit that works longest, without waiting.
     pub clocks: u64,
 }
 
-/// Where a renderer had to wait for an instruction.
+/// A renderer's wait for an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct StarvedReport {
     /// The renderer.
@@ -188,7 +188,7 @@ impl Report {
         self.sent * PERIOD.picoseconds()
     }
 
-    /// How long units of each kind work on the frame.
+    /// The working time of each kind of unit for the frame.
     pub fn busy(&self) -> [Busy; 4] {
         let renderers = self.renderers.iter().map(RendererReport::working).max().unwrap_or(0);
         [
@@ -200,12 +200,12 @@ impl Report {
         .map(|(unit, clocks)| Busy { unit, clocks })
     }
 
-    /// What limits the rate of frames: the kind of unit that works longest on one.
+    /// The kind of unit that limits the rate of frames: the one that works longest.
     pub fn limit(&self) -> Busy {
         self.busy().into_iter().max_by_key(|it| it.clocks).expect("there are four kinds")
     }
 
-    /// Clocks from a frame to the next one: the geometry of a frame is done while the one before is drawn and sent.
+    /// Clocks from a frame to the next one. The geometry of a frame overlaps with drawing and sending the one before.
     pub fn interval(&self) -> u64 {
         self.geometry.clocks.max(self.sent)
     }
@@ -215,29 +215,29 @@ impl Report {
         self.geometry.clocks + self.sent
     }
 
-    /// Pixels that processors tested: all of its region for each primitive drawn, as they all do the same instruction.
+    /// Pixels that processors tested: the whole region for each drawn primitive, because all processors execute the same instruction.
     pub fn tested(&self) -> u64 {
         let drawn: u64 = self.regions.iter().map(|it| it.drawn).sum();
         drawn * u64::from(self.machine.side).pow(2)
     }
 
-    /// Primitives in all bins: each as often as it is in one.
+    /// Primitives in all bins; a primitive counts once for each of its bins.
     pub fn binned(&self) -> u64 {
         self.regions.iter().map(|it| it.primitives).sum()
     }
 
-    /// Primitives of the renderer with the most of them, P_w (PP5-UT).
+    /// Primitives of the busiest renderer, P_w (PP5-UT).
     pub fn worst_load(&self) -> u64 {
         self.renderers.iter().map(|it| it.primitives).max().unwrap_or(0)
     }
 
-    /// Clocks for each primitive drawn, N, with what a region takes by itself in them, but none in which somebody waited (PP5-UT).
+    /// N, the clocks for each drawn primitive. They include the clocks of regions without primitives, and exclude waiting (PP5-UT).
     pub fn clocks_per_primitive(&self) -> f64 {
         let drawn: u64 = self.renderers.iter().map(|it| it.drawn).sum();
         self.renderers.iter().map(RendererReport::working).sum::<u64>() as f64 / drawn.max(1) as f64
     }
 
-    /// Working clocks of all renderers in parts of those that they would have if all worked as long as the one that does longest, from 0 to 1.
+    /// Mean working clocks of the renderers over those of the busiest one, from 0 to 1.
     pub fn balance(&self) -> f64 {
         let working = || self.renderers.iter().map(RendererReport::working);
         let most = working().max().unwrap_or(0).max(1) * self.renderers.len() as u64;
@@ -302,7 +302,7 @@ impl fmt::Display for Report {
         self.write_ring(f)?;
         writeln!(
             f,
-            "A primitive that is drawn takes {:.1} clocks, with what a region takes by itself.",
+            "A drawn primitive takes {:.1} clocks, including those of regions without primitives.",
             self.clocks_per_primitive()
         )?;
         writeln!(
@@ -317,13 +317,13 @@ impl fmt::Display for Report {
     }
 }
 
-/// Milliseconds of so many clocks.
+/// The milliseconds of a number of clocks.
 fn ms(clocks: u64) -> f64 {
     (clocks * PERIOD.picoseconds()) as f64 / 1e9
 }
 
 impl Report {
-    /// What geometry takes, and what limits the rate of frames.
+    /// The time of geometry, and the limit of the rate of frames.
     fn write_geometry(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let (processors, GeometryReport { transform, set_up, binning, clocks }) =
             (self.machine.geometry, self.geometry);
@@ -335,7 +335,7 @@ impl Report {
         )?;
         writeln!(
             f,
-            "{:.1} % transformation, {:.1} % set-up, {:.1} % binning, and that of the next frame runs while this one is drawn.",
+            "{:.1} % transformation, {:.1} % set-up, {:.1} % binning. That of the next frame runs while this one is drawn.",
             share(transform),
             share(set_up),
             share(binning)
@@ -343,10 +343,10 @@ impl Report {
         let (interval, latency) = (ms(self.interval()), ms(self.latency()));
         writeln!(f, "So a frame is sent every {interval:.3} ms, {latency:.3} ms after its geometry began.")?;
         let busy = self.busy().map(|Busy { unit, clocks }| format!("{unit} {clocks}"));
-        write!(f, "The longest at work is the {}: busy clocks are {}.", self.limit().unit, busy.join(", "))
+        write!(f, "The {} limits the rate of frames: busy clocks are {}.", self.limit().unit, busy.join(", "))
     }
 
-    /// What the ring brought, and whether somebody had to wait for it.
+    /// The traffic on the ring, and whether a renderer had to wait for it.
     fn write_ring(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let RingReport { instructions, planes, load, .. } = self.ring;
         let load = 100.0 * load;
@@ -354,7 +354,7 @@ impl Report {
         match self.first_starved {
             None => writeln!(f, "No renderer had to wait for an instruction."),
             Some(StarvedReport { renderer, clock }) => {
-                writeln!(f, "The first that had to wait for an instruction was renderer {renderer}, in clock {clock}.")
+                writeln!(f, "Renderer {renderer} was the first to wait for an instruction, in clock {clock}.")
             }
         }
     }

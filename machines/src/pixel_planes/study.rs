@@ -1,6 +1,6 @@
-//! How many regions a vector is binned to, counted over random vectors, beside the formulas.
+//! The number of regions of a vector, counted over random vectors, beside the formulas.
 //!
-//! Source: PP5-HVB, PP5-HV, PP5-HV0. What is counted are bins of [`Regions::of`]; formulas stand beside them and are in no count.
+//! Source: PP5-HVB, PP5-HV, PP5-HV0. Counts are bins of [`Regions::of`]. They do not use the formulas beside them.
 
 use super::formulas::Shape;
 use super::outline::{Binner, Outline};
@@ -13,17 +13,17 @@ use serde::Serialize;
 use std::ops::Range;
 use tilewright_rtl::parameter::ParameterError;
 
-/// Vectors that are counted before it is looked whether to go on.
+/// Vectors that are counted between two looks at the cancellation flag.
 const PART: u64 = 20_000;
 
-/// What is counted of which vectors.
+/// The vectors to count.
 ///
 /// ```
 /// use tilewright_machines::Watch;
 /// use tilewright_machines::pixel_planes::Study;
 ///
 /// let study = Study { lengths: vec![50.0], angles: vec![45.0], vectors: 2000, ..Study::paper(1) };
-/// let points = study.run(&mut Watch::default())?.expect("nobody breaks it off");
+/// let points = study.run(&mut Watch::default())?.expect("not interrupted");
 /// let counted = points[0].counted.by_box;
 /// assert!((counted.mean - 1.629).abs() < 4.0 * counted.error);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,7 +38,7 @@ pub struct Study {
     pub angles: Vec<f64>,
     /// Vectors of each length and angle, at least 1.
     pub vectors: u64,
-    /// What they follow from.
+    /// Their seed.
     pub seed: u64,
 }
 
@@ -71,7 +71,7 @@ pub struct Point {
 }
 
 impl Study {
-    /// The screen of the paper, and its vectors of 50 pixels at 45 degrees among others. A few seconds of one processor, in a release
+    /// The screen of the paper, and its vectors of 50 pixels at 45 degrees among others. It takes a few seconds of one processor in a release
     /// build.
     pub fn paper(seed: u64) -> Study {
         Study {
@@ -83,11 +83,11 @@ impl Study {
         }
     }
 
-    /// Counts, on all processors of the computer: the points of the first length by angle, then those of the next. `None` if it was
-    /// broken off.
+    /// Counts on all processors of the computer. The points are those of the first length by angle, then those of the next. `None` if it was
+    /// interrupted.
     ///
     /// # Errors
-    /// Vectors do not fit on the screen, or there are none; nothing has been counted then.
+    /// Vectors do not fit on the screen, or there are none. Then nothing has been counted.
     pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
         self.run_on(all_threads(), watch)
     }

@@ -1,7 +1,7 @@
-//! N of all programs: the clocks of a primitive at worst and on the mean, in each form of edges, one instruction at a time and side by side.
+//! N of all programs: the worst and the mean clocks of a primitive, for each form of edges, one instruction at a time and side by side.
 //!
-//! Source: PP5-UT, PP5-UTV, facts E3. The paper's 239 ns a vector are 94 clocks; what its program kept of depth and how many bits its words had
-//! its text does not say, so 94 stands beside and nothing is concluded from it.
+//! Source: PP5-UT, PP5-UTV, facts E3. The paper's 239 ns a vector are 94 clocks. Its text does not say what its program stored of depth, nor how
+//! many bits its words had. So 94 is only shown for comparison.
 
 use std::fmt;
 
@@ -24,7 +24,7 @@ use worst::worst;
 
 mod worst;
 
-/// What a program draws here.
+/// The primitives of a program here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
@@ -32,7 +32,7 @@ pub enum Kind {
     Vectors,
     /// Triangles with planes of colour.
     Triangles,
-    /// Convex polygons of eight edges, the most that there are.
+    /// Convex polygons of eight edges, the greatest number.
     Polygons,
 }
 
@@ -41,15 +41,15 @@ pub enum Kind {
 pub struct Row {
     /// The program's name.
     pub program: &'static str,
-    /// What it draws.
+    /// The primitives that it draws.
     pub primitives: Kind,
     /// The form of edges: `fixed`, `own` or `least`.
     pub edges: &'static str,
-    /// Tree and memory may work on two instructions.
+    /// Whether tree and memory may work on two instructions.
     pub side_by_side: bool,
-    /// Clocks of each of many equal primitives, whose edges take as many bits as any primitive's do.
+    /// Clocks of each of many equal primitives with the most possible bits of edges.
     pub worst: u64,
-    /// Clocks on the mean over the primitives of a scene in the bins of its regions, in order of submission; of polygons there is no scene.
+    /// Mean clocks over the primitives of a scene in the bins of its regions, in the sequence of submission. Polygons have no scene.
     pub mean: Option<f64>,
 }
 
@@ -61,8 +61,8 @@ pub struct Row {
 ///
 /// let triangles = project_polygons(&Scene::builtin("teapot").expect("a built-in scene"), Size::VGA)?;
 /// let table = Table::new(&triangles, 100, 1)?;
-/// let row = table.row("flat_strict", "least", false).expect("there is one of each");
-/// // Four edges, of 15, 15, 8 and 8 bits; depth, compared and kept; colour.
+/// let row = table.row("flat_strict", "least", false).expect("each has a row");
+/// // Four edges of 15, 15, 8 and 8 bits; depth, compared and stored; colour.
 /// assert_eq!(row.worst, 46 + 40 + 24 + 24);
 /// assert!(row.mean < Some(134.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,7 +73,7 @@ pub struct Table {
     pub rows: Vec<Row>,
 }
 
-/// The programs, and what each draws here.
+/// The programs, each with its primitives here.
 const PROGRAMS: [(&Program, Kind); 10] = [
     (&FLAT, Kind::Vectors),
     (&FLAT_STRICT, Kind::Vectors),
@@ -98,7 +98,7 @@ struct Primitives<'a> {
 }
 
 impl Table {
-    /// The clocks of a scene's triangles, and of as many random vectors of 50 pixels on the paper's screen.
+    /// The clocks of a scene's triangles, and of the same number of random vectors of 50 pixels on the paper's screen.
     ///
     /// # Errors
     /// The screen has no regions of 128 x 128 pixels.
@@ -130,12 +130,12 @@ impl Table {
         Ok(Table { rows })
     }
 
-    /// That of a program, by name, with edges of that form.
+    /// The row of a program, by name, with edges of that form.
     pub fn row(&self, program: &str, edges: &str, side_by_side: bool) -> Option<&Row> {
         self.rows.iter().find(|it| (it.program, it.edges, it.side_by_side) == (program, edges, side_by_side))
     }
 
-    /// In Markdown: for each program and form of edges, the worst and the mean one at a time, then side by side.
+    /// The table in Markdown: for each program and form of edges, worst and mean one at a time, then side by side.
     pub fn markdown(&self) -> Vec<String> {
         let pairs = self.rows.chunks(2);
         let pairs = pairs.map(|pair| {
@@ -149,7 +149,7 @@ impl Table {
 }
 
 impl Primitives<'_> {
-    /// The clocks on the mean over all, each in all its regions, by one program.
+    /// The mean clocks of one program over all primitives in all their regions.
     fn clocks(&self, program: &'static Program, edges: Edges, side_by_side: bool) -> Result<f64, ParameterError> {
         let config = Config { edges, side_by_side, ..Config::new(self.size) };
         let regions = config.regions()?;
@@ -164,7 +164,7 @@ impl Primitives<'_> {
     }
 }
 
-/// Clocks of each of many equal primitives, when the first ones are through.
+/// Clocks of each of many equal primitives, after the first ones.
 pub(super) fn steady_clocks(program: &Program, instructions: &[Instruction<u64>], side_by_side: bool) -> u64 {
     const MANY: usize = 8;
     let mut clocked = Clocked::new(side_by_side);

@@ -1,7 +1,7 @@
-//! Random vectors of one length, at one angle or at any.
+//! Random vectors of one length, at one angle or at random angles.
 //!
-//! Source: facts D (50-pixel vectors at 45 degrees and at random angles), PP5-HVB. Each is a function of the seed and its number, made with
-//! + - * / alone, so that all machines and any number of threads have the same ones.
+//! Source: facts D (50-pixel vectors at 45 degrees and at random angles), PP5-HVB. Each vector is a function of the seed and its number, computed
+//! with + - * / alone, so that all machines and any number of threads have the same vectors.
 
 use super::regions::Regions;
 use crate::random::Random;
@@ -11,8 +11,8 @@ use tilewright_scenes::{Counts, Polygon, Polygons, ScreenVertex, angle, set_up_l
 
 /// An endless set of random vectors.
 ///
-/// The upper left corner of a vector's box is at each place in a region equally often, and no vector is nearer than a region to the border of
-/// the screen: then means of what it meets are those over all places of a screen without an end.
+/// The upper left corner of a vector's box is equally likely at each place in a region, and the margin to the border of the screen is at least a
+/// region. So means over these vectors are those over all places of an infinite screen.
 ///
 /// ```
 /// use tilewright_machines::pixel_planes::{Regions, Vectors};
@@ -32,13 +32,13 @@ pub struct Vectors {
 }
 
 impl Vectors {
-    /// Vectors of `length` pixels; at `angle` degrees from the x axis, or each at an angle of its own.
+    /// Vectors of `length` pixels, at `angle` degrees from the x axis, or each at a random angle.
     ///
     /// # Errors
     /// They would not fit on the screen, a region from its borders.
     pub fn new(regions: Regions, length: f64, angle: Option<f64>, seed: u64) -> Result<Vectors, ParameterError> {
         let vectors = Vectors { regions, length: length * f64::from(SUBPIXELS), angle, seed };
-        // At any angle the longest extents are those of the axes.
+        // For random angles the longest extents are those along the axes.
         let extents = match angle {
             Some(angle) => vectors.steps(angle).map(i32::abs),
             None => [vectors.length.round() as i32; 2],
@@ -55,7 +55,7 @@ impl Vectors {
         )))
     }
 
-    /// The ends of vector number `index`, from which to which it points; both have one depth and one colour.
+    /// The begin and the end of vector number `index`. Both have the same depth and colour.
     pub fn ends(&self, index: u64) -> [ScreenVertex; 2] {
         let mut random = Random::new(self.seed, index);
         let angle = self.angle.unwrap_or_else(|| 360.0 * random.fraction());
@@ -101,13 +101,13 @@ impl Vectors {
         [size.width(), size.height()].map(|side| side as i32 * SUBPIXELS)
     }
 
-    /// Of how many regions along an axis a box of that extent may have its upper left corner.
+    /// The number of regions along an axis in which a box of that extent may have its upper left corner.
     fn choices(&self, extent: i32, side: i32) -> i32 {
         let region = self.regions.side() as i32 * SUBPIXELS;
         side.saturating_sub(2 * region).saturating_sub(extent) / region
     }
 
-    /// Where the first end is along an axis.
+    /// The place of the first end along an axis.
     fn place(&self, step: i32, side: i32, random: &mut Random) -> i32 {
         let region = self.regions.side() as i32 * SUBPIXELS;
         let corner = random.between(region, region + self.choices(step.abs(), side) * region - 1);

@@ -1,4 +1,4 @@
-//! The sizes of a machine, and what its nodes do.
+//! The parameters of a machine, and the roles of its nodes.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::array::PixelArray;
@@ -9,7 +9,7 @@ use super::costs::{Costs, Ticks};
 use super::latency::Nodes;
 use super::screen::{Pattern, Screen};
 
-/// What a machine is built for.
+/// The parameters of a machine.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::Config;
@@ -23,30 +23,30 @@ use super::screen::{Pattern, Screen};
 pub struct Config {
     /// The picture in pixels.
     pub size: Size,
-    /// Of it that field alone, for an interlaced display.
+    /// The field of the picture to draw, for an interlaced display.
     pub field: Option<Field>,
-    /// Nodes, of which one holds the frame.
+    /// Nodes; one of them has the frame buffer.
     pub nodes: u32,
-    /// Those that shade; the non-texturing system has none.
+    /// Nodes that shade; the non-texturing system has none.
     pub shaders: u32,
     /// Pixels of an array along x and y: powers of two from 8 to 256.
     pub array: [u32; 2],
-    /// The software sorts primitives in a pass of its own, and makes their instructions in a second one, while others are drawn (PFL-PRE).
+    /// Whether the software sorts primitives in a first pass, and makes their instructions in a second one while others are drawn (PFL-PRE).
     pub pre_sort: bool,
     /// The form in which edges are sent.
     pub edges: Edges,
-    /// The evaluator may have the next primitive's edges while the memory has what the one before leaves.
+    /// Whether the evaluator may work on the next primitive's edges while the memory stores the one before.
     pub side_by_side: bool,
-    /// What is set up before each composition (PFL-SETUP).
+    /// The set-up before each composition (PFL-SETUP).
     pub set_up: Ticks,
-    /// What front end and frame buffer take.
+    /// The costs of front end and frame buffer.
     pub costs: Costs,
 }
 
 impl Config {
     /// The most nodes.
     pub const MOST_NODES: u32 = 64;
-    /// The most regions that the non-texturing system has room for, beside a new word and the network's registers.
+    /// The most regions that fit the memory in the non-texturing system, beside a new word and the network's registers.
     pub const MOST_REGIONS: usize = 44;
     /// The least pixels of an array along an axis.
     pub const SMALLEST: u32 = 8;
@@ -67,7 +67,7 @@ impl Config {
         }
     }
 
-    /// What the nodes do, but for the one that holds the frame.
+    /// The roles of the nodes, except the one with the frame buffer.
     ///
     /// # Errors
     /// Too few or too many nodes.
@@ -79,7 +79,7 @@ impl Config {
         match nodes.checked_sub(shaders + 1).filter(|rasterizers| *rasterizers > 0) {
             Some(rasterizers) => Ok(Nodes { rasterizers, shaders }),
             None => Err(ParameterError(format!(
-                "{nodes} nodes with {shaders} shaders: one holds the frame, and none is left to rasterize; give at least {}",
+                "{nodes} nodes with {shaders} shaders: one has the frame buffer, and none is left to rasterize; give at least {}",
                 shaders + 2
             ))),
         }
@@ -88,13 +88,13 @@ impl Config {
     /// The hardware of each node's pixels.
     ///
     /// # Errors
-    /// There is no such array.
+    /// The array's sides are out of range.
     pub fn pixels(&self) -> Result<PixelArray, ParameterError> {
         let [width, height] = self.array;
         if width < Config::SMALLEST || height < Config::SMALLEST {
             let least = Config::SMALLEST;
             return Err(ParameterError(format!(
-                "an array of {width}x{height} pixels: the machine's have {least} to 256 along each side"
+                "an array of {width}x{height} pixels: each side has to be from {least} to 256 pixels"
             )));
         }
         PixelArray::new(width, height)

@@ -1,9 +1,9 @@
-//! A shader's constants as the programs of a node take them.
+//! A shader's constants for the programs of a node.
 
 use tilewright_rtl::pixelflow::programs::{Light, Material, Shader, Texture};
 use tilewright_scenes::deferred;
 
-/// The constants of a node's programs: textures by their numbers and finest levels.
+/// The constants of a node's programs, with the numbers and finest levels of textures.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::constants;
@@ -12,7 +12,7 @@ use tilewright_scenes::deferred;
 ///
 /// let scene = Scene::builtin("teapot").expect("a built-in scene");
 /// let deferred = project_deferred(&scene, Size::new(64, 48)?, Samples::One)?;
-/// // A material of the scene's, and that of lines.
+/// // One material of the scene, and that of lines.
 /// assert_eq!(constants(&deferred.shader).materials.len(), 2);
 /// # Ok::<(), tilewright_scenes::SceneError>(())
 /// ```

@@ -1,11 +1,11 @@
-//! What each step of a frame takes, as the paper measured, computed or estimated it.
+//! The time of each step of a frame, as measured, computed or estimated in the paper.
 
 use serde::Serialize;
 
-/// Clocks of the network, of 5 ns: all times of the paper are whole ones (PFL-NET).
+/// A time in ticks, the network's clocks of 5 ns. All times of the paper are whole ticks (PFL-NET).
 pub type Ticks = u64;
 
-/// Of so many microseconds.
+/// The ticks of a time in microseconds.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::{Costs, ticks};
@@ -16,7 +16,7 @@ pub fn ticks(microseconds: f64) -> Ticks {
     (microseconds * 200.0).round() as Ticks
 }
 
-/// In milliseconds.
+/// The milliseconds of a number of ticks.
 pub fn milliseconds(ticks: Ticks) -> f64 {
     ticks as f64 / 200_000.0
 }
@@ -40,7 +40,7 @@ pub struct Costs {
     pub sort: f64,
     /// The second pass over it, which makes its instructions (PFL-PRE).
     pub generate: f64,
-    /// Geometry of a primitive without texture, which is sorted nowhere (PFL-NT).
+    /// Geometry of a primitive without texture and without sorting (PFL-NT).
     pub transform_plain: f64,
     /// Rasterization of a primitive with all appearance parameters, in one region (PFL-TRAST).
     pub rasterize: f64,
@@ -57,7 +57,7 @@ pub struct Costs {
 }
 
 impl Default for Costs {
-    /// Those of the paper.
+    /// The costs of the paper.
     fn default() -> Costs {
         Costs {
             overhead: 100.0,

@@ -1,4 +1,4 @@
-//! What the nodes did in the time of a frame, and whose words were the least.
+//! What the nodes did in the time of a frame, and the node of each least word.
 
 use std::ops::Range;
 
@@ -15,9 +15,9 @@ use crate::history::{History, Lane, Painting, Write};
 /// Picoseconds of a tick.
 const TICK: u64 = 5000;
 
-/// Whose words were the least so far.
+/// The nodes of the least words so far.
 pub(super) struct Recording {
-    /// By pixel of the frame: of each of its samples that something covers the number of the rasterizer, counted from 1; and then zeros.
+    /// By pixel of the frame: the number of the rasterizer of each covered sample, counted from 1; then zeros.
     samples: Vec<u16>,
     of_pixel: usize,
 }
@@ -30,13 +30,13 @@ pub(super) struct Worked {
 }
 
 impl Recording {
-    /// Of a frame before its first region.
+    /// The history of a frame before its first region.
     pub fn new(works: &Works) -> Recording {
         let of_pixel = works.samples() as usize;
         Recording { samples: vec![0; works.size().pixels() * of_pixel], of_pixel }
     }
 
-    /// The network has composed a turn: of each pixel, chip by chip, the word and whose it is.
+    /// Notes a composed turn: for each pixel, chip by chip, the word and its node.
     pub fn see(&mut self, works: &Works, turn: usize, words: &Words, winners: impl Iterator<Item = u16>) {
         for (at, winner) in winners.enumerate() {
             let (chip, pixel) = works.place_in_chip(at);
@@ -49,7 +49,7 @@ impl Recording {
         }
     }
 
-    /// The history of a frame, which came out like that.
+    /// The history of a frame with that picture.
     pub fn into_history(
         self,
         works: &Works,
@@ -65,7 +65,7 @@ impl Recording {
         painting.into_history(names, lanes(report, nodes))
     }
 
-    /// The rasterizer that has most samples of a pixel, of several the first; none if nothing covers it.
+    /// The rasterizer with most samples of a pixel, the first of several; `None` if nothing covers the pixel.
     fn owner(&self, pixel: usize) -> Option<u32> {
         let samples = &self.samples[pixel * self.of_pixel..][..self.of_pixel];
         let count = |number: u16| samples.iter().filter(|it| **it == number).count();
@@ -73,7 +73,7 @@ impl Recording {
         most.map(|number| u32::from(*number) - 1)
     }
 
-    /// The pixels of a region, as the frame buffer takes them: one of each chip at a time.
+    /// The pixels of a region in the sequence in which the frame buffer takes them: one of each chip at a time.
     fn paint(&self, painting: &mut Painting, works: &Works, turn: usize, report: &Report, picture: &Picture) {
         let loaded = &report.turns[turn].loaded;
         let of_chip = works.pixels_of_chip();
@@ -88,7 +88,7 @@ impl Recording {
     }
 }
 
-/// Whether a pixel's word is of something.
+/// Whether a primitive covers a pixel with that word.
 fn is_covered(works: &Works, words: &Words, chip: u32, pixel: usize) -> bool {
     let byte = |address: u64| {
         let sent = (works.bytes() - 1 - address) as usize;
@@ -100,13 +100,13 @@ fn is_covered(works: &Works, words: &Words, chip: u32, pixel: usize) -> bool {
     }
 }
 
-/// What all units did.
+/// The activities of all units.
 fn lanes(report: &Report, nodes: Worked) -> Vec<Lane> {
     let delay = report.delay();
     let mut front = Lane::of_clocks("front end", TICK, 1);
     front.add("geometry", 0, report.front * TICK, report.front);
     front.add("second pass", report.front * TICK, (report.front + report.second) * TICK, report.second);
-    // An array has a clock for two ticks.
+    // The array has one clock for two ticks.
     let node = |name: String, what, worked: Vec<Range<Ticks>>| {
         let mut lane = Lane::of_clocks(name, 2 * TICK, 1);
         for ticks in worked {

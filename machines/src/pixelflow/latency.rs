@@ -1,6 +1,6 @@
-//! How long a frame takes from its beginning to the picture: the paper's formulas.
+//! The latency of a frame, from its beginning to the picture: the paper's formulas.
 //!
-//! Source: PFL-LAT1 to PFL-600K. All assume perfect balance: each rasterizer has as many primitives as the others.
+//! Source: PFL-LAT1 to PFL-600K. All formulas assume perfect balance: the rasterizers have equal numbers of primitives.
 
 use serde::Serialize;
 
@@ -16,22 +16,22 @@ pub enum System {
     /// A first pass over all primitives sorts them; the second makes their instructions region by region, while others are drawn
     /// (PFL-PRE).
     PreSort,
-    /// All regions are in the pixels' memory at once, so nothing is sorted; there are no textures, and the front end lights vertices
+    /// All regions are in the pixels' memory at once, so nothing is sorted. There are no textures, and the front end lights vertices
     /// (PFL-NT).
     NonTexturing,
 }
 
-/// What the nodes of a machine do, but for the one that holds the frame.
+/// The roles of a machine's nodes, except the one with the frame buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Nodes {
-    /// Those that rasterize.
+    /// Nodes that rasterize.
     pub rasterizers: u32,
-    /// Those that shade.
+    /// Nodes that shade.
     pub shaders: u32,
 }
 
 impl Nodes {
-    /// The paper's machine of 20 nodes, with so many shaders (PFL-CFG).
+    /// The paper's machine of 20 nodes, with that number of shaders (PFL-CFG).
     ///
     /// ```
     /// use tilewright_machines::pixelflow::Nodes;
@@ -52,15 +52,15 @@ impl Nodes {
 pub enum Samples {
     /// One.
     One,
-    /// Eight: four side by side in the array, whose regions are of 64 x 32 pixels then, so many times one after another. The paper does not say how
-    /// often a primitive is rasterized (facts B); twice is what the memory takes.
+    /// Eight: four side by side in the array, whose regions then have 64 x 32 pixels, and this number of times one after another. The paper does not
+    /// say how often a primitive is rasterized (facts B); twice fits the memory.
     Eight {
-        /// How often a primitive is rasterized in a region.
+        /// The number of times that a primitive is rasterized in a region.
         rasterizations: f64,
     },
 }
 
-/// Regions that a primitive of that width and height in pixels is in, on the mean over all places (PFL-OVERLAP).
+/// Mean number of regions of a primitive with that width and height in pixels, over all places (PFL-OVERLAP).
 ///
 /// ```
 /// use tilewright_machines::pixelflow::overlap;
@@ -88,7 +88,7 @@ pub struct Software {
     pub nodes: Nodes,
     /// Samples of a pixel.
     pub samples: Samples,
-    /// Regions that a primitive is in, on the mean.
+    /// Mean number of regions of a primitive.
     pub overlap: f64,
     /// Regions that are composed.
     pub composed: f64,
@@ -96,16 +96,16 @@ pub struct Software {
     pub shaded: f64,
     /// Regions of 128 x 64 pixels of the screen.
     pub regions: f64,
-    /// What the steps take.
+    /// The times of the steps.
     pub costs: Costs,
 }
 
-/// What the stages of a frame take, in milliseconds.
+/// The times of a frame's stages, in milliseconds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Times {
-    /// The front end before anything is rasterized; of a system that sorts nowhere, beside it.
+    /// The front end before rasterization; in a system without sorting, at the same time.
     pub front: f64,
-    /// The front end while it is rasterized: the second pass of a system that sorts before.
+    /// The front end during rasterization: the second pass of the pre-sorting system.
     pub generate: f64,
     /// Rasterization.
     pub rasterize: f64,
@@ -113,17 +113,17 @@ pub struct Times {
     pub compose: f64,
     /// Shading.
     pub shade: f64,
-    /// Into the frame buffer.
+    /// Loading the frame buffer.
     pub load: f64,
 }
 
 impl Software {
-    /// Bytes of a pixel that are composed, with all appearance parameters (PFL-BYTES).
+    /// Composed bytes of a pixel with all appearance parameters (PFL-BYTES).
     pub const APPEARANCE: u32 = 21;
-    /// Bytes of a pixel that are composed of depth and colour (PFL-MEM, PFL-COL).
+    /// Composed bytes of a pixel with depth and colour (PFL-MEM, PFL-COL).
     pub const PLAIN: u32 = 7;
 
-    /// As the paper has it: 640 x 512 pixels in 40 regions, primitives of 10 x 10 pixels, each region composed and shaded once (PFL-REG).
+    /// The paper's case: 640 x 512 pixels in 40 regions, primitives of 10 x 10 pixels, each region composed and shaded once (PFL-REG).
     pub fn paper(system: System, nodes: Nodes, samples: Samples) -> Software {
         // The non-texturing system takes its samples one after another, each of the whole array.
         let region = match (system, samples) {
@@ -143,7 +143,7 @@ impl Software {
         }
     }
 
-    /// The stages of a frame of so many primitives.
+    /// The stages of a frame of that number of primitives.
     pub fn times(&self, primitives: f64) -> Times {
         let Software { costs, nodes, .. } = *self;
         let each = primitives / f64::from(nodes.rasterizers);
@@ -171,7 +171,7 @@ impl Software {
         microseconds.in_milliseconds()
     }
 
-    /// Milliseconds of a frame of so many primitives (PFL-LAT1, PFL-PRE, PFL-NT).
+    /// Milliseconds of a frame of that number of primitives (PFL-LAT1, PFL-PRE, PFL-NT).
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Nodes, Samples, Software, System};
@@ -179,7 +179,7 @@ impl Software {
     /// let base = |shaders| Software::paper(System::Base, Nodes::paper(shaders), Samples::One);
     /// // The least latency is that of the shaders: 40 regions of 110.4 us, and 0.1 ms before.
     /// assert_eq!(format!("{:.3}", base(1).latency(0.0)), "4.516");
-    /// // Of four, the frame buffer takes longer.
+    /// // With four shaders the frame buffer takes longer.
     /// assert_eq!(format!("{:.3}", base(4).latency(0.0)), "2.180");
     /// ```
     pub fn latency(&self, primitives: f64) -> f64 {
@@ -195,7 +195,7 @@ impl Software {
         }
     }
 
-    /// The most primitives of a frame that takes so many milliseconds; none if the least frame takes longer.
+    /// The most primitives of a frame within that latency in milliseconds; 0 if the least frame takes longer.
     pub fn primitives_within(&self, milliseconds: f64) -> f64 {
         /// More than any machine draws in a second.
         const MOST: f64 = 1e10;
@@ -219,7 +219,7 @@ impl Times {
     }
 }
 
-/// From how many primitives on the first is no slower than the second; `None` if it is never, or always. Between systems that cross once.
+/// The number of primitives from which on the first system is no slower than the second; `None` if it never is, or always. The two have to cross once.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::{Nodes, Samples, Software, System, crossover};
@@ -234,7 +234,7 @@ pub fn crossover(first: &Software, second: &Software) -> Option<f64> {
     (is_slower(0.0) && !is_slower(MOST)).then(|| last_that(MOST, is_slower))
 }
 
-/// The last number from 0 to `most` of which something holds that holds up to some number; 0 if it never does.
+/// The last number from 0 to `most` for which a condition is true that is true up to some number; 0 if it never is.
 fn last_that(most: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, most);
     // Then they are neighbours.

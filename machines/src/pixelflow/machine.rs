@@ -1,4 +1,4 @@
-//! The machine: arrays that rasterize and shade, and a network that composes what they drew, all in simulation (PFL-NODE, PFL-NET).
+//! The simulated machine: arrays that rasterize and shade, and a network that composes their regions (PFL-NODE, PFL-NET).
 //!
 //! ```text
 //!                    words, least of all: forth -->
@@ -6,9 +6,9 @@
 //!                    <-- back: colours
 //! ```
 //!
-//! Nodes wait for each other at their banks of registers alone. So the [transaction model](super::model) first says in which tick each bank is given and each word
-//! goes; then each array is a simulation of its own, whose banks the network reads and writes in these ticks, and which has to give them in the model's. That
-//! the model is right is also tested on machines that are one circuit ([`PixelFlow`](tilewright_rtl::pixelflow::machine::PixelFlow)).
+//! Nodes wait for each other only at their banks of registers. So the [transaction model](super::model) first predicts the tick in which each bank is given and
+//! each word is sent. Then each array is simulated separately. The network reads and writes its banks in these ticks, and the array has to give them in the
+//! predicted ticks. The model is also tested on machines that are one circuit ([`PixelFlow`](tilewright_rtl::pixelflow::machine::PixelFlow)).
 
 mod jobs;
 mod run;
@@ -27,7 +27,7 @@ use crate::history::Recorder;
 use crate::run::Watch;
 use run::Run;
 
-/// What progress and errors call a frame.
+/// The name of a frame in progress and errors.
 const PHASE: &str = "drawing";
 /// Picoseconds of a tick.
 const TICK: u64 = 5000;
@@ -59,7 +59,7 @@ impl Machine {
     /// A machine.
     ///
     /// # Errors
-    /// [`Error::Parameter`]: there is no such machine.
+    /// [`Error::Parameter`]: a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         config.roles()?;
         config.pixels()?;
@@ -72,13 +72,13 @@ impl Machine {
         Machine { engine, spare, ..self }
     }
 
-    /// The same machine, which leaves there what it did. Times are counted from the beginning of the front end. A pixel is of the rasterizer whose word was the least
-    /// in most of its samples, and is written when the frame buffer takes it.
+    /// The same machine with a recorder. Times are counted from the beginning of the front end. A pixel belongs to the rasterizer with the least word in most of
+    /// its samples. It is written when the frame buffer takes it.
     pub fn recorded(self, recorder: &Recorder) -> Machine {
         Machine { recorder: Some(recorder.clone()), ..self }
     }
 
-    /// Another machine on the same engine. If its arrays are as large, it simulates those that have drawn a frame of this one, which takes less time than new ones.
+    /// Another machine on the same engine. If its arrays have the same size, it reuses the simulated arrays of this one, which is faster than making new ones.
     ///
     /// # Errors
     /// As [`Machine::new`].
@@ -87,19 +87,19 @@ impl Machine {
         Ok(Machine { engine: self.engine, spare, ..Machine::new(config)? })
     }
 
-    /// Renders a frame with deferred shading, by the base system: the picture as the frame buffer has it, and the report.
+    /// Renders a frame with deferred shading, by the base system. Returns the picture in the frame buffer, and the report.
     ///
-    /// Eight samples are two renderings at twice the width and height, of which each region is drawn after that of the other one. Every sample is shaded, and the
-    /// frame buffer averages those of a pixel. Where they are shaded once, the eight words of a pixel come to the same shader one after another.
+    /// Eight samples are two renderings at twice the width and height, drawn alternately region by region. Every sample is shaded, and the frame buffer averages the
+    /// samples of a pixel. If a pixel is shaded once, its eight words go to the same shader one after another.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the scene is for another screen, or takes what the machine has not; [`Error::Cancelled`]; [`Error::Simulation`];
+    /// [`Error::Parameter`] if the scene is for another screen, or exceeds the machine; [`Error::Cancelled`]; [`Error::Simulation`];
     /// [`Error::Differs`].
     pub fn render(&self, deferred: &Deferred, watch: &mut Watch) -> Result<(Picture, Report), Error> {
         self.check(deferred.size)?;
         let Deferred { passes, shader, .. } = deferred;
         if deferred.samples == Samples::Eight(Shading::EachSample) && self.config.field.is_some() {
-            let problem = "eight samples of a field: where each of them is shaded, this machine draws whole frames";
+            let problem = "eight samples of a field: if each sample is shaded, this machine draws whole frames only";
             return Err(ParameterError(problem.to_owned()).into());
         }
         let works = match deferred.samples {
@@ -109,7 +109,7 @@ impl Machine {
         self.run(&works, shader.background, watch)
     }
 
-    /// Renders a frame by the non-texturing system: all regions are in the pixels' memory, and colours are those of the vertices.
+    /// Renders a frame by the non-texturing system. All regions are in the pixels' memory, and colours are those of the vertices.
     ///
     /// # Errors
     /// As [`Machine::render`]; [`Error::Parameter`] also if the screen has more regions than fit, or there are spheres.
@@ -121,14 +121,14 @@ impl Machine {
     ) -> Result<(Picture, Report), Error> {
         self.check(polygons.size)?;
         if !polygons.spheres.is_empty() {
-            return Err(ParameterError("spheres: this machine evaluates no quadratics".to_owned()).into());
+            return Err(ParameterError("spheres: this machine cannot evaluate quadratics".to_owned()).into());
         }
         let works = Works::resident(&self.config, &[Drawing::of(&self.config, &polygons.polygons)], background)?;
         self.run(&works, background, watch)
     }
 
     /// The same with eight samples of a pixel, one after another: the two passes of [`project_samples`](tilewright_scenes::project_samples). The node
-    /// that holds the frame adds them up.
+    /// of the frame buffer adds them up.
     ///
     /// # Errors
     /// As [`Machine::render_resident`]; [`Error::Parameter`] also if there are not two passes.

@@ -1,16 +1,16 @@
-//! PixelFlow: identical nodes that rasterize, shade or hold the frame, with a network between them that composes images.
+//! PixelFlow: equal nodes that rasterize, shade or have the frame buffer, and a network between them that composes images.
 //!
-//! | file | what is in it |
+//! | file | content |
 //! |---|---|
-//! | `latency` | what the paper says of the latency of three software systems, in formulas |
-//! | `workload` | what rasterizers have to draw |
-//! | `model` | when each node has done what: the transaction model |
+//! | `latency` | the paper's formulas for the latency of three software systems |
+//! | `workload` | the primitives of the rasterizers |
+//! | `model` | the transaction model: the time of each node's work |
 //! | `simulated` | the systems in that model |
 //! | `machine` | frames on the hardware: `config`, `works`, `hardware`, `report`, `screen` |
-//! | `stereo` | frames of two eyes |
-//! | `costs` | what each step takes |
+//! | `stereo` | frames for two eyes |
+//! | `costs` | the time of each step |
 //! | `triangles` | random triangles, as the paper counts them |
-//! | `packets`, `constants` | packets and shaders as the programs of a node take them |
+//! | `packets`, `constants` | packets and shaders for the programs of a node |
 //!
 //! Source: "Reducing Latency on PixelFlow", facts A4 (PFL).
 

@@ -1,4 +1,4 @@
-//! The transaction model: when each node has done what, for one frame, without a circuit.
+//! The transaction model: the times of all nodes' work for one frame, without a circuit.
 //!
 //! ```text
 //! front end    |--- transform ---|
@@ -9,11 +9,11 @@
 //! frame buffer                                                      |- 0 -|          |- 1 -|          |- 2 -|
 //! ```
 //!
-//! Every node has two banks of registers for the network, so it works on a region while the one before is sent, and waits when both are
-//! taken: a rasterizer for the composition of the region before the last, the network for the shader that has not yet looked at its last one.
+//! Every node has two banks of registers for the network, so it works on a region while the one before is sent. It waits when both are in use. A
+//! rasterizer waits for the composition of the region before the last, and the network for a shader that has not yet read its last region.
 //!
-//! How long arrays work, and when they have done with a bank, is of two kinds: by the paper's costs ([`Frame`]), or by the instructions of a frame as the
-//! hardware takes them (`programs`). What circuits add to that is in `delays`, and the paper's systems have none of it.
+//! The times of arrays and banks follow from the paper's costs ([`Frame`]), or from the instructions of a frame on the hardware (`programs`). The
+//! delays that circuits add are in `delays`; the paper's systems have none.
 //!
 //! A system without sorting has all regions in the pixels' memory: [`Resident`].
 
@@ -41,35 +41,35 @@ pub use resident::{Pass, Resident};
 pub struct Turn {
     /// The region.
     pub region: u16,
-    /// Appearance words on the network, with what is set up for them.
+    /// Appearance words on the network, with their set-up.
     pub composes: Ticks,
-    /// A shader's work on them; none if they go to the frame buffer as they are.
+    /// A shader's work on them; `None` if they go directly to the frame buffer.
     pub shades: Option<Shading>,
-    /// Into the frame buffer's memory; 0 if another turn of the same pixels is to come.
+    /// Loading the frame buffer's memory; 0 if another turn of the same pixels follows.
     pub loads: Ticks,
 }
 
-/// What a shader does with a region.
+/// A shader's work on a region.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shading {
-    /// Which shader.
+    /// The shader.
     pub shader: usize,
-    /// Its work.
+    /// The time of its work.
     pub takes: Ticks,
     /// Colours on the network; 0 if it keeps them until the next samples of the same pixels.
     pub sends: Ticks,
 }
 
-/// When the front end has what rasterizers need.
+/// When the front end has the instructions of the rasterizers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrontEnd {
-    /// All of the frame, before any of it is rasterized: each primitive takes so long.
+    /// The whole frame before rasterization; each primitive takes this time.
     Before(Ticks),
-    /// After a first pass, primitive by primitive, in the order in which they are rasterized.
+    /// After a first pass, primitive by primitive in the sequence of rasterization.
     TwoPasses {
-        /// The first pass over a primitive.
+        /// The time of a primitive in the first pass.
         sorts: Ticks,
-        /// The second.
+        /// The time in the second pass.
         generates: Ticks,
     },
 }
@@ -77,21 +77,21 @@ pub enum FrontEnd {
 /// A frame of a system that works region by region.
 #[derive(Clone, Debug)]
 pub struct Frame<'a> {
-    /// What is drawn.
+    /// The primitives.
     pub workload: &'a Workload,
-    /// Before a node's first primitive.
+    /// The time before a node's first primitive.
     pub overhead: Ticks,
-    /// When primitives are there.
+    /// When primitives are available.
     pub front_end: FrontEnd,
-    /// All stages, in the order of the network. A region that comes twice is rasterized twice.
+    /// All turns, in the sequence of the network. A region that occurs twice is rasterized twice.
     pub turns: Vec<Turn>,
-    /// Shaders.
+    /// The number of shaders.
     pub shaders: usize,
-    /// Colours share the wires of the appearance words, in place of going the other way beside them.
+    /// Whether colours share the wires of the appearance words, instead of going the other way in parallel.
     pub one_way: bool,
 }
 
-/// When what of a turn was done.
+/// The times of a turn.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Done {
     /// The last rasterizer.
@@ -102,7 +102,7 @@ pub struct Done {
     pub shaded: Range<Ticks>,
     /// On the network, to the frame buffer.
     pub sent: Range<Ticks>,
-    /// Into its memory.
+    /// In its memory.
     pub loaded: Range<Ticks>,
 }
 
@@ -111,23 +111,23 @@ pub struct Done {
 pub struct Timeline {
     /// The end of each rasterizer's first pass, or of its only one.
     pub front: Vec<Ticks>,
-    /// What each rasterizer's front end did while it rasterized.
+    /// The time of each rasterizer's front end during rasterization.
     pub generated: Vec<Ticks>,
-    /// What each rasterizer drew, without waiting.
+    /// The time of each rasterizer's drawing, without waiting.
     pub drawn: Vec<Ticks>,
-    /// Each turn.
+    /// The times of each turn.
     pub turns: Vec<Done>,
 }
 
 impl Timeline {
-    /// From the frame's beginning to its last pixel in the frame buffer.
+    /// The time from the frame's beginning to its last pixel in the frame buffer.
     pub fn latency(&self) -> Ticks {
         self.turns.last().map_or(0, |last| last.loaded.end)
     }
 }
 
 impl Frame<'_> {
-    /// Lets the frame run.
+    /// Runs the frame.
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Frame, FrontEnd, Shading, Turn, Workload};
@@ -155,7 +155,7 @@ impl Frame<'_> {
         Timeline { front, generated: of(Rasterizer::generated), drawn: of(Rasterizer::drawn), turns: run.done }
     }
 
-    /// The rasterizers when their front ends let them begin.
+    /// The rasterizers, at the times at which their front ends let them begin.
     fn rasterizers(&self) -> Vec<Rasterizer> {
         let (first, second) = match self.front_end {
             FrontEnd::Before(transforms) => (transforms, 0),
@@ -163,7 +163,7 @@ impl Frame<'_> {
         };
         let pass = |share: &Share| self.overhead + first * share.primitives() as Ticks;
         let fronts = || self.workload.shares.iter().map(pass);
-        // Of frames in a pipe all nodes take the next one together.
+        // All nodes take the next frame of a pipe together.
         let together = matches!(self.front_end, FrontEnd::Before(_)).then(|| fronts().max().unwrap_or(0));
         let regions = self.workload.regions;
         let begin =
@@ -172,28 +172,28 @@ impl Frame<'_> {
     }
 }
 
-/// What nodes do with their banks.
+/// The use of banks by nodes.
 trait Arrays {
-    /// Rasterizers, and shaders.
+    /// The numbers of rasterizers and of shaders.
     fn counts(&self) -> [usize; 2];
-    /// When each shader gives its bank for words first.
+    /// The time at which each shader first gives its bank for words.
     fn first_words(&mut self) -> Vec<Ticks>;
-    /// When the holder of the frame gives each of its banks first.
+    /// The times at which the node of the frame buffer first gives each of its banks.
     fn first_stores(&mut self) -> [Ticks; 2];
-    /// All rasterizers draw a turn, each when its bank is free; when they give it to the network.
+    /// All rasterizers draw a turn, each when its bank is free. Returns the times at which they give it to the network.
     fn draw(&mut self, number: usize, turn: &Turn, free: &[Ticks]) -> Vec<Ticks>;
-    /// A shader works on what has arrived of a turn by then. Its colours of before were sent by that time.
+    /// A shader works on the words of a turn, which have arrived at that time. Its earlier colours were sent by `sent`.
     fn shade(&mut self, number: usize, shading: &Shading, arrived: Ticks, sent: Ticks) -> Shaded;
-    /// What has arrived by then goes into the frame buffer's memory.
+    /// Words that have arrived at that time go into the frame buffer's memory.
     fn load(&mut self, number: usize, turn: &Turn, arrived: Ticks) -> Stored;
 }
 
-/// Nodes that take as long as the paper says.
+/// Nodes with the paper's times.
 struct ByCosts {
     rasterizers: Vec<Rasterizer>,
-    /// Until when each shader works.
+    /// The time until which each shader works.
     shaders: Vec<Ticks>,
-    /// Until when the frame buffer's memory is written.
+    /// The time until which the frame buffer's memory is written.
     written: Ticks,
 }
 
@@ -217,7 +217,7 @@ impl Arrays for ByCosts {
     fn shade(&mut self, _: usize, &Shading { shader, takes, .. }: &Shading, arrived: Ticks, _: Ticks) -> Shaded {
         let at = after([arrived, self.shaders[shader]], takes);
         self.shaders[shader] = at.end;
-        // It has another bank for words than for those that it works on.
+        // Its bank for new words is not the one on which it works.
         Shaded { next_word: at.start, at }
     }
 

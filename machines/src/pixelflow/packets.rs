@@ -1,10 +1,10 @@
-//! Packets as the programs of a node take them: relative to a region.
+//! Packets for the programs of a node, relative to a region.
 
 use tilewright_rtl::pixelflow::programs::{Appearance, Expression, Surface};
 use tilewright_scenes::deferred::AppearancePacket;
 use tilewright_scenes::{Edge, Packet, Plane};
 
-/// A region's upper left pixel, from which a packet's expressions count.
+/// A region's upper left pixel, the origin of a packet's expressions.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::Corner;
@@ -19,14 +19,14 @@ use tilewright_scenes::{Edge, Packet, Plane};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Corner {
-    /// Where it is in the picture, x and y.
+    /// Its place in the picture, x and y.
     pub at: [u32; 2],
-    /// The picture's columns and lines from a pixel of the region to the next.
+    /// The step in the picture's columns and lines from a pixel of the region to the next.
     pub step: [u32; 2],
 }
 
 impl Corner {
-    /// That of a region of all pixels.
+    /// The corner of a region with all pixels of the picture.
     pub fn of(at: [u32; 2]) -> Corner {
         Corner { at, step: [1, 1] }
     }
@@ -41,7 +41,7 @@ impl Corner {
         Surface { z: self.plane(&packet.z), rgb: packet.rgb.map(|plane| self.plane(&plane)) }
     }
 
-    /// All that a packet leaves in a pixel.
+    /// All parameters of a packet for a pixel.
     pub fn appearance(self, packet: &AppearancePacket) -> Appearance {
         Appearance {
             surface: self.surface(&packet.triangle),
@@ -59,7 +59,7 @@ impl Corner {
         Expression { a: a * across, b: b * down, c: c + a * x + b * y }
     }
 
-    /// Modulo 2^64 here, of which the plane's own bits count.
+    /// The plane modulo 2^64, of which only its own bits matter.
     fn plane(self, plane: &Plane) -> Expression {
         let ([x, y], [across, down]) = (self.at.map(u64::from), self.step.map(u64::from));
         let c = plane.origin.wrapping_add(plane.x.wrapping_mul(x)).wrapping_add(plane.y.wrapping_mul(y));

@@ -1,4 +1,4 @@
-//! What a frame took.
+//! The report of a frame.
 
 use serde::Serialize;
 use std::fmt;
@@ -13,22 +13,22 @@ use super::latency::System;
 use super::model::Done;
 use super::works::Works;
 
-/// What a frame took.
+/// The report of a frame.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The software.
     pub system: System,
     /// Columns and rows of pixels.
     pub size: [u32; 2],
-    /// `even` or `odd`: each second line of the picture, of which those are the pixels.
+    /// `even` or `odd`, if only these lines of the picture were drawn; `size` is that of the field.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub field: Option<&'static str>,
     /// Samples of a pixel.
     pub samples: u32,
-    /// They are shaded once, not each of them.
+    /// Whether a pixel is shaded once, not each sample.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub shaded_once: bool,
-    /// Nodes, with the one that holds the frame.
+    /// Nodes, including that of the frame buffer.
     pub nodes: u32,
     /// Pixels of an array along x and y.
     pub array: [u32; 2],
@@ -36,25 +36,25 @@ pub struct Report {
     pub rasterizers: Vec<NodeReport>,
     /// Each node that shaded.
     pub shaders: Vec<NodeReport>,
-    /// The circuit that holds the frame.
+    /// The circuit of the frame buffer.
     #[serde(skip)]
     pub frame_buffer: FrameBuffer,
-    /// Clocks of 10 ns in which the array of the node that holds the frame had an instruction, or waited for the frame buffer.
+    /// Clocks of 10 ns in which the array of the frame buffer's node had an instruction, or waited for the frame buffer.
     pub holder: u64,
-    /// Primitives, and how often one is in a region.
+    /// Primitives.
     pub primitives: usize,
-    /// Likewise.
+    /// Primitives in all regions; a primitive counts once for each of its regions.
     pub drawn: usize,
-    /// The front end of the rasterizer with most primitives, by the paper's cost of each, in ticks of 5 ns.
+    /// The front end's time for the rasterizer with most primitives, by the paper's costs, in ticks of 5 ns.
     pub front: Ticks,
-    /// From its end to that of the last rasterizer's second pass, if primitives are sorted in a first one.
+    /// The time from its end to that of the last rasterizer's second pass, if primitives are sorted in a first pass.
     pub second: Ticks,
-    /// When each region, or each sample of one, was where, in ticks from the first instruction on; from the beginning of the front end where that works
-    /// beside the rest.
+    /// The times of each region, or of each sample of one, in ticks from the first instruction on. If the front end works in parallel, they are counted from
+    /// its beginning.
     pub turns: Vec<Done>,
 }
 
-/// A field by its name.
+/// The name of a field.
 fn field_name(field: Field) -> &'static str {
     match field {
         Field::Even => "even",
@@ -62,25 +62,25 @@ fn field_name(field: Field) -> &'static str {
     }
 }
 
-/// What a node did.
+/// The numbers of a node.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct NodeReport {
-    /// Primitives that were dealt to it.
+    /// Primitives that were assigned to it.
     pub primitives: usize,
     /// Clocks of 10 ns in which its array had an instruction.
     pub busy: u64,
 }
 
-/// A stage of a frame: what it worked, and from when to when.
+/// A stage of a frame: its work, its begin and its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stage {
     /// Its name.
     pub name: &'static str,
-    /// Ticks of the unit with most to do.
+    /// Ticks of its busiest unit.
     pub busy: Ticks,
-    /// The first tick and the one behind the last, from the first instruction on.
+    /// Its first tick, counted from the first instruction.
     pub from: Ticks,
-    /// Likewise.
+    /// The tick after its last one, counted likewise.
     pub to: Ticks,
 }
 
@@ -117,7 +117,7 @@ impl Report {
             primitives: works.primitives.iter().sum(),
             drawn: works.drawn,
             front,
-            // Of what is in no region nothing is made.
+            // No instructions are made for primitives outside of all regions.
             second: if system == System::PreSort { works.made.saturating_sub(front) } else { 0 },
             turns,
         })
@@ -128,7 +128,7 @@ impl Report {
         self.turns.last().map_or(0, |last| last.loaded.end)
     }
 
-    /// Ticks by which all that is simulated is later because of the front end, if it is before the rest: else its times are in the others.
+    /// Ticks by which the simulated stages begin later because of the front end. If the front end works in parallel, its times are part of the others.
     pub fn delay(&self) -> Ticks {
         if self.system == System::Base { self.front } else { 0 }
     }
@@ -138,12 +138,12 @@ impl Report {
         self.delay() + self.back()
     }
 
-    /// Simulated picoseconds behind the front end.
+    /// Simulated picoseconds after the front end.
     pub fn picoseconds(&self) -> u64 {
         self.back() * 5000
     }
 
-    /// The stages behind the front end, in their order.
+    /// The stages after the front end, in their sequence.
     pub fn stages(&self) -> Vec<Stage> {
         let longest = |nodes: &[NodeReport]| 2 * nodes.iter().map(|node| node.busy).max().unwrap_or(0);
         let Some(last) = self.turns.last() else { return Vec::new() };
@@ -165,7 +165,7 @@ impl Report {
         stages
     }
 
-    /// The front end, and its second pass over what is in memory, which all systems but one have none of.
+    /// The front end, and its second pass over the sorted primitives, which only one system has.
     fn before(&self) -> [Stage; 2] {
         let end = self.front + self.second;
         [
@@ -174,7 +174,7 @@ impl Report {
         ]
     }
 
-    /// The stage that works longest, front end and those behind it.
+    /// The busiest stage, including the front end.
     pub fn limit(&self) -> Stage {
         self.stages().into_iter().chain(self.before()).max_by_key(|stage| stage.busy).expect("there is the front end")
     }
@@ -198,7 +198,7 @@ impl fmt::Display for Report {
             f,
             "PixelFlow, {system}: {width}x{height} pixels{field}{samples}{once} in {regions} regions of {across}x{down},"
         )?;
-        writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one holds the frame", self.nodes)?;
+        writeln!(f, "{} nodes: {rasterize} rasterize{shading}, one has the frame buffer", self.nodes)?;
         writeln!(f, "{} primitives, {} in regions", self.primitives, self.drawn)?;
         writeln!(f, "\n{:<16}{:>10}{:>10}{:>10}", "stage", "busy us", "from us", "to us")?;
         let us = |ticks: Ticks| ticks as f64 / 200.0;
@@ -209,7 +209,7 @@ impl fmt::Display for Report {
         }
         writeln!(
             f,
-            "Of several nodes, the one that is busy longest. The front end is not simulated, but takes the paper's time."
+            "Of several nodes, the busiest one counts. The front end is not simulated; it takes the paper's time."
         )?;
         writeln!(f, "\n{:<16}{:>10}{:>12}{:>8}", "node", "primitives", "busy clocks", "busy")?;
         let names = (1..=rasterize).map(|number| format!("rasterizer {number}")).zip(&self.rasterizers);

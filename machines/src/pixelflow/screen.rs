@@ -1,32 +1,32 @@
-//! A screen in regions, each as large as an array.
+//! A screen in regions of the size of an array.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::{Field, PixelBox, Size};
 
 use super::packets::Corner;
 
-/// Which samples of a picture are drawn: every `step`-th column and line, from `first` on (x and y).
+/// The samples of a picture that are drawn: every `step`-th column and line from `first` on (x and y).
 ///
-/// Edges and planes are exact integers, affine in x and y, so those of the samples are, too: `A x + B y + C` is there
+/// Edges and planes are exact integers and affine in x and y, and so are those of the samples. For them `A x + B y + C` is
 /// `(step_x A) x' + (step_y B) y' + C'`, bit for bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pattern {
     /// The first one.
     pub first: [u32; 2],
-    /// From one to the next along x and y.
+    /// The step to the next along x and y.
     pub step: [u32; 2],
 }
 
 impl Pattern {
-    /// All of them.
+    /// All samples.
     pub const ALL: Pattern = Pattern { first: [0, 0], step: [1, 1] };
 
-    /// Each second line.
+    /// Every second line.
     pub fn field(field: Field) -> Pattern {
         Pattern { first: [0, field.first_line()], step: [1, 2] }
     }
 
-    /// Of these, some.
+    /// A subset of these samples.
     ///
     /// ```
     /// use tilewright_machines::pixelflow::Pattern;
@@ -42,14 +42,14 @@ impl Pattern {
         Pattern { first: [x, y], step: [step_x, step_y] }
     }
 
-    /// How many columns and lines of a picture they are.
+    /// The number of their columns and lines in a picture.
     fn sides(self, picture: Size) -> [u32; 2] {
         let sides = [picture.width(), picture.height()];
         [0, 1].map(|i| sides[i].saturating_sub(self.first[i]).div_ceil(self.step[i]))
     }
 }
 
-/// The regions of a screen, counted from the upper left, line by line; the last ones may reach beyond it.
+/// The regions of a screen, counted line by line from the upper left. Regions at the borders may extend beyond it.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::{Pattern, Screen};
@@ -70,7 +70,7 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// A screen of that size, with regions of so many pixels along x and y.
+    /// A screen of that size, with regions of `array` pixels along x and y.
     pub fn new(size: Size, region: [u32; 2]) -> Screen {
         Screen { size, region, pattern: Pattern::ALL }
     }
@@ -78,7 +78,7 @@ impl Screen {
     /// A screen of some of a picture's samples.
     ///
     /// # Errors
-    /// The picture has none of them.
+    /// The picture has no such sample.
     pub fn sampled(picture: Size, pattern: Pattern, region: [u32; 2]) -> Result<Screen, ParameterError> {
         let [width, height] = pattern.sides(picture);
         let none =

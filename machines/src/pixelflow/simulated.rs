@@ -1,4 +1,4 @@
-//! The three systems in the transaction model, with the paper's costs or others.
+//! The three systems in the transaction model, with the paper's costs or with others.
 
 use serde::Serialize;
 
@@ -8,18 +8,18 @@ use super::model::{Frame, FrontEnd, Resident, Shading, Timeline, Turn};
 use super::workload::{Boxes, Workload};
 use tilewright_rtl::parameter::ParameterError;
 
-/// What the paper leaves open, or to a formula.
+/// Choices that the paper leaves open, or to a formula.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Choices {
-    /// What is set up before each composition (PFL-SETUP).
+    /// The set-up before each composition (PFL-SETUP).
     pub set_up: Ticks,
     /// Which samples are shaded.
     pub shades: Shades,
-    /// Colours go the way of the appearance words, in place of the other way beside them (PFL-NET).
+    /// Whether colours go the way of the appearance words, instead of the other way in parallel (PFL-NET).
     pub one_way: bool,
 }
 
-/// Which of eight samples a shader works on.
+/// The samples on which a shader works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Shades {
     /// All: a region is shaded eight times.
@@ -29,7 +29,7 @@ pub enum Shades {
 }
 
 impl Default for Choices {
-    /// No time to set up, every sample, both ways.
+    /// No set-up, every sample, both directions.
     fn default() -> Choices {
         Choices { set_up: 0, shades: Shades::EverySample, one_way: false }
     }
@@ -38,26 +38,26 @@ impl Default for Choices {
 /// A frame in the model.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Simulated {
-    /// From its beginning to its last pixel in the frame buffer, in milliseconds.
+    /// The time from its beginning to its last pixel in the frame buffer, in milliseconds.
     pub latency: f64,
-    /// What each stage was busy with; of several nodes, the one that was longest.
+    /// The busy time of each stage; of several nodes, the longest.
     pub busy: Times,
 }
 
 impl Software {
     /// Bytes of a pixel's colour (PFL-BYTES).
     const COLOUR: u32 = 3;
-    /// Renderings that have eight samples of a pixel between them, four each.
+    /// Renderings for eight samples of a pixel, with four each.
     const RENDERINGS: usize = 2;
 
-    /// Regions of a rendering: with eight samples they are a quarter as large, as four samples are side by side.
+    /// Regions of a rendering. With eight samples they have a quarter of the size, as four samples are side by side.
     pub fn regions_drawn(&self) -> usize {
         let larger = if self.is_side_by_side() { 4 } else { 1 };
         self.regions as usize * larger
     }
 
-    /// So many boxes of 10 x 10 pixels at random places of the paper's screen (PFL-OVERLAP); with eight samples side by side, as large on one of twice its
-    /// width and height.
+    /// Boxes of 10 x 10 pixels at random places of the paper's screen (PFL-OVERLAP). With eight samples the screen has twice the width and height, and the
+    /// boxes have the same size.
     ///
     /// # Errors
     /// As [`Workload::of_boxes`].
@@ -70,8 +70,8 @@ impl Software {
         Workload::of_boxes(boxes, primitives, self.nodes.rasterizers as usize, self.draws())
     }
 
-    /// Lets a frame run. Of the software's fields, those that tell of overlap and of the regions composed and shaded are the formula's; here they
-    /// follow from the workload, whose regions are [`Software::regions_drawn`].
+    /// Runs a frame. The software's overlap and its numbers of composed and shaded regions are for the formula. Here they follow from the workload, whose
+    /// regions are [`Software::regions_drawn`].
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Choices, Nodes, Samples, Software, System, Workload};
@@ -94,7 +94,7 @@ impl Software {
         }
     }
 
-    /// What a primitive takes in a region.
+    /// The time of a primitive in a region.
     pub fn draws(&self) -> Ticks {
         ticks(match self.system {
             System::NonTexturing => self.costs.rasterize_plain,
@@ -102,17 +102,17 @@ impl Software {
         })
     }
 
-    /// How the front end of a system that sorts does it.
+    /// The front end of a system that sorts.
     ///
     /// # Panics
-    /// It does not.
+    /// The system does not sort.
     pub fn front_end(&self) -> FrontEnd {
         match self.system {
             System::Base => FrontEnd::Before(ticks(self.costs.transform)),
             System::PreSort => {
                 FrontEnd::TwoPasses { sorts: ticks(self.costs.sort), generates: ticks(self.costs.generate) }
             }
-            System::NonTexturing => panic!("a system without textures sorts nowhere"),
+            System::NonTexturing => panic!("the non-texturing system does not sort"),
         }
     }
 
@@ -150,10 +150,10 @@ impl Software {
         Simulated { latency: milliseconds(time.latency()), busy: busy(&frame, &time) }
     }
 
-    /// Each region's way from the rasterizers to the frame buffer.
+    /// The turns of all regions, from the rasterizers to the frame buffer.
     fn turns(&self, regions: usize, choices: Choices) -> Vec<Turn> {
         let renderings = if self.is_side_by_side() { Software::RENDERINGS } else { 1 };
-        // A region of eight samples has a quarter of the pixels that a shader has processors for: four are shaded together.
+        // A region of eight samples has a quarter of a shader's pixels: four regions are shaded together.
         let together = match choices.shades {
             Shades::OncePerPixel if self.is_side_by_side() => 4,
             _ => 1,
@@ -181,7 +181,7 @@ impl Software {
     }
 }
 
-/// What each stage did.
+/// The busy times of the stages.
 fn busy(frame: &Frame, time: &Timeline) -> Times {
     let most = |all: &[Ticks]| milliseconds(all.iter().copied().max().unwrap_or(0));
     let of_turns = |of: &dyn Fn(&Turn) -> Ticks| frame.turns.iter().map(of).sum::<Ticks>();

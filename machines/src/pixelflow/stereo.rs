@@ -1,13 +1,13 @@
-//! A frame for each eye: both at once, each on half of the nodes, or one after another on all (section 3 of the paper).
+//! A frame for each eye: both at once, each on half of the nodes, or one after another on all nodes (section 3 of the paper).
 //!
 //! ```text
 //! halved       left   |front end|-- drawn --|          sequential   |front end| front end |
 //!              right  |front end|-- drawn --|                       ,---------|-- left --|-- right --|
 //! ```
 //!
-//! A half is a machine of its own: its part of the nodes and of the network between them, with a node that holds its frame. One after another, the front
-//! end goes on to the right eye while the left eye's frame is drawn, and each unit does as soon as it has done with the left one; so the second
-//! frame runs as it would alone, just later. A front end that works beside the rasterizers waits with them.
+//! A half is a separate machine: its nodes, the network between them, and a node with its frame buffer. One after another, the front end continues
+//! with the right eye while the left eye's frame is drawn. Each unit does so as soon as it has finished the left frame. So the second frame runs as it
+//! would alone, only later. A front end that works in parallel with the rasterizers waits with them.
 
 use serde::Serialize;
 use std::fmt;
@@ -21,7 +21,7 @@ use super::latency::Nodes;
 use super::model::Done;
 use super::report::Report;
 
-/// How the frames of two eyes share a machine.
+/// The way in which the frames of two eyes share a machine.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::{Config, Nodes, Stereo};
@@ -42,10 +42,10 @@ pub enum Stereo {
 }
 
 impl Stereo {
-    /// What draws the frame of an eye. Half of a machine has half of its shaders, of an odd number one more.
+    /// The machine for the frame of an eye. Half of a machine has half of its shaders, rounded up.
     ///
     /// # Errors
-    /// An odd number of nodes to halve, or too few.
+    /// The number of nodes is odd for halves, or too small.
     pub fn eye(self, config: &Config) -> Result<Config, ParameterError> {
         if self == Stereo::Sequential {
             return Ok(config.clone());
@@ -59,7 +59,7 @@ impl Stereo {
         Ok(half)
     }
 
-    /// Nodes of one half, or all.
+    /// The roles in one half, or in the whole machine.
     ///
     /// # Panics
     /// A half has none to rasterize.
@@ -73,23 +73,23 @@ impl Stereo {
     }
 }
 
-/// What the frames of two eyes took.
+/// The report of the frames of two eyes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StereoReport {
-    /// How they shared the machine.
+    /// The way in which they shared the machine.
     pub stereo: Stereo,
     /// The distance between the eyes, in the scene's unit.
     pub eye_distance: f64,
-    /// Of the left and the right eye's frame: when each was in the frame buffer, in ticks of 5 ns from the beginning of the first front end.
+    /// For the left and the right eye's frame, the time at which it was in the frame buffer, in ticks of 5 ns from the beginning of the first front end.
     pub ends: [Ticks; 2],
-    /// Each frame by itself, counted from its own beginning.
+    /// The report of the left eye's frame, counted from its own beginning.
     pub left: Report,
     /// Likewise.
     pub right: Report,
 }
 
 impl StereoReport {
-    /// Of the left and the right eye's frame, each of which was drawn alone.
+    /// The report of the left and the right eye's frame, each of which was drawn alone.
     pub fn new(stereo: Stereo, eye_distance: f64, [left, right]: [Report; 2]) -> StereoReport {
         let second = match stereo {
             Stereo::Halved => right.latency(),
@@ -107,19 +107,19 @@ impl StereoReport {
         self.ends[0].max(self.ends[1])
     }
 
-    /// Simulated picoseconds of both, behind their front ends.
+    /// Simulated picoseconds of both, after their front ends.
     pub fn picoseconds(&self) -> u64 {
         self.left.picoseconds() + self.right.picoseconds()
     }
 }
 
-/// Ticks by which a frame has to begin after another one on the same nodes, both behind their front ends, so that no unit has to do with both.
+/// The ticks by which a frame has to begin after another one on the same nodes, so that no unit works on both. Both are counted after their front ends.
 fn follows(first: &Report, second: &Report) -> Ticks {
     let (network, works, buffer) = (|it: &Done| it.composed.clone(), |it: &Done| it.shaded.clone(), colours(second));
     let units = [
         // Rasterizers, until the network has their last words.
         (end(first, network), 0),
-        // Shaders, or the array of the frame's holder.
+        // Shaders, or the array of the frame buffer's node.
         (end(first, works), start(second, network)),
         // The frame buffer: banks for colours, and memory.
         (end(first, |it| it.loaded.clone()), start(second, buffer)),
@@ -127,22 +127,22 @@ fn follows(first: &Report, second: &Report) -> Ticks {
     units.into_iter().map(|(end, start)| end.saturating_sub(start)).max().unwrap_or(0)
 }
 
-/// When colours come to the frame buffer.
+/// The time at which colours arrive at the frame buffer.
 fn colours(report: &Report) -> fn(&Done) -> Range<Ticks> {
     if report.shaders.is_empty() { |it| it.composed.clone() } else { |it| it.sent.clone() }
 }
 
-/// When a unit has done with a frame.
+/// The time at which a unit has finished a frame.
 fn end(report: &Report, of: impl Fn(&Done) -> Range<Ticks>) -> Ticks {
     report.turns.iter().map(|turn| of(turn).end).max().unwrap_or(0)
 }
 
-/// When a unit begins with it; not in all turns it has something to do.
+/// The time at which a unit begins with a frame. It does not work in all turns.
 fn start(report: &Report, of: impl Fn(&Done) -> Range<Ticks>) -> Ticks {
     report.turns.iter().map(of).find(|range| !range.is_empty()).map_or(0, |range| range.start)
 }
 
-/// A number with about four digits that count.
+/// A number with about four significant digits.
 fn four_digits(number: f64) -> String {
     let places = if number > 0.0 { 3.0 - number.log10().floor() } else { 0.0 };
     format!("{number:.*}", places.clamp(0.0, 12.0) as usize)
@@ -159,7 +159,7 @@ impl fmt::Display for StereoReport {
         let [left, right] = self.ends.map(milliseconds);
         write!(
             f,
-            "The left frame is there after {left:.3} ms, the right one after {right:.3} ms: {:.3} ms for both.",
+            "The left frame is ready after {left:.3} ms, the right one after {right:.3} ms: {:.3} ms for both.",
             left.max(right)
         )
     }

@@ -1,6 +1,6 @@
-//! Random triangles in boxes of one size, as the paper counts primitives (PFL-OVERLAP).
+//! Random triangles in boxes of one size, which are the primitives of the paper's counts (PFL-OVERLAP).
 //!
-//! Each is a function of the seed and its number, so that all machines and any number of threads have the same ones.
+//! Each triangle is a function of the seed and its number, so that all machines and any number of threads have the same triangles.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::deferred::{AppearanceVertex, Deferred, Pass, Samples, Shader, set_up_appearance};
@@ -24,13 +24,13 @@ use crate::random::Random;
 #[derive(Clone, Copy, Debug)]
 pub struct Triangles {
     size: Size,
-    /// Of a box, in 1/16 pixel.
+    /// The side of a box, in 1/16 pixel.
     side: i32,
     seed: u64,
 }
 
 impl Triangles {
-    /// 1/w of all, and the most that u/w and v/w are.
+    /// 1/w of all corners, and the greatest u/w and v/w.
     const SCALE: u16 = 40_000;
 
     /// Triangles in boxes of `side` x `side` pixels.
@@ -40,7 +40,7 @@ impl Triangles {
     pub fn new(size: Size, side: u32, seed: u64) -> Result<Triangles, ParameterError> {
         if side == 0 || side > size.width().min(size.height()) {
             return Err(ParameterError(format!(
-                "triangles of {side} pixels on a screen of {size}: give at least 1, and no more than it has along each axis"
+                "triangles of {side} pixels on a screen of {size}: give at least 1, and at most the screen's shorter side"
             )));
         }
         Ok(Triangles { size, side: side as i32 * SUBPIXELS, seed })
@@ -73,7 +73,7 @@ impl Triangles {
         corners.try_into().expect("three of four")
     }
 
-    /// The first triangles for deferred shading, one sample a pixel; of all materials in turn.
+    /// The first triangles for deferred shading, with one sample a pixel. They use all materials one after another.
     ///
     /// # Panics
     /// The shader has no materials.
@@ -91,7 +91,7 @@ impl Triangles {
         Deferred { size: self.size, samples: Samples::One, passes: vec![pass], shader, counts }
     }
 
-    /// The first triangles in the colours of their corners.
+    /// The first triangles, with the colours of their corners.
     pub fn polygons(&self, count: u64) -> Polygons {
         let packet = |number: u64| {
             let vertices = self.corners(number).map(|corner| corner.at);

@@ -1,7 +1,7 @@
-//! A whole machine in one simulation, and what happens in it when: with that the model's times are compared.
+//! A whole machine in one simulation, with which the model's times are compared.
 //!
-//! The block [`PixelFlow`] has all nodes, with their instruction memories, and the network. What is beside it here are the shaders' texture units and the frame buffer,
-//! at the texture port of who holds the frame, each a simulation of its own.
+//! The block [`PixelFlow`] has all nodes, with their instruction memories, and the network. The shaders' texture units, and the frame buffer at the texture port of
+//! its node, are simulated separately.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -19,16 +19,16 @@ use super::hardware::{FrameStore, TextureLookUp};
 use super::model::Built;
 use super::works::Works;
 
-/// What happened when, in ticks from the frame's beginning.
+/// The times of events, in ticks from the frame's beginning.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct Events {
-    /// Of each node and bank, when it was given.
+    /// For each node and bank, the times at which it was given.
     pub given: Vec<[Vec<Ticks>; 2]>,
-    /// Of each node, the words that passed it forth, and back.
+    /// For each node, the words that passed it forth, and back.
     pub passed: Vec<[Vec<Range<Ticks>>; 2]>,
-    /// Of each node, when it began to wait no longer for a word: its first bank was awaited.
+    /// For each node, the time at which its wait for its first bank ended.
     pub began: Vec<Vec<Ticks>>,
-    /// When the frame buffer's memory was written.
+    /// The times at which the frame buffer's memory was written.
     pub stored: Vec<Range<Ticks>>,
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Whole<'a> {
     sim: Simulation<PixelFlowIn, PixelFlowOut>,
     tick: Ticks,
     jobs: Vec<[VecDeque<Job<u64>>; 2]>,
-    /// Of each shader.
+    /// The texture unit of each shader.
     textures: Vec<TextureLookUp>,
     store: FrameStore,
     pub seen: Events,
@@ -48,7 +48,7 @@ pub(super) struct Whole<'a> {
 }
 
 impl<'a> Whole<'a> {
-    /// A machine that has its programs and begins.
+    /// A machine with its programs, at its beginning.
     pub fn new(built: Built<'a>, works: &'a Works) -> Whole<'a> {
         let programs = programs(&built, works);
         let nodes = programs.len();
@@ -80,13 +80,13 @@ impl<'a> Whole<'a> {
         }
     }
 
-    /// Until the frame is in the frame buffer.
+    /// Runs until the frame is in the frame buffer.
     pub fn run(&mut self) {
         while self.seen.stored.len() < self.works.regions() || self.store.is_busy() {
             assert!(self.tick < 2_000_000, "it hangs: {:?}", self.seen);
             self.step();
         }
-        // The holder's bank is given again.
+        // The bank of the frame buffer's node is given again.
         (0..80).for_each(|_| self.step());
     }
 
@@ -99,7 +99,7 @@ impl<'a> Whole<'a> {
         self.sim.step();
         self.tick += 1;
         if self.tick == 2 {
-            // Every node has been told where its program is.
+            // Every node has got the address of its program.
             (0..self.jobs.len()).for_each(|node| self.sim.set(self.sim.i.frames[node].valid, false));
         }
     }
@@ -161,7 +161,7 @@ impl<'a> Whole<'a> {
         self.sim.set(self.sim.i.textures_done, all_done);
     }
 
-    /// A clock of the frame buffer, which is beside node 0; tells whether it has done.
+    /// Simulates a clock of the frame buffer, which is at node 0. Returns whether it has finished.
     fn store(&mut self) -> bool {
         let starts = starts(&mut self.sim, 0);
         let (registers, seen) = (self.sim.i.textures[0], self.sim.o.texture_seen[0]);
@@ -175,18 +175,18 @@ impl<'a> Whole<'a> {
         is_done
     }
 
-    /// What is shown in the end, line by line.
+    /// The displayed picture at the end, line by line.
     pub fn shown(&mut self) -> Vec<[u8; 3]> {
         self.store.scan().unwrap()
     }
 }
 
-/// A node's program calls what is at its texture port.
+/// Whether a node's program calls the unit at its texture port.
 fn starts(sim: &mut Simulation<PixelFlowIn, PixelFlowOut>, node: usize) -> bool {
     sim.get_u64(sim.o.textures_start) >> node & 1 == 1
 }
 
-/// Writes the programs, and tells the nodes of them: that is tick 0.
+/// Writes the programs and starts the nodes: that is tick 0.
 fn begun(
     machine: &PixelFlow,
     programs: &[Vec<Instruction<u64>>],
@@ -220,7 +220,7 @@ fn begun(
     sim
 }
 
-/// Of each node: the holder of the frame, rasterizers, shaders.
+/// The program of each node: that of the frame buffer, rasterizers, shaders.
 fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
     let turns = 0..works.turns();
     let stores = turns.clone().filter(|turn| works.comes_to_holder(*turn)).flat_map(|turn| works.storing(turn));
@@ -236,7 +236,7 @@ fn programs(built: &Built, works: &Works) -> Vec<Vec<Instruction<u64>>> {
     programs
 }
 
-/// What each node does with the words of both directions.
+/// The jobs of each node for the words of both directions.
 fn jobs(built: &Built, works: &Works) -> Vec<[VecDeque<Job<u64>>; 2]> {
     let rasterizers = works.shares();
     let nodes = 1 + rasterizers + built.shaders;

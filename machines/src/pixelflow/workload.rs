@@ -1,4 +1,4 @@
-//! What rasterizers have to draw: for each primitive, in which regions, and how long.
+//! The work of the rasterizers: the regions of each primitive, and the time in each.
 
 use super::costs::Ticks;
 use crate::random::Random;
@@ -9,20 +9,20 @@ use tilewright_rtl::parameter::ParameterError;
 pub struct Place {
     /// The region's number.
     pub region: u16,
-    /// What it takes to draw it there.
+    /// The time to draw it there.
     pub draws: Ticks,
 }
 
-/// The primitives of a rasterizer, in the order in which they are traversed.
+/// The primitives of a rasterizer, in the sequence of traversal.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Share {
     places: Vec<Place>,
-    /// For each primitive, the number of places of it and of all before it.
+    /// For each primitive, the number of its places and those of all before it.
     ends: Vec<u32>,
 }
 
 impl Share {
-    /// Adds a primitive that is in these regions.
+    /// Adds a primitive in these regions.
     pub fn push(&mut self, places: impl IntoIterator<Item = Place>) {
         self.places.extend(places);
         self.ends.push(self.places.len() as u32);
@@ -33,7 +33,7 @@ impl Share {
         self.ends.len()
     }
 
-    /// What it takes to draw all of them.
+    /// The time to draw all of them.
     pub fn draws(&self) -> Ticks {
         self.places.iter().map(|place| place.draws).sum()
     }
@@ -44,7 +44,7 @@ impl Share {
         begins.zip(&self.ends).map(|(begin, &end)| &self.places[begin as usize..end as usize])
     }
 
-    /// For each region what is drawn there, in the order of traversal.
+    /// The primitives of each region, in the sequence of traversal.
     pub(super) fn bins(&self, regions: usize) -> Vec<Vec<Binned>> {
         let mut bins = vec![Vec::new(); regions];
         for places in self.iter() {
@@ -60,17 +60,17 @@ impl Share {
 /// A primitive in the bin of a region.
 #[derive(Clone, Copy)]
 pub(super) struct Binned {
-    /// Of all its regions, this is drawn first.
+    /// Whether this is the first of its regions to be drawn.
     pub is_first: bool,
     pub draws: Ticks,
 }
 
-/// The primitives of a frame, dealt to rasterizers.
+/// The primitives of a frame, assigned to rasterizers.
 ///
 /// ```
 /// use tilewright_machines::pixelflow::{Boxes, Workload};
 ///
-/// // The paper's: 10 x 10 pixels, regions of 128 x 64.
+/// // The paper's case: 10 x 10 pixels, regions of 128 x 64.
 /// let boxes = Boxes { sides: [10, 10], region: [128, 64], regions: [5, 8], seed: 1 };
 /// let workload = Workload::of_boxes(boxes, 20_000, 19, 166)?;
 /// assert_eq!((workload.shares.len(), workload.primitives()), (19, 20_000));
@@ -85,16 +85,16 @@ pub struct Workload {
     pub regions: usize,
 }
 
-/// Random boxes on a screen, whose borders wrap around: then the mean over all places is that of a screen without an end.
+/// Random boxes on a screen whose borders wrap around, so that the mean over all places is that of an infinite screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Boxes {
     /// Width and height of a box in pixels.
     pub sides: [u32; 2],
-    /// Of a region.
+    /// Width and height of a region in pixels.
     pub region: [u32; 2],
     /// Regions across and down the screen.
     pub regions: [u32; 2],
-    /// What the places follow from.
+    /// The seed of the places.
     pub seed: u64,
 }
 
@@ -102,7 +102,7 @@ impl Boxes {
     /// Places are whole sixteenths of a pixel.
     const STEPS: u32 = 16;
 
-    /// The regions that box number `index` is in.
+    /// The regions of box number `index`.
     pub fn regions_of(&self, index: u64) -> impl Iterator<Item = u16> + use<> {
         let mut random = Random::new(self.seed, index);
         let mut spans = [0, 1].map(|axis| {
@@ -119,7 +119,7 @@ impl Boxes {
 }
 
 impl Workload {
-    /// So many random boxes, dealt to rasterizers in turn; each takes `draws` in a region.
+    /// Random boxes, assigned to rasterizers one after another. Each takes the time `draws` in a region.
     ///
     /// # Errors
     /// There are more regions than can be counted, or no rasterizer.
@@ -143,7 +143,7 @@ impl Workload {
         Ok(Workload { shares, regions: regions as usize })
     }
 
-    /// In perfect balance: each rasterizer has so many primitives in each region, each in one alone.
+    /// Perfect balance: each rasterizer has the same number of primitives in each region, and each primitive is in one region.
     pub fn balanced(rasterizers: usize, regions: u16, primitives: usize, draws: Ticks) -> Workload {
         let mut share = Share::default();
         (0..regions).for_each(|region| {
@@ -157,7 +157,7 @@ impl Workload {
         self.shares.iter().map(Share::primitives).sum()
     }
 
-    /// Regions that a primitive is in, on the mean (PFL-OVERLAP).
+    /// Mean number of regions of a primitive (PFL-OVERLAP).
     pub fn overlap(&self) -> f64 {
         self.shares.iter().map(|share| share.places.len()).sum::<usize>() as f64 / self.primitives() as f64
     }

@@ -1,13 +1,13 @@
-//! What the nodes of a machine have to do for a frame: the programs of each, turn by turn.
+//! The work of a machine's nodes for a frame: the programs of each node, turn by turn.
 //!
-//! In a turn the rasterizers draw one sample of a region, and the network composes it. How turns follow each other:
+//! In a turn the rasterizers draw one sample of a region, and the network composes it. This is the sequence of turns:
 //!
 //! | frame | turns |
 //! |---|---|
 //! | one sample | all regions |
-//! | eight, each shaded | four of them are side by side, so a region has a quarter of the pixels: both renderings of the first one, then of the second ..; the frame buffer averages |
-//! | eight, shaded once | all samples of the first region, then all of the second ..: those of a pixel come to one shader |
-//! | eight, in the pixels' memory | all regions of the first sample, then all of the second ..; the frame's holder adds up |
+//! | eight, each shaded | both renderings of the first region, then of the second ..; four samples are side by side, so a region has a quarter of the pixels; the frame buffer averages |
+//! | eight, shaded once | all samples of the first region, then all of the second ..; those of a pixel go to the same shader |
+//! | eight, in the pixels' memory | all regions of the first sample, then all of the second ..; the node of the frame buffer adds them up |
 
 mod deferred;
 mod front_end;
@@ -37,30 +37,30 @@ use samples::Samples;
 
 type Program = Vec<Instruction<u64>>;
 
-/// How many programs are made one after another.
+/// The number of programs that a thread makes one after another.
 const SHARE: usize = 64;
-/// Room for a new word.
+/// The place for a new word.
 const NEW: u64 = 0;
 
-/// What is to be done for a frame.
+/// The work for a frame.
 pub(super) struct Works {
-    /// What is drawn, a region in each turn: one sample of each pixel, or four side by side.
+    /// The screen that is drawn, a region in each turn, with one sample of each pixel, or four side by side.
     screen: Screen,
     array: [u32; 2],
     samples: Samples,
-    /// Of each rasterizer, for each turn.
+    /// The programs of each rasterizer, for each turn.
     programs: Vec<Vec<Program>>,
-    /// Of each rasterizer, for each turn, where in the program the instructions of which primitive begin; and from when on the front end has them, if it makes them one
-    /// by one.
+    /// For each rasterizer and turn, the places in the program at which the instructions of primitives begin. If the front end makes them one by one, each place has the
+    /// time from which on they are available.
     starts: Vec<Vec<Vec<(usize, usize)>>>,
     marks: Vec<Vec<Vec<Mark>>>,
-    /// The tick from which on it has all instructions of all rasterizers; 0 if they are there before the frame.
+    /// The tick from which on all instructions of all rasterizers are available; 0 if they are made before the frame.
     pub made: Ticks,
-    /// Of all shaders, for each of the turns of any region; none where colours are composed.
+    /// The programs of all shaders, for each turn of a region; empty if colours are composed.
     shading: Vec<Program>,
-    /// What they look up.
+    /// The textures that they look up.
     pub textures: Vec<Arc<Texture>>,
-    /// Primitives of each rasterizer, and how many are drawn in all turns.
+    /// Primitives of each rasterizer, and the number drawn in all turns.
     pub primitives: Vec<usize>,
     pub drawn: usize,
 }
@@ -68,7 +68,7 @@ pub(super) struct Works {
 impl Works {
     /// Bytes of a colour.
     pub const COLOUR: u64 = 3;
-    /// Where the frame buffer looks for it.
+    /// The register from which the frame buffer reads it.
     const SHOWN: u64 = texture::UV[0].address;
 
     fn empty(config: &Config, rasterizers: u32, samples: Samples) -> Result<Works, ParameterError> {
@@ -93,7 +93,7 @@ impl Works {
         Region { size: self.array, edges: config.edges }
     }
 
-    /// Deals primitives to rasterizers in turn, and the instructions of one sample to the turns of the regions that they meet.
+    /// Assigns primitives to rasterizers one after another, and the instructions of a sample to the turns of the regions that they meet.
     fn deal(
         &mut self,
         sample: usize,
@@ -105,7 +105,7 @@ impl Works {
         let rasterizers = self.programs.len();
         let mut met: Vec<Met> = Vec::new();
         for (number, bounds) in boxes.enumerate() {
-            // The same ones for each sample.
+            // The same for each sample.
             self.primitives[number % rasterizers] += usize::from(sample == 0);
             let regions = screen.of(&bounds).into_iter();
             met.extend(regions.map(|region| Met { number, region, program: Program::new() }));
@@ -120,7 +120,7 @@ impl Works {
         }
     }
 
-    /// Instructions go before those of a turn.
+    /// Puts instructions before those of a turn.
     fn put_before(&mut self, rasterizer: usize, turn: usize, before: Program) {
         self.starts[rasterizer][turn].iter_mut().for_each(|(place, _)| *place += before.len());
         self.programs[rasterizer][turn].splice(..0, before);
@@ -135,10 +135,10 @@ impl Works {
         Size::new(drawn.width() / 2, drawn.height() / 2).expect("it is twice a size")
     }
 
-    /// The circuit that holds the frame.
+    /// The circuit of the frame buffer.
     ///
     /// # Errors
-    /// There is none.
+    /// The frame's size is out of range.
     pub fn frame_buffer(&self) -> Result<FrameBuffer, ParameterError> {
         let of = if self.is_side_by_side() { FrameBuffer::of_eight_samples } else { FrameBuffer::new };
         let size = self.size();
@@ -168,22 +168,22 @@ impl Works {
         turn / self.together() % self.regions()
     }
 
-    /// Turns that a region has one after another.
+    /// The number of consecutive turns of a region.
     fn together(&self) -> usize {
         self.samples.together()
     }
 
-    /// Which of the words that are shaded, or stored, a turn belongs to.
+    /// The number of the shaded, or stored, words to which a turn belongs.
     fn word(&self, turn: usize) -> usize {
         if self.shades_once() { turn / self.together() } else { turn }
     }
 
-    /// Which of so many shaders takes what is composed.
+    /// The shader that takes the composed words.
     pub fn shader_of(&self, turn: usize, shaders: usize) -> Option<usize> {
         self.word(turn).checked_rem(shaders)
     }
 
-    /// Whether a turn is the last of its region: then the frame buffer gets it.
+    /// Whether a turn is the last of its region, so that the frame buffer gets it.
     pub fn ends(&self, turn: usize) -> bool {
         let round = turn / (self.regions() * self.together());
         turn % self.together() + 1 == self.together() && round + 1 == self.samples.rounds()
@@ -194,7 +194,7 @@ impl Works {
         self.samples == Samples::ShadedOnce
     }
 
-    /// Whether the frame's holder adds up what comes.
+    /// Whether the node of the frame buffer adds up the words that arrive.
     pub fn adds(&self) -> bool {
         self.samples == Samples::InMemory
     }
@@ -208,43 +208,43 @@ impl Works {
         !self.shading.is_empty()
     }
 
-    /// Whether the holder of the frame gets depths, with the colours of one sample.
+    /// Whether the node of the frame buffer gets depths, with the colours of one sample.
     pub fn has_depths(&self) -> bool {
         !self.is_shaded() && !self.adds()
     }
 
-    /// Bytes of a word that is composed.
+    /// Bytes of a composed word.
     pub fn bytes(&self) -> u64 {
         if self.is_shaded() { appearance::BYTES } else { gouraud::BYTES }
     }
 
-    /// What a rasterizer does in a turn.
+    /// The program of a rasterizer for a turn.
     pub fn program(&self, rasterizer: usize, turn: usize) -> &[Instruction<u64>] {
         &self.programs[rasterizer][turn]
     }
 
-    /// From when on it can.
+    /// The time from which on it can run.
     pub fn marks(&self, rasterizer: usize, turn: usize) -> &[Mark] {
         &self.marks[rasterizer][turn]
     }
 
-    /// What a shader does in a turn; it ends with colours if [some come](Works::comes_to_holder), or else with the room for the next words.
+    /// The program of a shader for a turn. It ends with colours if [the frame buffer gets some](Works::comes_to_holder), or else with a free bank for the next words.
     pub fn shading(&self, turn: usize) -> &[Instruction<u64>] {
         &self.shading[turn % self.shading.len()]
     }
 
-    /// What it does before the first one: it has a bank for words.
+    /// Its program before the first turn: it gives a bank for words.
     pub fn first_of_shader() -> [Instruction<u64>; 1] {
         [programs::give_bank(0)]
     }
 
-    /// What the holder of the frame does before the first one: it has two banks for what comes.
+    /// The program of the frame buffer's node before the first turn: it gives two banks for words.
     pub fn first_of_holder() -> [Instruction<u64>; 2] {
         [0, 1].map(programs::give_bank)
     }
 
-    /// What it does when words have come: their colour, or the mean of all samples where they are the last ones, goes to its texture port, where the
-    /// frame buffer is; the bank is free when that has it. Of samples side by side the frame buffer looks for two colours, one behind the other.
+    /// Its program when words have arrived. Their colour, or the mean of all samples after the last words, goes to the frame buffer at its texture port. Then
+    /// the bank is free. For samples side by side the frame buffer reads two colours, one after the other.
     pub fn storing(&self, turn: usize) -> Program {
         let number = self.holders_bank(turn) as u64;
         let colour = bank(number);
@@ -261,30 +261,30 @@ impl Works {
         [before, vec![programs::await_bank(number)], program, vec![programs::give_bank(number)]].concat()
     }
 
-    /// Whether words come to the holder of the frame in a turn.
+    /// Whether words go to the node of the frame buffer in a turn.
     pub fn comes_to_holder(&self, turn: usize) -> bool {
         self.ends(turn) || !self.shades_once()
     }
 
-    /// Its bank for them, in turns.
+    /// Its bank for them, alternately.
     pub fn holders_bank(&self, turn: usize) -> usize {
         self.word(turn) % 2
     }
 
-    /// Bytes of a word that comes to the holder of the frame.
+    /// Bytes of a word at the node of the frame buffer.
     pub fn stored(&self) -> u64 {
         if self.is_shaded() { Works::COLOUR } else { self.bytes() }
     }
 }
 
-/// A primitive and a region that it meets, with what is to be done there.
+/// A primitive and a region that it meets, with its instructions there.
 struct Met {
     number: usize,
     region: usize,
     program: Program,
 }
 
-/// Makes the program of each, on all processors of the computer.
+/// Makes the programs, on all processors of the computer.
 fn draw_each(met: &mut [Met], draw: impl Fn(usize, usize) -> Program + Sync) {
     let mut shares: Vec<&mut [Met]> = met.chunks_mut(SHARE).collect();
     let drawn = each_mut(&mut shares, |_, share| {
@@ -294,7 +294,7 @@ fn draw_each(met: &mut [Met], draw: impl Fn(usize, usize) -> Program + Sync) {
     let Ok(()) = drawn;
 }
 
-/// Where eight samples are in a picture at twice the width and height: the first of two has four of them, as has the second.
+/// The places of eight samples in two pictures at twice the width and height, with four in each.
 fn samples_of_eight(config: &Config) -> impl Iterator<Item = (usize, Pattern)> {
     let field = config.field.map_or(Pattern::ALL, Pattern::field);
     (0..8).map(move |sample: u32| {

@@ -1,4 +1,4 @@
-//! The sizes of a generator, and how its video processors are put together.
+//! The parameters of a generator, and the structure of its video processors.
 
 use serde::{Serialize, Serializer};
 use tilewright_rtl::parameter::{ParameterError, Screen};
@@ -11,7 +11,7 @@ use tilewright_scenes::{Polygon, Size};
 
 use super::rasters::Rasters;
 
-/// What a generator is built for.
+/// The parameters of a generator.
 ///
 /// ```
 /// use tilewright_machines::quadtree::{Config, Test};
@@ -25,20 +25,20 @@ use super::rasters::Rasters;
 pub struct Config {
     /// The screen in pixels.
     pub size: Size,
-    /// Video processors side by side and one below the other, p and q: each 1, 2, 4, 8 or 16 (MPG-SPR).
+    /// Columns and rows of video processors, p and q: each 1, 2, 4, 8 or 16 (MPG-SPR).
     pub matrix: (u32, u32),
     /// The most edges of a polygon, 3 to 8.
     pub edges: u32,
-    /// What each raster processor is put together from, as [`Form::parse`] reads it, such as `stack:2+pipe` (MPG-RP).
+    /// The parts of each raster processor, in the notation of [`Form::parse`], such as `stack:2+pipe` (MPG-RP).
     pub form: String,
     /// How the edges of a window are tested (MPG-EQ5).
     pub test: Test,
-    /// What the queues hold (MPG-LIM).
+    /// The sizes of the queues (MPG-LIM).
     pub queues: Queues,
-    /// Depth alone decides, and of equal depths the first drawn stays, as in
+    /// Depth alone is compared, and the first drawn of equal depths stays, as in
     /// [`golden::render_strict`](tilewright_scenes::golden::render_strict).
     pub strict: bool,
-    /// Pixels by which windows are tested wider and higher than their samples, even, 0 to 8 (MPG-WIN).
+    /// Pixels by which tested windows are wider and higher than their samples; even, 0 to 8 (MPG-WIN).
     pub aperture: u32,
 }
 
@@ -57,7 +57,7 @@ impl Config {
         }
     }
 
-    /// The same for polygons of as many edges as the one of these has that has most.
+    /// The same for the most edges of these polygons.
     pub fn for_packets(size: Size, packets: &[Polygon]) -> Config {
         let edges = packets.iter().map(|packet| packet.edges.len() as u32).max().unwrap_or(0);
         Config { edges: edges.max(3), ..Config::new(size) }
@@ -66,14 +66,14 @@ impl Config {
     /// The sizes of the hardware.
     ///
     /// # Errors
-    /// There is no such matrix or aperture, or no hardware for as many edges.
+    /// The matrix, the aperture or the number of edges is out of range.
     pub fn format(&self) -> Result<Format, ParameterError> {
         let screen = Screen::new(self.size.width(), self.size.height())?;
         let matrix = format::Matrix::new(self.matrix.0, self.matrix.1)?;
         Format::new(screen, matrix, self.edges)?.with_aperture(self.aperture)
     }
 
-    /// What each raster processor is put together from.
+    /// The parts of each raster processor.
     ///
     /// # Errors
     /// As [`Config::format`] and [`Form::parse`].
@@ -84,12 +84,12 @@ impl Config {
     /// The hardware.
     ///
     /// # Errors
-    /// As [`Config::parsed_form`], or a queue holds nothing or too much.
+    /// As [`Config::parsed_form`], or the size of a queue is out of range.
     pub fn generator(&self) -> Result<QuadtreeGenerator, ParameterError> {
         QuadtreeGenerator::new(self.format()?, self.parsed_form()?, self.test, self.queues)
     }
 
-    /// The rasters, as what counts windows and the formulas know them.
+    /// The rasters for counts of windows and for formulas.
     ///
     /// # Errors
     /// As [`Config::format`].
@@ -98,7 +98,7 @@ impl Config {
         Ok(Rasters { p, q, levels: self.format()?.levels(), aperture: (self.aperture, self.aperture) })
     }
 
-    /// As a report shows it.
+    /// The configuration for a report.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
         let Config { size, matrix: (p, q), edges, test, queues, strict, aperture, .. } = *self;
         Ok(Built {
@@ -119,39 +119,39 @@ impl Config {
     }
 }
 
-/// A configuration as a report shows it.
+/// A configuration in a report.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Built {
     /// Pixels in a row.
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// Video processors side by side.
+    /// Columns of video processors.
     pub p: u32,
-    /// Video processors one below the other.
+    /// Rows of video processors.
     pub q: u32,
     /// Levels of division, n.
     pub levels: u32,
-    /// What each raster processor is put together from.
+    /// The parts of each raster processor.
     pub form: String,
-    /// How edges are tested.
+    /// The way in which edges are tested.
     #[serde(serialize_with = "as_text")]
     pub test: Test,
     /// The most edges of a polygon.
     pub edges: u32,
-    /// Pixels by which windows are tested wider.
+    /// Pixels by which tested windows are wider.
     pub aperture: u32,
-    /// Whether of equal depths the first drawn stays.
+    /// Whether the first drawn of equal depths stays.
     pub strict: bool,
-    /// Packets that the broadcast's queue holds.
+    /// Size of the broadcast's queue, in packets.
     pub broadcast_queue: u32,
-    /// Packets that the queue before each video processor holds.
+    /// Size of the queue before each video processor, in packets.
     pub packet_queue: u32,
-    /// Windows that the queue before each unit of a pipe or tree holds.
+    /// Size of the queue before each unit of a pipe or tree, in windows.
     pub window_queue: u32,
 }
 
-/// As its text.
+/// The form as a text.
 fn as_text<S: Serializer>(test: &Test, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(test)
 }

@@ -1,9 +1,9 @@
-//! What the hardware counts of itself, since its reset and modulo 2^32; a frame's part of it is a difference.
+//! The hardware's counters, since its reset and modulo 2^32. The counts of a frame are differences.
 
 use super::model::{Counts, Processor};
 use super::report::{ProcessorReport, UnitReport};
 
-/// All counters at a moment.
+/// All counters at one time.
 #[derive(Clone, Debug)]
 pub(crate) struct Counters {
     /// By video processor, row by row.
@@ -11,13 +11,13 @@ pub(crate) struct Counters {
     pub broadcast: Counts,
 }
 
-/// What was counted between two moments; a frame counts less than 2^32.
+/// The counts between two times; a frame counts less than 2^32.
 fn since(now: u64, before: u64) -> u64 {
     (now as u32).wrapping_sub(before as u32).into()
 }
 
 impl Counters {
-    /// What each video processor did since `before`.
+    /// The counts of each video processor since `before`.
     pub fn each_since(&self, before: &Counters) -> Vec<ProcessorReport> {
         let unit = |(now, before): (&Counts, &Counts)| UnitReport {
             windows: since(now.results, before.results),

@@ -1,7 +1,7 @@
-//! How many windows a polygon generates, and how long they take: the paper's formulas.
+//! The paper's formulas: the windows of a polygon, and their times.
 //!
-//! Source: MPG-EQ1 to MPG-EQ6, MPG-PMAX, MPG-TREE, as facts A2 restores them. They hold on the mean over polygons of one area and
-//! one shape at random places and angles (MPG-F3B). What follows of times that anything takes is in [`Stages`].
+//! Source: MPG-EQ1 to MPG-EQ6, MPG-PMAX, MPG-TREE, as facts A2 restores them. They are means over polygons of one area and one shape
+//! at random places and angles (MPG-F3B). Results that follow from any times are in [`Stages`].
 
 use super::rasters::Rasters;
 use super::stages::Stages;
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// The most polygons per t_e: four tests on level 1, and one more for the window that passes (MPG-PMAX).
 pub const MAX_PERFORMANCE: f64 = 0.2;
 
-/// Processing elements of a full quadtree of levels 1 to `m`, below 32, one for each window: what has the same greatest performance (MPG-TREE).
+/// Processing elements of a full quadtree of levels 1 to `m`, below 32, with one for each window. It has the same greatest performance (MPG-TREE).
 ///
 /// ```
 /// assert_eq!(tilewright_machines::quadtree::full_tree(10), 1_398_100);
@@ -35,7 +35,7 @@ impl Shape {
         Shape { area, form: 1.514 }
     }
 
-    /// A rectangle whose sides are as `ratio` to 1.
+    /// A rectangle with sides of `ratio` to 1.
     ///
     /// ```
     /// use tilewright_machines::quadtree::Shape;
@@ -48,7 +48,7 @@ impl Shape {
 }
 
 impl Rasters {
-    /// Width and height of a window of `level`, 1 to n, in parts of the windows' spacing: alpha_i and beta_i (MPG-EQ2).
+    /// Width and height of a window of `level`, 1 to n, over the windows' spacing: alpha_i and beta_i (MPG-EQ2).
     pub fn relative_window(&self, level: u32) -> (f64, f64) {
         let scale = scale(self.levels, level);
         let relative =
@@ -56,8 +56,8 @@ impl Rasters {
         (relative(self.aperture.0, self.p), relative(self.aperture.1, self.q))
     }
 
-    /// Windows of `level`, 0 to n, that a polygon generates in one video processor, at most: w_i(S), the area of the polygon after a
-    /// filter whose aperture is a window (MPG-EQ1). Of level 0 it is 1, the whole screen.
+    /// The upper bound of the windows of `level`, 0 to n, of a polygon in one video processor: w_i(S), the area of the polygon after a
+    /// filter with a window as its aperture (MPG-EQ1). For level 0 it is 1, the whole screen.
     ///
     /// ```
     /// use tilewright_machines::quadtree::{Rasters, Shape};
@@ -86,8 +86,8 @@ impl Rasters {
         shape.area + self.diagonal() * shape.form * (PI * shape.area).sqrt() + self.aperture_area()
     }
 
-    /// The area of polygons of the form `form` that on the mean have one window of the last level, S_k: there the order of the
-    /// levels' windows turns round (MPG-EQ4). `None` where even a point has more.
+    /// S_k, the area at which polygons of the form `form` have a mean of one window on the last level. Above it, later levels have more
+    /// windows than earlier ones; below it, fewer (MPG-EQ4). `None` if even a point has more.
     ///
     /// ```
     /// use tilewright_machines::quadtree::Rasters;
@@ -103,7 +103,7 @@ impl Rasters {
         (c <= 0.0).then(|| (((b * b - 4.0 * c).sqrt() - b) / 2.0).powi(2))
     }
 
-    /// The aperture's diagonal where the rasters of the processors are stretched to squares: sqrt(a^2 q/p + b^2 p/q), in pixels.
+    /// The aperture's diagonal if the processors' rasters are stretched to squares: sqrt(a^2 q/p + b^2 p/q), in pixels.
     fn diagonal(&self) -> f64 {
         let (a, b) = (f64::from(self.aperture.0), f64::from(self.aperture.1));
         let stretch = f64::from(self.q) / f64::from(self.p);
@@ -115,21 +115,21 @@ impl Rasters {
         f64::from(self.aperture.0) * f64::from(self.aperture.1)
     }
 
-    /// The time that a polygon takes on each level, at most, in t_e: t_i(S) = 4 w_(i-1) + w_i kp/ke, where `ratio` is kp/ke, the
-    /// parameters of a surface over the edges of a polygon (MPG-EQ5).
+    /// The upper bound of a polygon's time on each level, in t_e: t_i(S) = 4 w_(i-1) + w_i kp/ke. Here `ratio` is kp/ke, the parameters
+    /// of a surface over the edges of a polygon (MPG-EQ5).
     pub fn stages_of(&self, shape: Shape, ratio: f64) -> Stages {
         let windows = |level| self.windows_of(shape, level);
         Stages::new((1..=self.levels).map(|level| 4.0 * windows(level - 1) + windows(level) * ratio).collect())
     }
 
-    /// The whole work on a polygon, at most, in t_e: T(S), by the sum over windows (MPG-EQ6, on the right).
+    /// The upper bound of the whole work on a polygon, in t_e: T(S), by the sum over windows (MPG-EQ6, on the right).
     pub fn work_of(&self, shape: Shape, ratio: f64) -> f64 {
         let sum = |levels: std::ops::Range<u32>| levels.map(|level| self.windows_of(shape, level)).sum::<f64>();
         4.0 * sum(0..self.levels) + ratio * sum(1..self.levels + 1)
     }
 }
 
-/// The windows of a level in parts of the pixels, along one axis: 2^(i-n).
+/// The windows of a level over the pixels, along one axis: 2^(i-n).
 fn scale(levels: u32, level: u32) -> f64 {
     0.5_f64.powi(levels as i32 - level as i32)
 }

@@ -1,4 +1,4 @@
-//! The hardware of a generator in simulation, as its host sees it: packets at the port, the picture, the counters.
+//! The simulated hardware of a generator from its host's side: packets at the port, the picture, the counters.
 
 use tilewright_rtl::quadtree::generator::{QuadtreeGenerator, QuadtreeGeneratorIn, QuadtreeGeneratorOut};
 use tilewright_rtl::quadtree::tally::Tally;
@@ -12,7 +12,7 @@ use crate::error::Error;
 /// The running hardware.
 pub(crate) struct Hardware {
     pub sim: Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut>,
-    /// The edges that a packet has room for.
+    /// The most edges of a packet.
     pub edges: usize,
     processors: u32,
     levels: u32,
@@ -39,7 +39,7 @@ impl Hardware {
     /// Puts a packet at the port.
     pub fn present(&mut self, packet: &Polygon) {
         let port = self.sim.i.packets.payload;
-        // What is beyond the last edge means nothing.
+        // Fields beyond the last edge have no meaning.
         let room = self.edges;
         let edges = |of: fn(&Edge) -> i32| packet.edges.iter().map(of).chain(std::iter::repeat(0)).take(room);
         self.sim.set_lanes(port.edges.a, edges(|edge| edge.a));
@@ -64,7 +64,7 @@ impl Hardware {
         self.sim.set(self.sim.i.packets.valid, false);
     }
 
-    /// Exchanges the banks; takes a clock.
+    /// Swaps the banks; takes a clock.
     pub fn swap(&mut self) -> Result<(), Error> {
         self.pulse(self.sim.i.swap)
     }
@@ -83,7 +83,7 @@ impl Hardware {
         Ok(())
     }
 
-    /// The words that come at the next edge, side by side, if there are some.
+    /// The neighbouring words that arrive at the next edge, if there are any.
     pub fn words(&mut self) -> Option<Vec<u64>> {
         self.is_high(self.sim.o.pixels.valid).then(|| self.sim.lanes(self.sim.o.pixels.payload))
     }
@@ -92,12 +92,12 @@ impl Hardware {
         self.sim.get_u64(port) != 0
     }
 
-    /// Goes through the next edge.
+    /// Advances to the next edge.
     pub fn step(&mut self) -> Result<(), Error> {
         Ok(self.sim.try_step()?)
     }
 
-    /// Goes through edges until the flag is high, but not through more than that many.
+    /// Advances until the flag is high, but at most by that number of edges.
     pub fn run_until(&mut self, flag: Port, limit: u64) -> Result<(), Error> {
         self.sim.try_run_until(flag, limit)?;
         Ok(())
@@ -108,13 +108,13 @@ impl Hardware {
         self.sim.cycles("clk").expect("a block of one clock has this one")
     }
 
-    /// What all units have counted since the reset, modulo 2^32.
+    /// The counts of all units since the reset, modulo 2^32.
     pub fn counters(&mut self) -> Counters {
         let processors = (0..self.processors).map(|processor| self.counters_of(processor)).collect();
         Counters { processors, broadcast: self.counts(self.sim.o.broadcast) }
     }
 
-    /// The same of a video processor.
+    /// The counts of one video processor.
     pub fn counters_of(&mut self, processor: u32) -> Processor {
         self.sim.set(self.sim.i.probe.processor, processor);
         let units = (0..=self.levels).map(|unit| {

@@ -1,4 +1,4 @@
-//! What a generator did in the time of a frame: looked at in each clock of drawing, and its counters now and then.
+//! What a generator did in the time of a frame. Fragments are observed in each clock of drawing, and counters from time to time.
 
 use super::config::Config;
 use super::counters::Counters;
@@ -7,18 +7,18 @@ use super::report::{Report, Stage};
 use crate::history::{History, Lane, Painting, Write};
 use tilewright_scenes::frame::depth_of;
 
-/// How often counters are looked at in a frame, at most; at least half as often.
+/// The most observations of the counters in a frame; there are at least half as many.
 const LOOKS: usize = 512;
 
-/// What is known of a frame that is drawn.
+/// The history of a frame in progress.
 pub(super) struct Recording {
     painting: Painting,
     matrix: (u32, u32),
     width: u32,
     strict: bool,
-    /// Of each video processor: where it says that it has a fragment, its place, and its word.
+    /// For each video processor, the signals of a fragment: its validity, its place and its word.
     fragments: Vec<[String; 4]>,
-    /// The clocks between two looks at the counters, those until the next one, and what was seen when.
+    /// The clocks between two observations of the counters, those until the next one, and all observations with their times.
     every: u64,
     left: u64,
     looks: Vec<(u64, Counters)>,
@@ -27,7 +27,7 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// One of a machine whose counters are these.
+    /// The history of a machine with these counters.
     pub fn new(config: &Config, background: [u8; 3], counters: Counters, time: u64, period: u64) -> Recording {
         let (p, q) = config.matrix;
         let of =
@@ -45,7 +45,7 @@ impl Recording {
         }
     }
 
-    /// An edge is over.
+    /// Observes an edge.
     pub fn see(&mut self, hardware: &mut Hardware) {
         for number in 0..self.fragments.len() {
             self.see_fragment(number as u32, hardware);
@@ -86,7 +86,7 @@ impl Recording {
         self.painting.draw(write, |new, kept| if strict { depth_of(new) < depth_of(kept) } else { new < kept });
     }
 
-    /// The history of the frame, of which the drawing ended then, with those counters.
+    /// The history of the frame, whose drawing ended at that time with those counters.
     pub fn into_history(mut self, report: &Report, counters: &Counters, drawn: u64, end: u64) -> History {
         self.looks.retain(|(time, _)| *time < drawn);
         self.looks.push((drawn, counters.clone()));

@@ -1,4 +1,4 @@
-//! The host's program, the geometry processor's last step among it: sends the packets, swaps the banks, reads the picture.
+//! The host's program, which includes the geometry processor's last step. It sends the packets, swaps the banks and reads the picture.
 //!
 //! Source: MPG-ARCH, and the protocol of [`tilewright_rtl::quadtree::generator`].
 
@@ -17,11 +17,11 @@ pub(crate) struct Host<'a, 'w> {
     watch: &'a mut Watch<'w>,
     /// The phases that are over.
     pub phases: Vec<Phase>,
-    /// What it does, if that is to be known.
+    /// The recorded history, if there is one.
     pub recording: Option<Recording>,
-    /// The phase that runs.
+    /// The current phase.
     current: &'static str,
-    /// The clock at which the caller is told of the progress next.
+    /// The clock of the next report of progress.
     next: u64,
 }
 
@@ -53,7 +53,7 @@ impl<'a, 'w> Host<'a, 'w> {
             let (pixels, width) = (size.pixels(), size.width() as usize);
             let showing = host.hardware.sim.o.showing;
             let mut words = Vec::with_capacity(pixels);
-            // Groups of pixels that lie side by side; the last of a line may reach beyond its end.
+            // Groups of neighbouring pixels; the last group of a line may extend beyond its end.
             let mut line = 0;
             while host.hardware.is_high(showing) {
                 if let Some(mut group) = host.hardware.words() {
@@ -72,7 +72,7 @@ impl<'a, 'w> Host<'a, 'w> {
         self.hardware.sim.time()
     }
 
-    /// Waits until a flag is high, if it is not; `done` is how much of the phase is done.
+    /// Waits until a flag is high; `done` is the part of the phase that is done.
     fn wait_for(&mut self, flag: Port, done: f64) -> Result<(), Error> {
         while !self.hardware.is_high(flag) {
             match self.recording {
@@ -86,7 +86,7 @@ impl<'a, 'w> Host<'a, 'w> {
         Ok(())
     }
 
-    /// Goes through a clock.
+    /// Advances by a clock.
     fn step(&mut self, done: f64) -> Result<(), Error> {
         self.hardware.step()?;
         if let Some(recording) = &mut self.recording {
@@ -95,7 +95,7 @@ impl<'a, 'w> Host<'a, 'w> {
         self.progress(done)
     }
 
-    /// Does a phase and notes what it took.
+    /// Runs a phase and notes its clocks.
     fn phase<T>(&mut self, name: &'static str, body: impl FnOnce(&mut Self) -> Result<T, Error>) -> Result<T, Error> {
         self.current = name;
         let (clocks, time) = (self.hardware.clocks(), self.hardware.sim.time());
@@ -108,7 +108,7 @@ impl<'a, 'w> Host<'a, 'w> {
         Ok(result)
     }
 
-    /// Tells the caller now and then how far the phase is, and stops if the caller wants it.
+    /// Reports the progress of the phase from time to time, and stops if the caller asks for it.
     fn progress(&mut self, done: f64) -> Result<(), Error> {
         let now = self.hardware.clocks();
         if now < self.next {

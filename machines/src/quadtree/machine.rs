@@ -1,4 +1,4 @@
-//! A generator as a whole: built for a configuration, it renders frames and reports.
+//! A whole generator: built for a configuration, it renders frames and reports.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::generator::{QuadtreeGeneratorIn, QuadtreeGeneratorOut};
@@ -36,11 +36,11 @@ pub struct Machine {
     recorder: Option<Recorder>,
 }
 
-/// What was with the machine last.
+/// The last activity of the machine.
 enum State {
     /// Nothing.
     New,
-    /// A frame, which ended with those counters.
+    /// A frame that ended with those counters.
     Idle(Counters),
     /// A frame that did not end: parts of it are in the pictures.
     BrokenOff,
@@ -50,7 +50,7 @@ impl Machine {
     /// Builds the machine.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if there is no such machine.
+    /// [`Error::Parameter`] if a parameter is out of range.
     pub fn new(config: Config) -> Result<Machine, Error> {
         let hardware = Hardware::new(&config.generator()?)?;
         Ok(Machine { config, hardware, state: State::New, recorder: None })
@@ -66,18 +66,18 @@ impl Machine {
         self
     }
 
-    /// The same machine, which leaves there what it did. It is then looked at in each clock, which takes longer.
+    /// The same machine with a recorder. It is then observed in each clock, which is slower.
     pub fn recorded(mut self, recorder: &Recorder) -> Machine {
         self.recorder = Some(recorder.clone());
         self
     }
 
-    /// The simulated hardware, to attach traces to. [`Machine::render`] ends them, also where it fails.
+    /// The simulated hardware, for attaching traces. [`Machine::render`] ends them, also on errors.
     pub fn simulation(&mut self) -> &mut Simulation<QuadtreeGeneratorIn, QuadtreeGeneratorOut> {
         &mut self.hardware.sim
     }
 
-    /// Renders a frame: the picture as the video controller reads it, and the report. Further frames may follow in the same machine.
+    /// Renders a frame. Returns the picture that the video controller reads, and the report. Further frames may follow on the same machine.
     ///
     /// # Errors
     /// [`Error::Parameter`] if a packet is not for this machine; [`Error::Cancelled`]; [`Error::Simulation`]; [`Error::Untraced`].
@@ -108,7 +108,7 @@ impl Machine {
             State::New => self.reset()?,
             State::BrokenOff => {
                 let counters = self.reset()?;
-                // Both banks are emptied by reading them.
+                // Reading both banks empties them.
                 let mut host = Host::new(&mut self.hardware, watch);
                 host.read_out(size, background)?;
                 host.read_out(size, background)?;
@@ -143,7 +143,7 @@ impl Machine {
         Ok(self.hardware.counters())
     }
 
-    /// Checks that the hardware has room for a packet.
+    /// Checks that a packet fits the hardware.
     fn check(&self, number: usize, packet: &Polygon) -> Result<(), ParameterError> {
         let (edges, most, size) = (packet.edges.len(), self.config.edges, self.config.size);
         let bounds = packet.bounds;
@@ -153,7 +153,7 @@ impl Machine {
                 "it has {edges} edges, and the machine is built for 3 to {most}: build it with `edges` of that number"
             )
         } else if bounds.right.max(bounds.left) >= size.width() || bounds.bottom.max(bounds.top) >= size.height() {
-            format!("it reaches beyond the machine's {size} pixels: set it up for that size")
+            format!("it extends beyond the machine's {size} pixels: set it up for that size")
         } else if !packet.edges.iter().all(|edge| is_slope(edge.a) && is_slope(edge.b)) {
             "an edge is steeper than 17 bits: set it up from vertices of 16 bits".to_owned()
         } else {

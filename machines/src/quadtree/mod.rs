@@ -1,8 +1,8 @@
-//! The sparse-raster quadtree generator: p x q video processors, each of which looks for the pixels of a polygon on a raster of its
-//! own, of every p-th column and every q-th row, by recursive division into windows.
+//! The sparse-raster quadtree generator: p x q video processors. Each one has a raster of every p-th column and every q-th row. It finds
+//! the pixels of a polygon on its raster by recursive division into windows.
 //!
-//! [`Machine`] is the hardware of `tilewright-rtl` with its host: packets become a frame, and a [`Report`] of windows and clocks. Beside it
-//! stands what the paper says in formulas, and the plain model that counts what the paper estimates:
+//! [`Machine`] is the hardware of `tilewright-rtl` with its host. It renders packets to a frame and a [`Report`] of windows and clocks. This
+//! module also has the paper's formulas, and the plain model that counts what the paper estimates:
 //!
 //! ```text
 //! Rasters, Shape -- formulas -----> windows of a level, clocks of a stage --.
@@ -11,8 +11,8 @@
 //! scenes, packets -> Machine --> frame, windows and clocks of the hardware -'
 //! ```
 //!
-//! [`model`] has the clocks of a running matrix, packet by packet, as the hardware has them but without it; what coupling by queues costs; and
-//! the same figures from the counters of the model and of the hardware.
+//! [`model`] has the clocks of a running matrix, packet by packet, equal to the hardware's. It also has the cost of coupling by queues, and the
+//! same figures from the counters of the model and of the hardware.
 //!
 //! Source: the Russian paper on matrix-pipeline image generators, facts A2 and A3 (MPG).
 

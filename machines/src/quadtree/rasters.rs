@@ -1,15 +1,15 @@
-//! The sparse rasters of a matrix of video processors: their sizes, and those of their windows.
+//! The sparse rasters of a matrix of video processors: sizes of rasters and windows.
 //!
-//! Source: MPG-WIN, MPG-EQ2, MPG-SPR. They are what formulas and counts take, of any size; the hardware's
-//! [`Matrix`](tilewright_rtl::quadtree::format::Matrix) is what can be built.
+//! Source: MPG-WIN, MPG-EQ2, MPG-SPR. Formulas and counts take rasters of any size; the hardware's
+//! [`Matrix`](tilewright_rtl::quadtree::format::Matrix) has only the sizes that can be built.
 
 use serde::Serialize;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::format::Matrix;
 use tilewright_scenes::MAX_SIDE;
 
-/// The most pixels along a side of all rasters together: a screen of the greatest height and a matrix of one row of processors, whose
-/// rasters are square, reach so far to the right.
+/// The most pixels along a side of all rasters together. Rasters are square, so a screen of the greatest height with a matrix of one row of
+/// processors extends this far to the right.
 const MOST: u32 = Matrix::MAX_SIDE * MAX_SIDE;
 
 /// The rasters of `p` x `q` video processors. Processor (i, j) has the pixels (pX + i, qY + j), X and Y below 2^n (MPG-SPR).
@@ -19,7 +19,7 @@ pub struct Rasters {
     pub p: u32,
     /// Rows of processors, q.
     pub q: u32,
-    /// Levels of division, n: 2^n x 2^n pixels are a processor's.
+    /// Levels of division, n: a processor has 2^n x 2^n pixels.
     pub levels: u32,
     /// Width and height of the filter's aperture in pixels, a and b; a formula takes any, the count of windows even ones.
     pub aperture: (u32, u32),
@@ -38,8 +38,8 @@ impl Rasters {
         Rasters { p: side, q: side, levels: m.saturating_sub(k), aperture: (2, 2) }
     }
 
-    /// One processor for the same pixels: what efficiencies compare with. Of another than a square matrix of a power of two it has
-    /// the smallest square that contains its pixels.
+    /// One processor for the same pixels, with which efficiencies compare. Unless the matrix is square with a power of two, the processor has
+    /// the smallest square that contains the pixels.
     ///
     /// ```
     /// use tilewright_machines::quadtree::Rasters;
@@ -85,7 +85,7 @@ impl Rasters {
     /// Checks that windows can be counted: there are processors and levels, the pixels are at most 32768x32768, the aperture is even.
     ///
     /// # Errors
-    /// It says which rule is broken.
+    /// The sentence names the violated rule.
     ///
     /// ```
     /// use tilewright_machines::quadtree::Rasters;
@@ -156,7 +156,7 @@ mod tests {
         }
         let wide = Rasters { p: 5, q: 3, levels: 6, aperture: (2, 4) };
         assert_eq!(wide.mono(), Rasters { p: 1, q: 1, levels: 9, aperture: (2, 4) });
-        // More than there can be, but no reason to panic.
+        // Too many levels must not panic.
         assert_eq!(Rasters::square(40, 10).mono().levels, 32);
     }
 }

@@ -1,14 +1,14 @@
 //! Random rectangles of one area and one form: the polygons of the paper's examples.
 //!
-//! Source: facts D and MPG-L (5:1, at random place and angle). Each is a function of the seed and its number, made with + - * / and
-//! square roots alone, so that all machines and any number of threads have the same ones.
+//! Source: facts D and MPG-L (5:1, at random place and angle). Each rectangle is a function of the seed and its number, computed with + - * /
+//! and square roots alone, so that all machines and any number of threads have the same rectangles.
 
 use crate::random::Random;
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::packet::{FARTHEST_VERTEX, NEAREST_VERTEX, SUBPIXELS};
 use tilewright_scenes::{Polygon, ScreenVertex, Size, angle, set_up_polygon_of_any_size};
 
-/// Pixels between a rectangle and the border of the screen, at least.
+/// The least distance of a rectangle from the border of the screen, in pixels.
 const MARGIN: i32 = 2;
 
 /// An endless set of random rectangles that lie on the screen.
@@ -35,16 +35,16 @@ pub struct Rectangles {
 }
 
 impl Rectangles {
-    /// Rectangles of `area` pixels whose sides are as `ratio` to 1.
+    /// Rectangles of `area` pixels with sides of `ratio` to 1.
     ///
     /// # Errors
-    /// They would not fit on the screen at every angle, or their shorter side would be less than 1/8 pixel, where snapping to 1/16
-    /// takes their form away.
+    /// They would not fit on the screen at every angle, or their shorter side would be less than 1/8 pixel. Then snapping to 1/16 pixel would
+    /// change their form.
     pub fn new(screen: Size, area: f64, ratio: f64, seed: u64) -> Result<Rectangles, ParameterError> {
         let subpixels = f64::from(SUBPIXELS);
         let short = (area / ratio).sqrt() * subpixels;
         let long = short * ratio;
-        // The longest diagonal, and what snapping of two sides adds.
+        // The longest diagonal, and the increase by snapping two sides.
         let needed = (long * long + short * short).sqrt() + 2.0;
         let given = f64::from((screen.width().min(screen.height()) as i32 - 2 * MARGIN) * SUBPIXELS);
         if short.min(long) >= 2.0 && needed <= given {
@@ -58,7 +58,7 @@ impl Rectangles {
 
     /// Rectangle number `index`: one packet of four edges, flat in depth and colour.
     ///
-    /// Its sides are snapped to 1/16 pixel, so it is a parallelogram, nearly a rectangle, whose area is right on the mean.
+    /// Its sides are snapped to 1/16 pixel, so it is a parallelogram, nearly a rectangle. The mean of the areas is right.
     pub fn polygon(&self, index: u64) -> Polygon {
         let mut random = Random::new(self.seed, index);
         let corners = self.corners(&mut random);
@@ -72,7 +72,7 @@ impl Rectangles {
 
     /// The corners in 1/16 pixel.
     fn corners(&self, random: &mut Random) -> [(i32, i32); 4] {
-        // A rectangle is itself after half a turn.
+        // A rectangle is symmetric under half a rotation.
         let (sine, cosine) = angle::sin_cos(180.0 * random.fraction());
         let snapped = |x: f64, y: f64| (x.round() as i32, y.round() as i32);
         let along = snapped(self.long * cosine, self.long * sine);
@@ -111,7 +111,7 @@ mod tests {
         }
     }
 
-    /// Thin ones reach both margins: nothing keeps them from the border but it.
+    /// Thin rectangles reach both margins.
     #[test]
     fn they_are_everywhere_on_the_screen() {
         let rectangles = rectangles(1.0, 4);
@@ -123,7 +123,7 @@ mod tests {
         }
     }
 
-    /// Area, sides and angle are right on the mean, and differ from their own by what snapping does.
+    /// The means of area, sides and angle are right; single values differ by snapping.
     #[test]
     fn they_have_the_area_the_form_and_all_angles() {
         for area in [1.0, 10.0, 1e3] {
@@ -153,7 +153,7 @@ mod tests {
         assert!((1..100).all(|index| one[index].edges != one[index - 1].edges));
     }
 
-    /// They are what they were, on whatever machine this runs.
+    /// The rectangles are the same on every machine.
     #[test]
     fn they_are_pinned() {
         let first_three = |index| <[_; 3]>::try_from(&corners(&rectangles(1000.0, 1), index)[..3]).expect("three");

@@ -1,4 +1,4 @@
-//! What a frame took: windows, tests and clocks, the same on every run.
+//! The report of a frame: windows, tests and clocks, the same in every run.
 
 use serde::Serialize;
 use tilewright_rtl::quadtree::raster::{Form, Part};
@@ -7,26 +7,26 @@ use super::config::Built;
 
 mod text;
 
-/// The report of a frame. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
+/// The report of a frame. All numbers are counted in the simulated machine, and none depends on the computer that runs it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The machine.
     pub machine: Built,
     /// Packets that were sent.
     pub packets: u64,
-    /// Pixels drawn, each as often as it was drawn.
+    /// Drawn pixels; a pixel counts each time.
     pub fragments: u64,
-    /// Clocks in which a packet of the broadcast waited until all video processors had room for it.
+    /// Clocks in which a packet of the broadcast waited for space in all video processors.
     pub broadcast_stalls: u64,
-    /// The set-up, and then the levels 1 to n, each in all video processors.
+    /// The set-up, then the levels 1 to n, each over all video processors.
     pub stages: Vec<Stage>,
-    /// What each video processor did, row by row of the matrix.
+    /// The numbers of each video processor, row by row of the matrix.
     pub processors: Vec<ProcessorReport>,
     /// The frame's phases, one after another.
     pub phases: Vec<Phase>,
 }
 
-/// What a video processor did.
+/// The numbers of a video processor.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ProcessorReport {
     /// The set-up, and then the levels 1 to n.
@@ -35,10 +35,10 @@ pub struct ProcessorReport {
     pub fragments: u64,
 }
 
-/// What the units of a level did in a video processor, or its set-up.
+/// The numbers of a level's units, or of the set-up, in a video processor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct UnitReport {
-    /// Windows that passed; of the set-up, the polygons' root windows.
+    /// Windows that passed; for the set-up, the polygons' root windows.
     pub windows: u64,
     /// Clocks in which they worked.
     pub busy: u64,
@@ -51,9 +51,9 @@ pub struct UnitReport {
 pub struct Stage {
     /// Its level; 0 is the set-up.
     pub level: u32,
-    /// What it is, such as `pipe`.
+    /// Its kind, such as `pipe`.
     pub unit: &'static str,
-    /// Units that work side by side on this level in each video processor; one unit does all levels of a `stack`.
+    /// Units that work in parallel on this level in each video processor; one unit works on all levels of a `stack`.
     pub units: u32,
     /// Coverage tests: four for each window of the level above.
     pub tests: Spread,
@@ -63,25 +63,25 @@ pub struct Stage {
     pub busy: Spread,
     /// Clocks in which a unit had a window that was not taken.
     pub stalled: Spread,
-    /// Busy clocks of its units in parts of the clocks of drawing: on the mean over all, and of the video processor that has most.
+    /// The mean share of busy clocks of its units in the clocks of drawing, and the greatest share of a video processor.
     pub load: [f64; 2],
 }
 
-/// A number of each video processor.
+/// A number over all video processors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Spread {
-    /// The sum over all.
+    /// The sum.
     pub all: u64,
-    /// Of the one that has least.
+    /// The least number of a video processor.
     pub least: u64,
-    /// Of the one that has most.
+    /// The greatest number of a video processor.
     pub most: u64,
 }
 
 /// A part of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Phase {
-    /// What the machine did, such as `drawing`.
+    /// The machine's activity, such as `drawing`.
     pub name: &'static str,
     /// Its clocks.
     pub clocks: u64,
@@ -127,7 +127,7 @@ impl Report {
         self.drawing_clocks() as f64 / self.packets.max(1) as f64
     }
 
-    /// Busy clocks of all video processors in parts of those that they would have if all were as busy as the busiest, from 0 to 1.
+    /// Mean busy clocks of the video processors over those of the busiest one, from 0 to 1.
     pub fn balance(&self) -> f64 {
         let busy = |it: &ProcessorReport| it.units.iter().skip(1).map(|unit| unit.busy).sum::<u64>();
         let most = self.processors.iter().map(busy).max().unwrap_or(0).max(1) * self.processors.len() as u64;
@@ -155,7 +155,7 @@ impl Report {
     }
 }
 
-/// The set-up and each level: what it is, and how many units do it side by side.
+/// The set-up and each level: its kind, and the number of parallel units.
 fn units(form: &Form) -> Vec<(&'static str, u32)> {
     let mut units = vec![("set-up", 1)];
     for part in form.parts() {

@@ -1,12 +1,12 @@
-//! What follows from the time that a polygon takes on each level: performance, load and efficiency of stacks and of pipelines.
+//! Performance, load and efficiency of stacks and of pipelines, from the time of a polygon on each level.
 //!
-//! Source: MPG-EQ6 to MPG-EQ12. They hold of any times, by formula or counted. Unit of time is t_e, the test of one subwindow.
+//! Source: MPG-EQ6 to MPG-EQ12. They are true for all times, by formula or counted. The unit of time is t_e, the test of one subwindow.
 
 use super::formulas::MAX_PERFORMANCE;
 use super::rasters::Rasters;
 use serde::Serialize;
 
-/// The mean time that a polygon takes on each level, from level 1 on, in t_e: t_i.
+/// The mean time of a polygon on each level, from level 1 on, in t_e: t_i.
 ///
 /// ```
 /// use tilewright_machines::quadtree::Stages;
@@ -37,7 +37,7 @@ impl Stages {
         self.times.iter().sum()
     }
 
-    /// The level that takes longest, the first of equals, and its time; `None` if there are no levels.
+    /// The slowest level, the first of equals, and its time; `None` if there are no levels.
     pub fn slowest(&self) -> Option<(u32, f64)> {
         (1..).zip(self.times.iter().copied()).reduce(|most, this| if this.1 > most.1 { this } else { most })
     }
@@ -57,12 +57,12 @@ impl Stages {
         self.total() * self.pipeline_performance() / self.times.len() as f64
     }
 
-    /// Efficiency of a matrix of so many `processors` with stacks, Q_a = Q_s, compared with one processor (MPG-EQ7, MPG-EQ8).
+    /// Efficiency of a matrix of `processors` with stacks, Q_a = Q_s, compared with one processor (MPG-EQ7, MPG-EQ8).
     pub fn stack_efficiency(&self, mono: &Stages, processors: u64) -> f64 {
         mono.total() / (processors as f64 * self.total())
     }
 
-    /// Efficiency of a matrix of so many `processors` that are pipelines, Q_p, compared with one processor with a stack (MPG-EQ11).
+    /// Efficiency of a matrix of `processors` with pipelines, Q_p, compared with one processor with a stack (MPG-EQ11).
     pub fn pipeline_efficiency(&self, mono: &Stages, processors: u64) -> f64 {
         self.pipeline_performance() / (self.times.len() as f64 * processors as f64 * mono.stack_performance())
     }
@@ -71,11 +71,11 @@ impl Stages {
 /// The ordinates of the paper's figures 5 and 6.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Figures {
-    /// Performance of the matrix of stacks, in parts of P_max (figure 5, a).
+    /// Performance of the matrix of stacks over P_max (figure 5, a).
     pub p_s: f64,
     /// Efficiency of the algorithm, and of the matrix of stacks (figure 5, b).
     pub q_a: f64,
-    /// Performance of the matrix of pipelines, in parts of P_max (figure 6, a).
+    /// Performance of the matrix of pipelines over P_max (figure 6, a).
     pub p_p: f64,
     /// Load of the pipelines (figure 6, b, solid).
     pub r_p: f64,
@@ -84,7 +84,7 @@ pub struct Figures {
 }
 
 impl Figures {
-    /// Those of a matrix whose processors take the times `stages`, where one processor for all pixels takes those of `mono`.
+    /// The ordinates of a matrix whose processors take the times `stages`; one processor for all pixels takes those of `mono`.
     ///
     /// ```
     /// use tilewright_machines::quadtree::{Figures, Rasters, Shape};
@@ -118,7 +118,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// MPG-EQ10 has two forms, MPG-EQ12 is Q_p = Q_a R_p, and Q_s of MPG-EQ8 is Q_a of MPG-EQ7: of any times.
+        /// MPG-EQ10 has two forms, MPG-EQ12 is Q_p = Q_a R_p, and Q_s of MPG-EQ8 is Q_a of MPG-EQ7, for all times.
         #[test]
         fn the_papers_identities_hold_of_any_times(stages in times(), mono in times(), processors in 1..500_u64) {
             let (n, pq) = (stages.len() as f64, processors as f64);

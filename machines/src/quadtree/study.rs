@@ -1,8 +1,8 @@
-//! The paper's figures by counting: windows, clocks and what follows of them, on the mean over random rectangles.
+//! The paper's figures by counting: means over random rectangles of windows, clocks and derived numbers.
 //!
-//! Source: figures 3, 5 and 6 of the paper; facts A3. A [`Point`] has, side by side, what formulas say and what was counted, and no
-//! counted number comes from a formula for windows: the stages' times are clocks counted, from which MPG-EQ6 to MPG-EQ12 follow by
-//! definition. Sums are integers, so that the same study has the same result with any number of threads.
+//! Source: figures 3, 5 and 6 of the paper; facts A3. A [`Point`] has formulas and counts side by side. No count comes from a formula for
+//! windows: the stages' times are counted clocks, from which MPG-EQ6 to MPG-EQ12 follow by definition. Sums are integers, so that the same
+//! study has the same result with any number of threads.
 
 mod tally;
 
@@ -25,7 +25,7 @@ const EDGES: u64 = 4;
 const PARAMETERS: u64 = 4;
 /// A rectangle's long side over its short one (MPG-L).
 const RATIO: f64 = 5.0;
-/// Parts that the work on a sample is cut into, at most.
+/// The most parts of the work on a sample.
 const PARTS: u64 = 64;
 
 /// Rectangles of one area.
@@ -33,7 +33,7 @@ const PARTS: u64 = 64;
 pub struct Sample {
     /// Their area in pixels.
     pub area: f64,
-    /// How many there are, at least 1.
+    /// Their number, at least 1.
     pub polygons: u64,
 }
 
@@ -52,13 +52,13 @@ impl Sample {
     }
 }
 
-/// What to count: rectangles of some areas, on square matrices of some sizes.
+/// The counts to make: rectangles of some areas, on square matrices of some sizes.
 ///
 /// ```
 /// use tilewright_machines::{Watch, quadtree::{Sample, Study}};
 ///
 /// let study = Study { samples: vec![Sample { area: 20.0, polygons: 50 }], ..Study::paper(1) };
-/// let points = study.run(&mut Watch::default())?.expect("nobody breaks it off");
+/// let points = study.run(&mut Watch::default())?.expect("not interrupted");
 /// assert_eq!(points.len(), 5);
 /// assert!(points.iter().all(|point| point.windows[0].mean == 1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -73,13 +73,13 @@ pub struct Study {
     pub aperture: u32,
     /// The areas.
     pub samples: Vec<Sample>,
-    /// What the rectangles follow from.
+    /// The seed of the rectangles.
     pub seed: u64,
 }
 
 impl Study {
     /// The study of the paper's figures: m = 10, k = 0 to 4, an aperture of 2, areas of 1 to 10^5 pixels, three a decade.
-    /// Half a minute of one processor, in a release build.
+    /// It takes half a minute of one processor in a release build.
     pub fn paper(seed: u64) -> Study {
         let decades = [1.0, 10.0, 100.0, 1e3, 1e4].into_iter().zip([20_000, 15_000, 8_000, 4_000, 1_000]);
         let of_decade = |(area, polygons)| [1.0, 2.0, 5.0].map(|times| Sample { area: times * area, polygons });
@@ -88,11 +88,11 @@ impl Study {
         Study { m: 10, sizes: vec![0, 1, 2, 3, 4], aperture: 2, samples, seed }
     }
 
-    /// Counts, on all processors of the computer: the points of the first area by matrix, then those of the next. `None` if it was
-    /// broken off.
+    /// Counts on all processors of the computer. The points are those of the first area by matrix, then those of the next. `None` if
+    /// interrupted.
     ///
     /// # Errors
-    /// There is no such matrix or no such rectangle, or a sample is empty; nothing has been counted then.
+    /// A parameter of the matrix or of the rectangles is out of range, or a sample is empty. Then nothing has been counted.
     pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<Point>>, ParameterError> {
         self.run_on(all_threads(), watch)
     }
@@ -116,7 +116,7 @@ impl Study {
         Ok((missing == 0).then(|| self.points(&work.searches, &tallies)))
     }
 
-    /// The searches of one processor, with which all are compared, and then of the matrices.
+    /// The searches of one processor, with which all are compared, then those of the matrices.
     fn searches(&self) -> Result<Vec<Search>, ParameterError> {
         let aperture = (self.aperture, self.aperture);
         let sizes = std::iter::once(&0).chain(&self.sizes);
@@ -149,7 +149,7 @@ impl Study {
     }
 }
 
-/// What the threads share.
+/// The data that the threads share.
 struct Work {
     searches: Vec<Search>,
     /// By sample.
@@ -191,7 +191,7 @@ pub struct Point {
     pub area: f64,
     /// Windows counted in a processor, by level from 0 to n.
     pub windows: Vec<Mean>,
-    /// At most so many there are by MPG-EQ1, on the mean over all places of a raster without an end.
+    /// Their upper bound by MPG-EQ1, the mean over all places of an infinite raster.
     pub bounds: Vec<f64>,
     /// Covered pixels counted in a processor.
     pub fragments: Mean,
@@ -199,9 +199,9 @@ pub struct Point {
     pub stages: Stages,
     /// Times of the levels by MPG-EQ5.
     pub stages_by_formula: Stages,
-    /// What follows of the clocks counted.
+    /// The figures from counted clocks.
     pub figures: Figures,
-    /// What follows of MPG-EQ5.
+    /// The figures from MPG-EQ5.
     pub figures_by_formula: Figures,
 }
 

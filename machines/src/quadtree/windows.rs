@@ -1,9 +1,9 @@
-//! How many windows a packet generates in a video processor: the plain model of what the hardware counts.
+//! The windows of a packet in a video processor: a plain model of the hardware's counters.
 //!
 //! Source: MPG-WIN, MPG-EQ5; facts B and E2 (the test of edges and of bounds). A window of level l is a square of 2^(n-l) x 2^(n-l)
-//! samples of the processor's raster; its extent are the pixels from its first sample to its last, and half of the aperture on
-//! each side. It passes if each edge function is at least 0 somewhere in the extent, and if the extent meets the packet's
-//! bounds along both axes. Products are formed directly, with no increments, so that it can be checked by reading.
+//! samples of the processor's raster. Its extent has the pixels from its first sample to its last, and half of the aperture on each side. The
+//! window passes if each edge function is at least 0 somewhere in the extent, and if the extent meets the packet's bounds along both axes.
+//! The model computes products directly, without increments, so that a reader can check it.
 
 use super::rasters::Rasters;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::{Edge, Packet, PixelBox};
 
-/// What tests and windows cost, in clocks (MPG-EQ5).
+/// The costs of tests and windows, in clocks (MPG-EQ5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Costs {
     /// A coverage test of one subwindow, t_e.
@@ -22,7 +22,7 @@ pub struct Costs {
 }
 
 impl Costs {
-    /// Those of a polygon of ke `edges` and kp `parameters`; depth and three colours are 4.
+    /// The costs for a polygon of ke `edges` and kp `parameters`; depth and three colours are 4 parameters.
     ///
     /// ```
     /// use tilewright_machines::quadtree::{Costs, Test};
@@ -39,7 +39,7 @@ impl Costs {
     }
 }
 
-/// Windows that have been counted, of one packet in one processor or of many.
+/// Counted windows, of one packet in one processor, or of many.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Windows {
     /// Windows that passed, by level from 0 to n; the root passes without a test.
@@ -49,7 +49,7 @@ pub struct Windows {
 }
 
 impl Windows {
-    /// None yet, of a matrix of so many `levels`.
+    /// No windows yet, for a matrix of `levels` levels.
     pub fn none(levels: u32) -> Windows {
         Windows { passed: vec![0; levels as usize + 1], fragments: 0 }
     }
@@ -83,7 +83,7 @@ impl AddAssign<&Windows> for Windows {
 /// let packet = set_up(&[at(2, 2), at(6, 2), at(2, 6)], Size::new(8, 8)?).unwrap();
 /// let search = Search::new(Rasters { p: 2, q: 2, levels: 2, aperture: (0, 0) })?;
 /// let windows = search.windows(&packet, (0, 0));
-/// // Three of the four quarters, and of each one sample: pixels (2, 2), (4, 2) and (2, 4).
+/// // Three of the four quarters pass, with one sample each: pixels (2, 2), (4, 2) and (2, 4).
 /// assert_eq!((windows.passed.as_slice(), windows.fragments), (&[1, 3, 3][..], 3));
 /// assert_eq!(windows.tests().collect::<Vec<_>>(), [4, 12]);
 /// let busy = windows.busy(Costs::new(Test::Serial, 3, 4));
@@ -134,8 +134,8 @@ impl Search {
         Window { level: 0, x: i, y: j }
     }
 
-    /// The quarters of a window that pass: upper left, upper right, lower left, lower right, in the order in which the hardware
-    /// tests them. One of the last level has none.
+    /// The quarters of a window that pass: upper left, upper right, lower left, lower right, in the sequence of the hardware's tests. A window
+    /// of the last level has none.
     ///
     /// ```
     /// use tilewright_machines::quadtree::{Rasters, Search, Window};
@@ -177,7 +177,7 @@ impl Search {
     }
 }
 
-/// The coverage test: whether no edge, and none of the bounds, has the whole extent outside.
+/// The coverage test: whether no edge and no bound excludes the whole extent.
 fn passes<E: AsRef<[Edge]>>(packet: &Packet<E>, extent: &Extent) -> bool {
     extent.meets(packet.bounds) && packet.edges.as_ref().iter().all(|edge| extent.greatest(edge) >= 0)
 }
@@ -185,7 +185,7 @@ fn passes<E: AsRef<[Edge]>>(packet: &Packet<E>, extent: &Extent) -> bool {
 /// A window of a processor's raster.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Window {
-    /// How often the raster has been divided for it, from 0 to n.
+    /// The number of divisions of the raster, from 0 to n.
     pub level: u32,
     /// The column of its first sample's pixel.
     pub x: u32,
@@ -202,13 +202,13 @@ impl Window {
 /// The pixels of a window.
 #[derive(Clone, Copy)]
 struct Extent {
-    /// The first sample's.
+    /// The pixel of the first sample.
     x: i64,
     y: i64,
-    /// To the last sample's.
+    /// The distance to the pixel of the last sample.
     width: i64,
     height: i64,
-    /// Half of it is outside of the samples on each side.
+    /// The aperture, half of which is outside of the samples on each side.
     aperture: (u32, u32),
 }
 
@@ -220,8 +220,8 @@ impl Extent {
         at_corner + (a.abs() * i64::from(self.aperture.0) + b.abs() * i64::from(self.aperture.1)) / 2
     }
 
-    /// Whether the extent meets the bounds along both axes. Empty bounds are a line between two pixels, which an extent that has
-    /// both of them meets.
+    /// Whether the extent meets the bounds along both axes. Empty bounds are a line between two pixels; an extent with both pixels meets
+    /// it.
     fn meets(&self, bounds: PixelBox) -> bool {
         let meets = |first: i64, length: i64, aperture: u32, least: u32, greatest: u32| {
             let grown = i64::from(aperture / 2);

@@ -1,12 +1,12 @@
-//! Which processing element draws which polygons.
+//! The assignment of polygons to processing elements.
 //!
-//! Source: VC1-CLU. Clusters of w consecutive polygons, which tend to be neighbours on the screen, go one after another to the
-//! processing element with the least load so far; of equals, to the one of the lowest number (the paper takes any). The load of a
-//! polygon is what the cost table expects it to take. Polygons are loaded into local memories before the first frame.
-//! From frame to frame only the view is sent, so they stay where the first view brought them. [`Assign`] has that and two other ways.
+//! Source: VC1-CLU. Clusters of w consecutive polygons tend to be neighbours on the screen. Each cluster goes to the processing element with the
+//! least load so far, and between equals to the lowest number (the paper allows any). The load of a polygon is the clocks that the cost table
+//! expects. Polygons are loaded into local memories before the first frame. From frame to frame only the view is sent, so the assignment of
+//! the first view stays. [`Assign`] has that and two other ways.
 //!
-//! A processing element of 16 waits for the last one, as a mean over ter1k's 48 views, for 0.62 ms by `Each` and for 1.01 ms by `Count`.
-//! By `Once` the first view decides: from 1.17 to 2.46 ms, and 1.68 ms as a mean over all first views. Table 1 has 1.4 ms (VC1-T1).
+//! With 16 processing elements, the mean wait for the last one over ter1k's 48 views is 0.62 ms by `Each` and 1.01 ms by `Count`. By `Once` it
+//! depends on the first view: from 1.17 to 2.46 ms, with a mean of 1.68 ms over all first views. Table 1 has 1.4 ms (VC1-T1).
 //! `cargo test -p tilewright-machines each_way_of_dealing -- --ignored --nocapture` prints these.
 
 use super::config::Config;
@@ -18,20 +18,20 @@ use tilewright_rtl::parameter::ParameterError;
 use tilewright_scenes::packet::SUBPIXELS;
 use tilewright_scenes::{Projection, ScreenVertex};
 
-/// When, and by what, polygons are dealt to the processing elements of a machine.
+/// The way in which polygons are assigned to processing elements.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Assign {
-    /// By the clocks that they are expected to take in the first view, once for all frames.
+    /// By the expected clocks of the first view, once for all frames.
     #[default]
     Once,
-    /// By the clocks that they are expected to take in the view of each frame, which moves polygons between local memories.
+    /// By the expected clocks of each frame's view, which moves polygons between local memories.
     Each,
-    /// By their number alone, once for all frames.
+    /// By the number of polygons alone, once for all frames.
     Count,
 }
 
-/// A polygon and its packets: none if it is off the screen, behind the eye or without area; several if clipping split it.
+/// A polygon and its packets. It has none if it is off the screen, behind the eye or without area, and several if clipping split it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Polygon {
     /// Its number in the scene.
@@ -47,7 +47,7 @@ pub struct Polygon {
 /// The polygons of every processing element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Assignment {
-    /// By processing element, in order of submission.
+    /// By processing element, in the sequence of submission.
     pub polygons: Vec<Vec<Polygon>>,
     /// By processing element: the clocks that the cost table expects.
     pub loads: Vec<u64>,
@@ -65,7 +65,7 @@ impl Config {
     /// let first = config.assignment(&scene.project()?, None)?;
     /// scene.camera = scene.camera.orbited(7.5);
     /// let second = config.assignment(&scene.project()?, Some(&first))?;
-    /// // By default each polygon stays where it is, though it may take longer or shorter now.
+    /// // By default each polygon stays on its processing element, though its clocks may change.
     /// let numbers = |k: usize| [&first, &second].map(|it| it.polygons[k].iter().map(|it| it.number).collect::<Vec<_>>());
     /// assert!((0..16).all(|k| numbers(k)[0] == numbers(k)[1]));
     /// assert_ne!(first.loads, second.loads);
@@ -89,21 +89,21 @@ impl Config {
 }
 
 impl Assignment {
-    /// Deals clusters of `cluster` polygons to `processors` processing elements by the clocks that they are expected to take.
+    /// Assigns clusters of `cluster` polygons to `processors` processing elements by their expected clocks.
     pub fn new(projection: &Projection, processors: u32, cluster: u32, costs: &CostTable) -> Assignment {
         let clusters = clusters(projection, cluster);
         let loads = clusters.iter().map(|cluster| cluster.iter().map(|it| load(projection, it, costs)).sum()).collect();
         Assignment::dealt(clusters, loads, processors, projection, costs)
     }
 
-    /// Deals clusters of `cluster` polygons to `processors` processing elements by the number of polygons.
+    /// Assigns clusters of `cluster` polygons to `processors` processing elements by the number of polygons.
     pub fn by_count(projection: &Projection, processors: u32, cluster: u32, costs: &CostTable) -> Assignment {
         let clusters = clusters(projection, cluster);
         let counts = clusters.iter().map(|cluster| cluster.len() as u64).collect();
         Assignment::dealt(clusters, counts, processors, projection, costs)
     }
 
-    /// The same polygons on the same processing elements, as another view of the scene shows them.
+    /// The same polygons on the same processing elements in another view of the scene.
     ///
     /// # Errors
     /// The scene of the projection has another number of polygons.
@@ -123,7 +123,7 @@ impl Assignment {
         Ok(Assignment::of(polygons, projection, costs))
     }
 
-    /// Deals clusters, each to the processing element with the least sum of `weights` so far.
+    /// Assigns each cluster to the processing element with the least sum of `weights` so far.
     fn dealt(
         clusters: Vec<Vec<Polygon>>,
         weights: Vec<u64>,
@@ -141,7 +141,7 @@ impl Assignment {
         Assignment::of(polygons, projection, costs)
     }
 
-    /// With the loads that follow.
+    /// The assignment with its loads.
     fn of(polygons: Vec<Vec<Polygon>>, projection: &Projection, costs: &CostTable) -> Assignment {
         let loads =
             polygons.iter().map(|polygons| polygons.iter().map(|it| load(projection, it, costs)).sum()).collect();
@@ -178,7 +178,7 @@ fn packets(projection: &Projection) -> Vec<Range<usize>> {
     ranges.collect()
 }
 
-/// How many of those packets cross the border of the screen.
+/// The number of those packets that cross the border of the screen.
 fn clipped(projection: &Projection, packets: Range<usize>) -> u32 {
     let on_screen = |vertex: &ScreenVertex| {
         let within = |position: i32, side: u32| (0..=side as i32 * SUBPIXELS).contains(&position);

@@ -1,8 +1,8 @@
-//! Where the clocks of a processing element go: each is in one class.
+//! The classes of a processing element's clocks: each clock is in one class.
 
 use serde::Serialize;
 
-/// What a processing element does in a clock.
+/// The activity of a processing element in a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Class {
     Clearing,
@@ -43,18 +43,18 @@ pub struct Clocks {
 }
 
 impl Class {
-    /// How a report calls it.
+    /// Its name in a report.
     pub fn name(self) -> &'static str {
         Clocks::NAMES[self as usize]
     }
 }
 
 impl Clocks {
-    /// How a report calls them, in its order.
+    /// The names of a report, in its sequence.
     pub const NAMES: [&'static str; 10] =
         ["clearing", "geometry", "raster", "sending", "receiving", "stalled", "bus", "overflow", "sync", "swap"];
 
-    /// All, in the order of the names.
+    /// All classes, in the sequence of the names.
     pub fn all(&self) -> [u64; 10] {
         let Clocks { clearing, geometry, rasterization, sending, receiving, stalled, bus, overflow, sync, swap } =
             *self;
@@ -66,17 +66,17 @@ impl Clocks {
         self.all().iter().sum()
     }
 
-    /// Those in which its program worked.
+    /// Clocks in which its program worked.
     pub fn work(&self) -> u64 {
         self.all()[..5].iter().sum()
     }
 
-    /// Those in which it does not wait for others: the fourth clock of an access, in which it takes a page, is of the access.
+    /// Clocks in which it does not wait for others. The fourth clock of an access, which takes a page, belongs to the access.
     pub fn busy(&self) -> u64 {
         self.work() + self.stalled
     }
 
-    /// That class's.
+    /// The clocks of that class.
     pub(crate) fn of(&mut self, class: Class) -> &mut u64 {
         match class {
             Class::Clearing => &mut self.clearing,

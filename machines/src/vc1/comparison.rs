@@ -1,7 +1,7 @@
-//! Circuit and model side by side: each event and each frame of the one has to be the other's.
+//! The comparison of circuit and model: all events and frames have to be equal.
 //!
-//! The circuit's events are kept until the model has come as far, every thousand clocks or so. Then both are compared, place by place, and
-//! the earliest that differs is told.
+//! The circuit's events are stored until the model has reached the same time, about every thousand clocks. Then both are compared, place by place,
+//! and the earliest difference is reported.
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -13,23 +13,23 @@ use super::model::{Event, Model, Place, Run, What};
 use super::report::{FrameReport, ProcessorReport};
 use crate::error::Error;
 
-/// What gets the model's events.
+/// The receiver of the model's events.
 type Sink = Box<dyn FnMut(Event)>;
 
-/// The model beside a circuit.
+/// The model that runs beside a circuit.
 pub(crate) struct Comparison<'a> {
     model: Run<'a, Sink>,
-    /// What the model did since the last comparison.
+    /// The model's events since the last comparison.
     expected: Rc<RefCell<Vec<Event>>>,
-    /// By place: what the circuit did and the model has still to do.
+    /// By place, the circuit's events that the model has not reached yet.
     seen: Vec<VecDeque<Event>>,
-    /// Views that the circuit's host has commanded, and the model's has not.
+    /// Views that the circuit's host has commanded, and the model's host has not.
     views: VecDeque<Arc<View>>,
-    /// Frames of the circuit that the model has still to show.
+    /// Frames of the circuit that the model has not shown yet.
     frames: VecDeque<FrameReport>,
     /// The number of the next one.
     frame: u64,
-    /// Events that are equal.
+    /// The number of equal events.
     pub compared: u64,
 }
 
@@ -59,7 +59,7 @@ impl<'a> Comparison<'a> {
         self.frames.push_back(frame);
     }
 
-    /// The circuit did that.
+    /// Notes an event of the circuit.
     pub fn see(&mut self, events: impl IntoIterator<Item = Event>) {
         for event in events {
             let place = self.index(event.place);
@@ -75,8 +75,8 @@ impl<'a> Comparison<'a> {
         }
     }
 
-    /// A refresh of the display that is looked at: the edges of the processing elements' clock in which a blanking before it is about to end, and
-    /// in which its first pixel is there.
+    /// Compares a refresh of the display that is judged: the edges of the processing elements' clock just before the end of its blanking, and at its
+    /// first pixel.
     ///
     /// # Errors
     /// [`Error::Differs`].
@@ -86,7 +86,7 @@ impl<'a> Comparison<'a> {
         self.equal("the display", "the clock of the first pixel of a refresh", pixel, [pixel, expected_pixel])
     }
 
-    /// Lets the model go on until that edge, which is as far as the circuit is, and compares.
+    /// Advances the model to that edge, which the circuit has reached, and compares.
     ///
     /// # Errors
     /// [`Error::Differs`].
@@ -171,7 +171,7 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// A number of a report, and what it is.
+/// A number of a report, with its name.
 type Number<Report> = (&'static str, fn(&Report) -> u64);
 
 /// Numbers of a frame.
@@ -197,7 +197,7 @@ const PROCESSOR: [Number<ProcessorReport>; 6] = [
     ("the number of polygons sent", |it| it.broadcast),
 ];
 
-/// Its clocks, in the order of [`Clocks::NAMES`](super::Clocks::NAMES).
+/// Its clocks, in the sequence of [`Clocks::NAMES`](super::Clocks::NAMES).
 const CLOCKS: [&str; 10] = [
     "the number of clocks of clearing",
     "the number of clocks of geometry",
@@ -211,7 +211,7 @@ const CLOCKS: [&str; 10] = [
     "the number of clocks of waiting for the swap",
 ];
 
-/// How the circuit's event differs from the model's, of which `event` is the earlier one.
+/// The difference between the circuit's and the model's events; `event` is the earlier one.
 fn difference(event: Event, seen: Option<Event>, expected: Option<Event>) -> Error {
     let unit = match event.place {
         Place::Processor(number) => format!("processing element {number}"),
@@ -227,7 +227,7 @@ fn difference(event: Event, seen: Option<Event>, expected: Option<Event>) -> Err
 }
 
 impl What {
-    /// How often it happens in a clock.
+    /// The name of an event's count in a clock.
     pub(crate) fn kind(self) -> &'static str {
         match self {
             What::Draws(_) => "the number of pixels taken",
@@ -244,7 +244,7 @@ impl What {
         }
     }
 
-    /// What is of account if it does.
+    /// The name and the value of an event's data.
     fn value_name(self) -> &'static str {
         match self {
             What::Draws(_) => "the pixel taken",

@@ -1,4 +1,4 @@
-//! The sizes of a VC-1, with the paper's as defaults.
+//! The parameters of a VC-1, with the paper's as defaults.
 
 use serde::Serialize;
 use tilewright_rtl::bus::BroadcastBus;
@@ -17,43 +17,43 @@ use super::words::POLYGON_WORDS;
 /// Pixels of an image memory: 4096 pages of 4x4, 1/4.7 of the screen (VC1-LFB).
 const IMAGE_MEMORY_PIXELS: u32 = 65_536;
 
-/// Picoseconds of a line of the display in which swaps and their crossings are over for certain: 4 clocks of the merger.
+/// The least picoseconds of a line of the display that contain swaps and their crossings: 4 clocks of the merger.
 const SHORTEST_LINE: u64 = 4 * MERGE.period.picoseconds();
 
-/// What a VC-1 is built for and how it is programmed.
+/// The parameters of a VC-1 and of its programs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
     /// The screen in pixels; 640x480 in the paper (VC1-TM).
     pub size: Size,
     /// Processing elements, 1 to [`Config::MAX_PROCESSORS`]; 16 in the paper (VC1-PE).
     pub processors: u32,
-    /// The edge of a patch in pixels: 4, 8 or 16; usually 4 (VC1-PT).
+    /// The side of a patch in pixels: 4, 8 or 16; usually 4 (VC1-PT).
     pub patch: u32,
     /// Pages of image memory in each buffer; `None` means the paper's 65536 pixels (VC1-LFB), or the whole screen if that is less.
     pub pages: Option<u32>,
     /// Polygons of a cluster, at least 1 (VC1-CLU).
     pub cluster: u32,
-    /// How polygons are dealt.
+    /// The way in which polygons are assigned.
     pub assign: Assign,
-    /// The area in pixels above which a packet is sent to all and drawn by all (VC1-APR); `None`: each draws its own.
+    /// The area in pixels above which a packet is sent to all processing elements, and all draw it (VC1-APR); `None` if no packet is.
     pub apr: Option<u32>,
-    /// What the processing elements' program costs.
+    /// The costs of the processing elements' program.
     pub costs: CostTable,
-    /// Words of 32 bits that each receive queue holds, at least 2; 64 here, as the paper does not say.
+    /// Size of each receive queue in words of 32 bits, at least 2. The paper does not say; 64 is our choice.
     pub queue: u32,
-    /// Clocks of the processing elements that a word is on the bus, 1 to 255; 6 in the paper (VC1-NET).
+    /// Time of a word on the bus in clocks of the processing elements, 1 to 255; 6 in the paper (VC1-NET).
     pub word_clocks: u32,
     /// Clocks of the merger after each scan line, 1 to [`Config::MAX_OVERHEAD`]; 20 in the paper (VC1-TM).
     pub overhead: u32,
     /// Refreshes of the display in a second; 60 in the paper, which may be 59.94 (VC1-59).
     pub refresh: f64,
-    /// Where in the display's vertical blanking the banks of the global frame buffer change.
+    /// When in the display's vertical blanking the banks of the global frame buffer change.
     pub blanking: Blanking,
     /// Whether the host sends the whole scene over the bus before each command (VC1-IMM).
     pub immediate: bool,
-    /// Of how many passes a picture is the average: each frame is a pass (VC1-ACB).
+    /// The number of passes whose average is a picture; each frame is a pass (VC1-ACB).
     pub accumulate: Option<Passes>,
-    /// The cursor that the host writes into each frame on display (VC1-HOSTP). Not with `accumulate`, as an average does not show it.
+    /// The cursor that the host writes into each displayed frame (VC1-HOSTP). It is not possible with `accumulate`, as an average does not show it.
     pub cursor: Option<Cursor>,
 }
 
@@ -89,7 +89,7 @@ impl Config {
     /// The patches of the screen.
     ///
     /// # Errors
-    /// There is no such patch, or the screen is smaller than 2x2 of them.
+    /// The side of patches is out of range, or the screen is smaller than 2x2 patches.
     pub fn patches(&self) -> Result<Patches, ParameterError> {
         Patches::new(Screen::new(self.size.width(), self.size.height())?, self.patch)
     }
@@ -118,14 +118,14 @@ impl Config {
         if line < SHORTEST_LINE {
             let refresh = self.refresh;
             let problem = format!(
-                "{refresh} refreshes a second: a line of the display would take {line} ps; it has to take {SHORTEST_LINE} at least"
+                "{refresh} refreshes a second: a line of the display would take {line} ps; it has to take at least {SHORTEST_LINE}"
             );
             return Err(ParameterError(problem));
         }
         Ok(vc1)
     }
 
-    /// As a report shows it.
+    /// The configuration for a report.
     pub(crate) fn built(&self) -> Result<Built, ParameterError> {
         let Config { size, processors, patch, cluster, assign, apr, costs, queue, word_clocks, .. } = *self;
         let Config { overhead, refresh, immediate, accumulate, .. } = *self;
@@ -159,7 +159,7 @@ impl Config {
         } else if cluster == 0 {
             "clusters of 0 polygons: they have to have at least 1".to_owned()
         } else if (queue as usize) < POLYGON_WORDS {
-            format!("receive queues of {queue} words: they have to hold a polygon, which is {POLYGON_WORDS}")
+            format!("receive queues of {queue} words: they need space for a polygon, which has {POLYGON_WORDS}")
         } else if [costs.pixel, costs.clear, costs.send, costs.receive].contains(&0) {
             "a cost table with accesses in 0 clocks: a pixel, a cleared entry and a word take at least 1 each"
                 .to_owned()
@@ -176,7 +176,7 @@ impl Config {
     }
 }
 
-/// A configuration as a report shows it.
+/// A configuration in a report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Built {
     /// Pixels in a row.
@@ -185,7 +185,7 @@ pub struct Built {
     pub height: u32,
     /// Processing elements.
     pub processors: u32,
-    /// The edge of a patch in pixels.
+    /// The side of a patch in pixels.
     pub patch: u32,
     /// Patches of the screen.
     pub patches: u32,
@@ -193,9 +193,9 @@ pub struct Built {
     pub pages: u32,
     /// Polygons of a cluster.
     pub cluster: u32,
-    /// How polygons are dealt.
+    /// The way in which polygons are assigned.
     pub assign: Assign,
-    /// The area in pixels above which packets are drawn by all.
+    /// The area in pixels above which all processing elements draw a packet.
     pub apr: Option<u32>,
     /// Clocks of the program's steps.
     pub costs: CostTable,
@@ -209,6 +209,6 @@ pub struct Built {
     pub refresh: f64,
     /// Whether the scene is sent before each command.
     pub immediate: bool,
-    /// Of how many passes a picture is the average; 1 where each frame is a picture.
+    /// The number of passes whose average is a picture; 1 if each frame is a picture.
     pub passes: u32,
 }

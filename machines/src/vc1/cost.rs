@@ -1,13 +1,13 @@
-//! What the program of a processing element costs, in clocks of the processor.
+//! The costs of a processing element's program, in clocks of the processor.
 //!
 //! Source: VC1-T1, Table 1 of the paper times 16 processors over 12482 polygons at 40 MHz: 631 clocks of geometry and 754 of
 //! rasterization per polygon of ter1k. Geometry is transformation, lighting and region classification; clipping and areas are
 //! rasterization (VC1-CLIP, VC1-APR).
 //!
-//! How they are made up is ours. A cluster of 32 polygons of ter1k has 1.0745 vertices a polygon, which are transformed and lit once:
-//! `1.0745*400 + 201 = 630.8`. Set-up is estimated at 500 (facts E1), an area, which is a vector product, at 12, and clipping at 300. A
+//! The split of these clocks is our choice. A cluster of 32 polygons of ter1k has 1.0745 vertices a polygon, which are transformed and lit once:
+//! `1.0745*400 + 201 = 630.8`. We estimate set-up at 500 (facts E1), an area, which is a vector product, at 12, and clipping at 300. A
 //! pixel takes 3, the fastest that the local frame buffer accepts (VC1-ACC). Our ter1k has, per polygon and averaged over the 48 views,
-//! 0.9104 packets, 0.0173 packets across the border of the screen, 4.3235 rows and 16.062 pixels. A row of 54 clocks makes up the 754:
+//! 0.9104 packets, 0.0173 packets across the border of the screen, 4.3235 rows and 16.062 pixels. With 54 clocks a row the sum is 754:
 //! `12 + 0.0173*300 + 0.9104*500 + 4.3235*54 + 16.062*3 = 754.0`. Clearing an entry of the patch table takes 3 (VC1-CLR2 gives no
 //! number).
 
@@ -19,9 +19,9 @@ use super::assignment::Polygon;
 /// Clocks of the processing element for each step of its program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct CostTable {
-    /// Transformation and lighting of a vertex, once in each cluster that has it.
+    /// Transformation and lighting of a vertex, once in each of its clusters.
     pub vertex: u64,
-    /// Classification of a polygon, drawn or not, and all else that is done once for it.
+    /// Classification of a polygon, drawn or not, and all other work once per polygon.
     pub polygon: u64,
     /// The area of a polygon, drawn or not, as the vector product of two edges.
     pub area: u64,
@@ -29,15 +29,15 @@ pub struct CostTable {
     pub clip: u64,
     /// Set-up of a packet.
     pub set_up: u64,
-    /// Each row of a packet's bounding box: its edges are stepped, its span is found.
+    /// Each row of a packet's bounding box: stepping of edges, search for the span.
     pub row: u64,
-    /// Each covered pixel, the clock of its request among them; at least 1.
+    /// Each covered pixel, including the clock of its request; at least 1.
     pub pixel: u64,
-    /// Clearing of an entry of the patch table, the clock of its write among them; at least 1.
+    /// Clearing of an entry of the patch table, including the clock of its write; at least 1.
     pub clear: u64,
-    /// A word sent over the bus, the clock of its write to the port among them; at least 1.
+    /// A word sent over the bus, including the clock of its write to the port; at least 1.
     pub send: u64,
-    /// A word received, the clock of its read from the queue among them; at least 1.
+    /// A received word, including the clock of its read from the queue; at least 1.
     pub receive: u64,
 }
 
@@ -59,7 +59,7 @@ impl Default for CostTable {
 }
 
 impl CostTable {
-    /// The steps by name, each with the fewest clocks that it can take.
+    /// The steps by name, each with the fewest possible clocks.
     pub const STEPS: [(&'static str, u64); 10] = [
         ("vertex", 0),
         ("polygon", 0),
@@ -104,12 +104,12 @@ impl CostTable {
         self.polygon + u64::from(polygon.vertices) * self.vertex
     }
 
-    /// Area and clipping of a polygon, which come before its packets.
+    /// Area and clipping of a polygon, before its packets.
     pub(crate) fn preparation(&self, polygon: &Polygon) -> u64 {
         self.area + u64::from(polygon.clipped) * self.clip
     }
 
-    /// What drawing a packet is expected to cost, its pixels taken from its area (as VC1-APR does).
+    /// The expected cost of drawing a packet; its area gives the number of pixels (as in VC1-APR).
     pub(crate) fn estimate(&self, packet: &Triangle) -> u64 {
         self.set_up + u64::from(rows(packet)) * self.row + packet.area().round() as u64 * self.pixel
     }

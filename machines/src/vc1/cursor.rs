@@ -1,9 +1,9 @@
-//! The cursor, which the host writes into each frame that is shown (VC1-HOSTP).
+//! The cursor, which the host writes into each displayed frame (VC1-HOSTP).
 
 use tilewright_scenes::frame::word;
 use tilewright_scenes::{Frame, Size};
 
-/// Where the cursor is.
+/// The place of the cursor.
 ///
 /// ```
 /// use tilewright_machines::vc1::Cursor;
@@ -18,15 +18,15 @@ use tilewright_scenes::{Frame, Size};
 pub struct Cursor {
     /// Its left edge, in pixels from the left.
     pub x: u32,
-    /// Its upper edge, in pixels from above.
+    /// Its upper edge, in pixels from the top.
     pub y: u32,
 }
 
 impl Cursor {
-    /// Pixels of its edges. Beyond the screen's it is cut off.
+    /// Its side in pixels. It is clipped at the borders of the screen.
     pub const EDGE: u32 = 8;
 
-    /// Its words on a screen of that size, white and before everything else: of each pixel its number in raster order.
+    /// Its words on a screen of that size, white and in front of everything, each with the number of its pixel in raster order.
     pub(crate) fn words(self, size: Size) -> impl Iterator<Item = (u32, u64)> {
         let columns = self.x..size.width().min(self.x + Cursor::EDGE);
         let rows = self.y..size.height().min(self.y + Cursor::EDGE);

@@ -1,6 +1,6 @@
-//! How many pages each processing element needs: a dry run of the same programs without hardware.
+//! The pages that each processing element needs, from a dry run of the same programs without hardware.
 //!
-//! Source: VC1-PT, VC1-PIG, VC1-APR. A page is taken by the first access to a patch, so the demand is the number of patches touched.
+//! Source: VC1-PT, VC1-PIG, VC1-APR. The first access to a patch takes a page, so the demand is the number of touched patches.
 
 use super::assignment::Assignment;
 use super::program::Settings;
@@ -9,16 +9,16 @@ use serde::Serialize;
 use tilewright_rtl::lfb::Patches;
 use tilewright_scenes::Triangle;
 
-/// What a processing element draws.
+/// The demand of a processing element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Demand {
-    /// Pixels, each as often as it is drawn.
+    /// Pixels; a pixel counts each time that it is drawn.
     pub pixels: u64,
-    /// Patches touched, which is the number of pages that suffices.
+    /// Touched patches: the sufficient number of pages.
     pub pages: u32,
 }
 
-/// The demand of every processing element, where packets of more than `apr` pixels are drawn by all.
+/// The demand of every processing element, if all draw packets of more than `apr` pixels.
 pub fn demand(assignment: &Assignment, packets: &[Triangle], patches: &Patches, apr: Option<u32>) -> Vec<Demand> {
     let is_large = |packet: &&Triangle| Settings::is_large(apr, packet);
     let large: Vec<&Triangle> = packets.iter().filter(is_large).collect();

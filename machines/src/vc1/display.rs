@@ -1,23 +1,23 @@
-//! What is on display, and whether the refreshes have its colours.
+//! The displayed frame, and the check of the refreshes' colours.
 //!
-//! Source: VC1-GFB, VC1-SW2, VC1-HOSTP, VC1-ACB. Each frame that the banks bring is looked at in its first refresh, and so is the
-//! average of a picture's passes.
+//! Source: VC1-GFB, VC1-SW2, VC1-HOSTP, VC1-ACB. Each displayed frame is checked in its first refresh, and so is the average of a picture's
+//! passes.
 
 use tilewright_scenes::{Frame, Size, golden};
 
 use super::cursor::Cursor;
 use crate::error::Error;
 
-/// Looks at the display.
+/// Checks the display.
 pub(crate) struct Viewer {
     size: Size,
-    /// Of how many passes a picture is.
+    /// The number of passes of a picture.
     passes: usize,
     cursor: Option<Cursor>,
-    /// It looks at every refresh, not only at the first one of each frame.
+    /// Whether every refresh is checked, not only the first one of each frame.
     every: bool,
     on_display: Option<OnDisplay>,
-    /// The passes of the picture that is being made.
+    /// The passes of the current picture.
     picture: Vec<Frame>,
     refresh: Option<Refresh>,
     /// Refreshes that had the right colours.
@@ -27,22 +27,22 @@ pub(crate) struct Viewer {
 /// A frame on display.
 pub(crate) struct OnDisplay {
     pub number: u32,
-    /// What the bank on display has, with the cursor.
+    /// The content of the displayed bank, with the cursor.
     pub frame: Frame,
-    /// Of the last pass of a picture: the average.
+    /// The average, for the last pass of a picture.
     pub average: Option<Frame>,
     is_seen: bool,
     is_average_seen: bool,
 }
 
-/// A refresh, while it is looked at.
+/// A refresh that is being checked.
 struct Refresh {
     averages: bool,
     colours: Vec<u32>,
 }
 
 impl Viewer {
-    /// For pictures of so many passes, where frames are passes.
+    /// A check for pictures of that number of passes, in which frames are passes.
     pub fn new(size: Size, passes: Option<u32>, cursor: Option<Cursor>, every: bool) -> Viewer {
         Viewer {
             size,
@@ -56,7 +56,7 @@ impl Viewer {
         }
     }
 
-    /// The banks have changed, and now a frame of these words is on display.
+    /// Notes a change of the banks, after which a frame of these words is on display.
     pub fn show(&mut self, number: u32, words: Vec<u64>) -> &OnDisplay {
         let mut frame = Frame::from_words(self.size, words).expect("there is a word of 48 bits for each pixel");
         if let Some(cursor) = self.cursor {
@@ -72,7 +72,7 @@ impl Viewer {
         self.on_display.insert(OnDisplay { number, frame, average, is_seen: false, is_average_seen: false })
     }
 
-    /// A blanking ends, and a refresh begins, of the average or of the bank; says whether that is the first time of an average.
+    /// Notes the end of a blanking, before a refresh of the average or of the bank. Returns whether it is the first refresh of an average.
     pub fn begin(&mut self, averages: bool) -> bool {
         let Some(shown) = &self.on_display else { return false };
         let is_new = !if averages { shown.is_average_seen } else { shown.is_seen };
@@ -82,22 +82,22 @@ impl Viewer {
         is_new && averages
     }
 
-    /// Whether it looks at a refresh.
+    /// Whether a refresh is being checked.
     pub fn is_looking(&self) -> bool {
         self.refresh.is_some()
     }
 
-    /// Whether it has seen a pixel of the refresh.
+    /// Whether a pixel of the refresh has been seen.
     pub fn has_begun(&self) -> bool {
         self.refresh.as_ref().is_some_and(|refresh| !refresh.colours.is_empty())
     }
 
-    /// Where the colours of the refresh go, if it is looked at.
+    /// The receiver of the refresh's colours, if it is checked.
     pub fn colours(&mut self) -> Option<&mut Vec<u32>> {
         self.refresh.as_mut().map(|refresh| &mut refresh.colours)
     }
 
-    /// How much of the refresh has been looked at, from 0 to 1.
+    /// The checked part of the refresh, from 0 to 1.
     pub fn fraction(&self) -> f64 {
         let seen = self.refresh.as_ref().map_or(0, |refresh| refresh.colours.len());
         seen as f64 / self.size.pixels() as f64
@@ -127,11 +127,11 @@ impl Viewer {
         Ok(())
     }
 
-    /// Whether a frame that has come on display has been seen, or is gone, as another one came before a refresh showed it.
+    /// Whether a displayed frame has been checked, or was replaced before a refresh showed it.
     pub fn has_seen(&self, number: u32) -> bool {
         self.on_display.as_ref().is_some_and(|shown| {
             let is_seen = match shown.average {
-                // A short sum leaves no refresh to its pass.
+                // With a short sum its pass has no refresh.
                 Some(_) => shown.is_average_seen,
                 None => shown.is_seen,
             };

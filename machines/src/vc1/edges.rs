@@ -1,30 +1,30 @@
-//! The edges of a clock, as far as a simulation has gone through them.
+//! The edges of a clock, up to the current time of a simulation.
 
 /// The edges of a clock.
 #[derive(Clone, Copy)]
 pub(crate) struct Edges {
     pub period: u64,
-    /// When the next one comes.
+    /// The time of the next edge.
     pub next: u64,
 }
 
 impl Edges {
-    /// Those after so many; the first is a period after the beginning.
+    /// The edges after a number of them; the first is a period after the beginning.
     pub fn after(count: u64, period: u64) -> Edges {
         Edges { period, next: (count + 1) * period }
     }
 
-    /// The last one, counted from 1 at power-on.
+    /// The last edge, counted from 1 at power-on.
     pub fn last(&self) -> u64 {
         self.next / self.period - 1
     }
 
-    /// Whether some came by then.
+    /// Whether there was an edge by that time.
     pub fn came(&mut self, time: u64) -> bool {
         if time < self.next {
             return false;
         }
-        // Usually it is the only one, and to divide takes longer than all else here.
+        // Usually it is the only one, and a division would dominate the time here.
         self.next += self.period;
         if time >= self.next {
             self.next += ((time - self.next) / self.period + 1) * self.period;

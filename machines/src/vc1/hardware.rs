@@ -1,6 +1,6 @@
-//! The hardware of a VC-1 in simulation, as its programs see it.
+//! The simulated hardware of a VC-1, from its programs' side.
 //!
-//! They see the ports of the local frame buffer units and of the bus, what the swap control wants and says, the display, and time.
+//! Programs see the ports of the local frame buffer units and of the bus, the signals of the swap control, the display, and time.
 
 use std::collections::VecDeque;
 
@@ -26,28 +26,28 @@ const AVERAGES: &str = "u_gfb.u_multipass.averages";
 /// The running hardware.
 pub(crate) struct Hardware {
     pub sim: Simulation<Vc1In, Vc1Out>,
-    /// By processing element: what stands at its ports.
+    /// By processing element, the signals at its ports.
     pub(super) ports: Vec<Ports>,
-    /// By processing element: it computes on in the clocks before that edge, and nothing at its ports is of account to it.
+    /// By processing element, the edge until which it computes and ignores its ports.
     acts_at: Vec<u64>,
-    /// Those for which something at their ports may be of account in the coming clock; kept to save an allocation.
+    /// Processing elements whose ports may matter in the coming clock; a field to save an allocation.
     acting: Vec<usize>,
     /// Pages of image memory in each buffer.
     pages: u64,
-    /// What the host offers to the bus, and what stands at its port.
+    /// The host's offer to the bus, and the signals at its port.
     pub(super) command: Option<Word>,
     pub(super) command_port: Option<Word>,
-    /// Pixels and words that the host still writes into the bank on display; the first one stands at its port.
+    /// Pixels and words that the host still has to write into the displayed bank; the first one is at its port.
     writes: VecDeque<(u32, u64)>,
-    /// What happened.
+    /// The events.
     pub notes: Notes,
-    /// For how many clocks no processing element has done anything, so that nothing stands at any port.
+    /// The number of clocks since any processing element did something, so that all ports are idle.
     idle: u64,
-    /// Clocks of that kind that the processing elements are still to count.
+    /// Idle clocks that the processing elements still have to count.
     slept: u64,
-    /// After as many nothing is on the bus any more.
+    /// The number of clocks after which the bus is empty.
     bus_clocks: u64,
-    /// What is flipped in the last word of each packet on the bus, to see that the words are what is drawn.
+    /// Bits to flip in the last word of each packet on the bus, for a test that the words are drawn.
     #[cfg(test)]
     pub flips: u32,
     pe: Edges,
@@ -55,7 +55,7 @@ pub(crate) struct Hardware {
     crt: Edges,
     /// The ends of the vertical blankings.
     dawn: Edges,
-    /// In the last clock one ended.
+    /// Whether one ended in the last clock.
     dawns: bool,
     /// The clocks of a line of the display, and of a refresh.
     line_clocks: u64,
@@ -96,7 +96,7 @@ impl Hardware {
         })
     }
 
-    /// Resets everything. Pixels that nothing covers get that colour, and pictures are of so many passes.
+    /// Resets everything. Uncovered pixels get that colour, and pictures have that number of passes.
     pub fn reset(&mut self, background: [u8; 3], passes: Option<Passes>) -> Result<(), Error> {
         self.sim.set(self.sim.i.host.background, blank(background));
         self.sim.set(self.sim.i.ready, true);
@@ -110,16 +110,16 @@ impl Hardware {
         self.merge = Edges::after(self.cycles(MERGE), self.merge.period);
         let clocks = self.cycles(CRT);
         self.crt = Edges::after(clocks, self.crt.period);
-        // The display begins in its blanking. Half a line before the end of one the banks have not changed for more than a line.
+        // The display begins in its blanking. Half a line before its end, the banks have been stable for more than a line.
         let dawn = clocks + u64::from(BLANK_LINES) * self.line_clocks - self.line_clocks / 2;
         self.dawn.next = dawn * self.crt.period;
         Ok(())
     }
 
-    /// A clock of the processing elements, with the edges of the other clocks on the way. The colours of pixels that the display gets
-    /// in it go to `display`, if that is there. Whether the sync line is high, as all have drawn.
+    /// Simulates a clock of the processing elements, with the edges of the other clocks in it. The display's colours in it go to `display`, if
+    /// that is given. Returns whether the sync line is high because all have drawn.
     pub fn clock(&mut self, processors: &mut [Processor], display: Option<&mut Vec<u32>>) -> Result<bool, Error> {
-        // Once that is so, only a command changes it.
+        // Once the line is high, only a command changes it.
         let is_idle = self.command.is_none() && (self.idle > 1 || processors.iter().all(Processor::is_idle));
         self.idle = if is_idle { self.idle + 1 } else { 0 };
         if self.idle > 1 {
@@ -152,7 +152,7 @@ impl Hardware {
         Ok(line)
     }
 
-    /// Has a processing element compute on at once, if it sees nothing of its ports meanwhile; whether it does.
+    /// Lets a processing element compute ahead, if it does not see its ports meanwhile. Returns whether it does.
     fn goes_ahead(&mut self, number: usize, processor: &mut Processor, coming: u64) -> bool {
         let computes = matches!(processor.now(), Now::Computing(..)) && !self.may_overflow(number);
         let clocks = if computes { processor.compute_ahead() } else { 0 };
@@ -160,13 +160,13 @@ impl Hardware {
         clocks > 0
     }
 
-    /// Whether what is under way in a local frame buffer may find no page. It has one look-up under way at most.
+    /// Whether the access in progress in a local frame buffer may find no page. At most one look-up is in progress.
     fn may_overflow(&mut self, number: usize) -> bool {
         let port = self.sim.o.processors[number];
         self.sim.get_u64(port.pages_used) == self.pages && !self.flag(port.idle)
     }
 
-    /// A processing element sees its ports behind an edge.
+    /// Shows a processing element its ports after an edge.
     fn see(&mut self, number: usize, processor: &mut Processor, clock: u64) {
         let port = self.sim.o.processors[number];
         let may = SwapState::of_code(self.sim.get_u64(port.state));
@@ -195,8 +195,8 @@ impl Hardware {
         self.pe.last()
     }
 
-    /// Goes through clocks in which nothing happens but what the swap control does, at most so many and none after that time; says how
-    /// many. There are none unless all have been idle for some clocks.
+    /// Advances through clocks in which only the swap control works, at most this number and none after that time. Returns their number, which is
+    /// 0 unless all have been idle for some clocks.
     pub fn rest(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         if self.idle < self.bus_clocks {
             return Ok(0);
@@ -206,7 +206,7 @@ impl Hardware {
         Ok(clocks)
     }
 
-    /// The same of clocks for which all processing elements compute ahead.
+    /// The same for clocks in which all processing elements compute ahead.
     pub fn compute(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         let acts_at = self.acts_at.iter().copied().min().unwrap_or(0);
         let ahead = acts_at.saturating_sub(self.edge() + 1);
@@ -216,7 +216,7 @@ impl Hardware {
         self.pass(clocks.min(ahead), until)
     }
 
-    /// Goes at once through clocks in which nobody looks at any port, none of them after the blanking that comes next; says how many.
+    /// Advances through clocks in which no port matters, none of them after the next blanking. Returns their number.
     fn pass(&mut self, clocks: u64, until: u64) -> Result<u64, Error> {
         let until = until.min(self.dawn.next - 1);
         let clocks = clocks.min(until.saturating_sub(self.time()) / self.pe.period);
@@ -231,17 +231,17 @@ impl Hardware {
         Ok(clocks)
     }
 
-    /// When the banks may change next, at the earliest: a line before the blanking begins.
+    /// The earliest time of the next change of the banks: a line before the blanking begins.
     pub fn next_blanking(&self) -> u64 {
         self.dawn.next.saturating_sub(u64::from(BLANK_LINES + 1) * self.line_clocks * self.crt.period)
     }
 
-    /// Goes through the next edge of the processing elements' clock, and through those of the others before it.
+    /// Advances through the next edge of the processing elements' clock, and through those of other clocks before it.
     fn advance(&mut self, display: Option<&mut Vec<u32>>) -> Result<(), Error> {
         let end = self.pe.next;
         if let Some(colours) = display {
             while self.crt.next <= end {
-                // Of a clock as slow as the display's usual one, at most one edge comes here, and its pixel is there until the end.
+                // With the display's usual slow clock there is at most one edge here, and its pixel stays until the end.
                 let until = if self.crt.period < self.pe.period { self.crt.next } else { end };
                 self.sim.try_run_to(until)?;
                 self.crt.next += self.crt.period;
@@ -277,19 +277,19 @@ impl Hardware {
         self.sim.set(port.valid, write.is_some());
     }
 
-    /// Writes pixels into the bank on display, one in each clock of the merger; what is left of earlier ones is not written.
+    /// Writes pixels into the displayed bank, one in each clock of the merger. The rest of earlier pixels is not written.
     pub fn write(&mut self, words: impl Iterator<Item = (u32, u64)>) {
         self.writes.clear();
         self.writes.extend(words);
         self.present_write();
     }
 
-    /// Whether all of them are written.
+    /// Whether all pixels are written.
     pub fn has_written(&self) -> bool {
         self.writes.is_empty()
     }
 
-    /// Whether a blanking ended in the last clock, so that the display goes on with what is in its bank now.
+    /// Whether a blanking ended in the last clock, so that the display continues with the current content of its bank.
     pub fn dawns(&self) -> bool {
         self.dawns
     }
@@ -309,12 +309,12 @@ impl Hardware {
         self.flag(self.sim.o.is_merged)
     }
 
-    /// Turns with each frame that is shown.
+    /// A signal that toggles with each displayed frame.
     pub fn shown(&mut self) -> bool {
         self.flag(self.sim.o.shown)
     }
 
-    /// The words of the bank on display, row by row from the upper left.
+    /// The words of the displayed bank, row by row from the upper left.
     pub fn displayed(&mut self) -> Vec<u64> {
         let bank = u8::from(!self.shown());
         let words = self.sim.peek_words(&format!("{BANKS}[{bank}]")).expect("the banks have that name");
@@ -331,7 +331,7 @@ impl Hardware {
         self.sim.time()
     }
 
-    /// The refresh that the display is in; each begins with its blanking.
+    /// The current refresh of the display; each begins with its blanking.
     pub fn refresh(&self) -> u64 {
         self.cycles(CRT) / self.refresh_clocks
     }

@@ -6,7 +6,7 @@ use super::processor::Processor;
 use super::report::{Report, Times};
 use crate::history::{History, Lane, Painting};
 
-/// Of pixels that were taken, processing elements that were logged from that edge on, and what was reported.
+/// The history from taken pixels, from processing elements that were logged since that edge, and from the report.
 pub(super) fn of(painting: Painting, processors: &[Processor], begun: u64, report: &Report) -> History {
     let names: Vec<String> = (0..processors.len()).map(|number| format!("PE {number}")).collect();
     let of_processor = |(name, it): (&String, &Processor)| processor(name, it, begun);
@@ -36,7 +36,7 @@ fn merger(report: &Report) -> Lane {
     lane
 }
 
-/// From when on each frame is shown.
+/// The time from which on each frame is shown.
 fn display(report: &Report) -> Lane {
     let period = MERGE.period.picoseconds();
     let mut lane = Lane::of_clocks("display", period, 1);

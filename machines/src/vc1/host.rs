@@ -1,4 +1,4 @@
-//! The host's program: commands frame after frame, and looks on until each is shown.
+//! The host's program: it commands frame after frame, and waits until each is shown.
 //!
 //! Source: VC1-FLOW, VC1-SW1 to SW4. The host broadcasts a command. All processing elements draw, through overflows. When all have
 //! ended, the sync line rises, and the hardware's swap control does the rest; the host commands the next frame. So frame k + 1 is
@@ -22,27 +22,27 @@ use super::words::{Message, Word};
 use crate::error::Error;
 use crate::run::{PROGRESS_CLOCKS, Watch};
 
-/// The host and what it sees.
+/// The host and its view of the machine.
 pub(crate) struct Host<'a, 'w> {
     config: Config,
     hardware: &'a mut Hardware,
     watch: &'a mut Watch<'w>,
     views: Views,
     viewer: Viewer,
-    /// The model, of which everything has to be the same.
+    /// The model, with which everything is compared.
     comparison: Comparison<'a>,
     /// The edge at which a blanking ended last.
     dawn: u64,
-    /// Words of the command that it sends.
+    /// Words of the command that it is sending.
     words: VecDeque<Word>,
-    /// What is known of the scene from its first view on.
+    /// The scene's assignment from its first view on.
     pub scene: Loaded,
-    /// Frames that are commanded and not yet seen, the oldest first.
+    /// Frames that are commanded and not checked yet, the oldest first.
     frames: VecDeque<InFlight>,
-    /// Frames that have been commanded, and shown.
+    /// The numbers of commanded and of shown frames.
     commanded: u32,
     shown: u32,
-    /// When the frame before was shown, in refreshes.
+    /// The refresh in which the frame before was shown.
     refresh: u64,
     first: Option<Arc<View>>,
 }
@@ -51,7 +51,7 @@ pub(crate) struct Host<'a, 'w> {
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Loaded {
     pub polygons: u32,
-    /// Words with which it is loaded: 24 bytes a vertex, 12 a triangle.
+    /// Words to load it: 24 bytes a vertex, 12 a triangle.
     pub words: u64,
 }
 
@@ -62,23 +62,23 @@ impl Loaded {
     }
 }
 
-/// A frame from its command until it has been seen.
+/// A frame from its command until it has been checked.
 struct InFlight {
     number: u32,
     view: Arc<View>,
     times: Times,
-    /// By processing element, when it had drawn.
+    /// By processing element, the state at the end of its drawing.
     pages: Vec<u32>,
     refreshes: u64,
     /// Words that the host sent for it.
     words: u64,
-    /// What has come on display.
+    /// The displayed frame.
     frame: Option<Frame>,
     average: Option<Frame>,
 }
 
 impl<'a, 'w> Host<'a, 'w> {
-    /// Looks at every refresh, or at the first one of each frame.
+    /// Checks every refresh, or the first one of each frame.
     pub fn new(
         config: Config,
         hardware: &'a mut Hardware,
@@ -106,7 +106,7 @@ impl<'a, 'w> Host<'a, 'w> {
         }
     }
 
-    /// Draws a frame of each view, until there is none more; `seen` gets each frame, and says whether to go on.
+    /// Draws a frame of each view. `seen` gets each frame, and returns whether to go on.
     pub fn run(
         &mut self,
         processors: &mut [Processor],
@@ -150,7 +150,7 @@ impl<'a, 'w> Host<'a, 'w> {
         }
     }
 
-    /// Compares all that happened with the model.
+    /// Compares all events with the model.
     fn compare(&mut self) -> Result<(), Error> {
         #[cfg(test)]
         if self.hardware.flips != 0 {
@@ -160,12 +160,12 @@ impl<'a, 'w> Host<'a, 'w> {
         self.comparison.compare(self.hardware.edge())
     }
 
-    /// Events that were compared with the model.
+    /// The number of events compared with the model.
     pub fn compared(&self) -> u64 {
         self.comparison.compared
     }
 
-    /// Goes at once through clocks, at most so many, in which nothing can become of any frame; says how many.
+    /// Advances through clocks, at most this number, in which no frame can progress. Returns their number.
     fn rest(&mut self, clocks: u64) -> Result<u64, Error> {
         if self.viewer.is_looking() || !self.words.is_empty() {
             return Ok(0);
@@ -183,7 +183,7 @@ impl<'a, 'w> Host<'a, 'w> {
         }
     }
 
-    /// Refreshes that have been compared with the frame buffer.
+    /// The number of refreshes compared with the frame buffer.
     pub fn judged(&self) -> u64 {
         self.viewer.judged
     }
@@ -215,7 +215,7 @@ impl<'a, 'w> Host<'a, 'w> {
         Ok(())
     }
 
-    /// Notes what has become of the frames in the clock that is over, and whether the line was high in it.
+    /// Notes the progress of frames in the last clock, and whether the sync line was high in it.
     fn watch_frames(&mut self, processors: &[Processor], line: bool) {
         let time = self.hardware.time();
         for frame in &mut self.frames {
@@ -247,13 +247,13 @@ impl<'a, 'w> Host<'a, 'w> {
         }
     }
 
-    /// Looks at the refreshes of the display.
+    /// Checks the refreshes of the display.
     fn watch_display(&mut self) -> Result<(), Error> {
         self.viewer.judge()?;
         if self.hardware.dawns() {
             self.dawn = self.hardware.edge();
         }
-        // What the host still writes is in the next refresh.
+        // Pixels that the host still writes appear in the next refresh.
         if self.hardware.dawns() && self.hardware.has_written() && self.viewer.begin(self.hardware.averages()) {
             let time = self.hardware.time();
             let picture = self.frames.iter_mut().rfind(|frame| frame.average.is_some());
@@ -264,7 +264,7 @@ impl<'a, 'w> Host<'a, 'w> {
         Ok(())
     }
 
-    /// What has become of a frame that has been shown for a refresh.
+    /// The result of a frame that has been shown for a refresh.
     fn shown(&self, frame: InFlight, processors: &[Processor]) -> Shown {
         let InFlight { number, view, times, pages, refreshes, words, frame, average } = frame;
         let tallies = processors.iter().map(|it| &it.frames()[number as usize]);
@@ -274,7 +274,7 @@ impl<'a, 'w> Host<'a, 'w> {
         Shown { number, frame: frame.expect("it has come on display"), average, report }
     }
 
-    /// Tells the caller how far the oldest frame is, and stops if the caller wants it.
+    /// Reports the progress of the oldest frame, and stops if the caller asks for it.
     fn progress(&mut self, processors: &[Processor]) -> Result<(), Error> {
         let time = self.hardware.time();
         let Some(frame) = self.frames.front() else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! A frame to draw: a view of the scene, its polygons dealt to the processing elements.
+//! A frame to draw: a view of the scene, with its polygons assigned to processing elements.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, VecDeque};
@@ -12,7 +12,7 @@ use super::assignment::{Assignment, Polygon};
 use super::config::Config;
 use super::demand::demand;
 
-/// What the geometry of the processing elements makes of the scene in a view.
+/// The result of the processing elements' geometry for a view of the scene.
 #[derive(Debug)]
 pub(crate) struct View {
     pub assignment: Assignment,
@@ -44,7 +44,7 @@ impl View {
 }
 
 impl Config {
-    /// Pages in each buffer with which no processing element overflows in the frames of these views, one after the other.
+    /// The pages in each buffer with which no processing element overflows in the frames of these consecutive views.
     ///
     /// ```
     /// use tilewright_machines::vc1::Config;
@@ -70,18 +70,18 @@ impl Config {
     }
 }
 
-/// The views that are drawn, by frame, as all processing elements know them.
+/// The views by frame, shared by all processing elements.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Views {
     views: Rc<RefCell<BTreeMap<u32, Arc<View>>>>,
-    /// What came of the last polygons that all draw, which each of them sets up.
+    /// The last packets that all processing elements set up and draw.
     set_ups: Rc<RefCell<VecDeque<SetUp>>>,
 }
 
 /// A polygon's vertices, and its packet if it has pixels.
 type SetUp = ([ScreenVertex; 3], Option<Rc<Triangle>>);
 
-/// More polygons than the usual queue holds.
+/// A number of polygons larger than the usual queue.
 const KEPT: usize = 16;
 
 impl Views {
@@ -98,7 +98,7 @@ impl Views {
         self.views.borrow_mut().remove(&frame);
     }
 
-    /// The packet of a polygon on a screen of that size, which is that of all calls; nothing, if it has no pixel.
+    /// The packet of a polygon; `None` if it has no pixel. All calls have the same screen size.
     pub fn set_up(&self, vertices: &[ScreenVertex; 3], size: Size) -> Option<Rc<Triangle>> {
         let mut known = self.set_ups.borrow_mut();
         if let Some((_, packet)) = known.iter().find(|(of, _)| of == vertices) {

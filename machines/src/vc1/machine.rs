@@ -1,4 +1,4 @@
-//! A VC-1 as a whole: built for a configuration, it renders frames and reports.
+//! A whole VC-1: built for a configuration, it renders frames and reports.
 
 use tilewright_rtl::vc1::{Vc1In, Vc1Out};
 use tilewright_scenes::{Frame, Projection};
@@ -35,7 +35,7 @@ impl Machine {
         Ok(Machine { config, hardware, judges_every_refresh: false, recorder: None })
     }
 
-    /// The same machine, which compares every refresh of its display with its frame buffer. Usually it looks at the first one of each
+    /// The same machine, which compares every refresh of its display with its frame buffer. Usually it compares only the first one of each
     /// frame and each average.
     pub fn judging_every_refresh(mut self) -> Machine {
         self.judges_every_refresh = true;
@@ -52,20 +52,20 @@ impl Machine {
         self
     }
 
-    /// The same machine, which leaves there what it did. Pixels are written when a local frame buffer takes them, and what counts of a pixel is the
-    /// least word, as to the merger. Of several frames all are written into one picture.
+    /// The same machine with a recorder. Pixels are written when a local frame buffer takes them. As in the merger, the least word of a pixel stays.
+    /// Several frames are all written into one picture.
     pub fn recorded(mut self, recorder: &Recorder) -> Machine {
         self.recorder = Some(recorder.clone());
         self
     }
 
-    /// The simulated hardware, to attach traces to. [`Machine::render`] ends them, also where it fails.
+    /// The simulated hardware, for attaching traces. [`Machine::render`] ends them, also on errors.
     pub fn simulation(&mut self) -> &mut Simulation<Vc1In, Vc1Out> {
         &mut self.hardware.sim
     }
 
-    /// Renders a frame, or a picture each of whose passes is the same: what the display gets with the depths of the global frame
-    /// buffer, and the report.
+    /// Renders a frame, or a picture with equal passes. Returns the display's colours with the depths of the global frame buffer, and the
+    /// report.
     ///
     /// # Errors
     /// As [`Machine::render_frames`].
@@ -85,9 +85,9 @@ impl Machine {
         Ok((frame.expect("a view has a frame"), report))
     }
 
-    /// Renders a frame of each of those views, all of one scene. With [`Config::accumulate`] a view is that of a pass, and there have to
-    /// be all of the last picture. `seen` gets each frame after its first refresh, and says whether to go
-    /// on. At least one view has to come.
+    /// Renders a frame of each of those views, all of one scene. With [`Config::accumulate`] a view is that of a pass, and the last picture
+    /// has to be complete. `seen` gets each frame after its first refresh, and returns whether to go on. There has to be at least one
+    /// view.
     ///
     /// # Errors
     /// [`Error::Parameter`] if a projection is for another screen, or of another scene than the first one;
@@ -106,7 +106,7 @@ impl Machine {
         Error::of_both(rendered, self.hardware.sim.finish())
     }
 
-    /// Events of the circuit are noted as that function makes them.
+    /// Events of the circuit are changed by that function.
     #[cfg(test)]
     pub(crate) fn falsify(&mut self, falsify: impl Fn(super::model::Event) -> Option<super::model::Event> + 'static) {
         self.hardware.notes.falsify = Some(Box::new(falsify));
@@ -159,7 +159,7 @@ mod tests {
     use super::*;
     use tilewright_scenes::{Scene, Size, compare, golden, project};
 
-    /// The last word of a packet is the colour of its third vertex: a flipped bit of it is seen in the frame (VC1-APR).
+    /// The last word of a packet is the colour of its third vertex. A flipped bit of it is visible in the frame (VC1-APR).
     #[test]
     fn what_is_drawn_is_what_came_over_the_bus() {
         let scene = Scene::builtin("table").unwrap();

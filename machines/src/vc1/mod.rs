@@ -9,8 +9,8 @@
 //! ```
 //!
 //! Source: Nishimura and Kunii, "VC-1: A Scalable Graphics Computer with Virtual Local Frame Buffers", facts A1. The processing
-//! elements and the host are programs in Rust, which count clocks by a cost table; everything behind a processing element's port
-//! is the hardware of `tilewright-rtl`, simulated clock by clock.
+//! elements and the host are programs in Rust, which count clocks by a cost table. Everything behind a processing element's port is
+//! the hardware of `tilewright-rtl`, simulated clock by clock.
 //!
 //! ```no_run
 //! use tilewright_machines::{Watch, vc1};

@@ -1,4 +1,4 @@
-//! What the circuit does, as it is seen at its ports: the events that the model has to have, too.
+//! The circuit's events, observed at its ports, with which the model's events are compared.
 
 use tilewright_rtl::swap::SwapState;
 
@@ -7,23 +7,23 @@ use super::program::Access;
 use super::words::Word;
 use crate::history::{Painting, Write};
 
-/// The events that were noted, of each place in order.
+/// The noted events; those at each place are sorted by time.
 pub(crate) struct Notes {
     pub events: Vec<Event>,
     /// Pixels of a row of the screen.
     width: u32,
     shown: bool,
-    /// How often the banks have changed.
+    /// The number of changes of the banks.
     changes: u32,
     first_round: bool,
-    /// What comes of the pixels that local frame buffers take, if that is to be known.
+    /// The recorded pixels of local frame buffers, if they are recorded.
     pub painting: Option<Painting>,
-    /// What is noted in place of an event, to see that the model differs then.
+    /// A change of events, for a test that the comparison finds it.
     #[cfg(test)]
     pub falsify: Option<Box<dyn Fn(Event) -> Option<Event>>>,
 }
 
-/// What stood at the ports of a processing element at an edge.
+/// The transfers at the ports of a processing element at an edge.
 pub(crate) struct Handshakes {
     /// The access that its local frame buffer took.
     pub taken: Option<Access>,
@@ -31,9 +31,9 @@ pub(crate) struct Handshakes {
     pub sent: Option<Word>,
     /// The word that left its queue.
     pub received: Option<Word>,
-    /// What the swap control said before and says after it.
+    /// The swap control's signals before and after it.
     pub may: [SwapState; 2],
-    /// The program ended with it.
+    /// Whether the program ended with it.
     pub ends: bool,
 }
 
@@ -51,7 +51,7 @@ impl Notes {
         }
     }
 
-    /// An edge of a processing element, in the order in which the model tells of it.
+    /// Notes an edge of a processing element, in the model's sequence.
     pub fn processor(&mut self, clock: u64, number: u32, at: Handshakes) {
         let place = Place::Processor(number);
         match at.taken {
@@ -81,19 +81,19 @@ impl Notes {
         }
     }
 
-    /// The merger chooses the least word. Which of equal ones that is cannot be seen: the first that was drawn counts.
+    /// Records a pixel. The merger chooses the least word, and between equal words the first drawn counts, as they cannot be distinguished.
     fn paint(&mut self, write: Write) {
         if let Some(painting) = &mut self.painting {
             painting.draw(write, |new, kept| new < kept);
         }
     }
 
-    /// The bus took a word of that sender.
+    /// Notes that the bus took a word of that sender.
     pub fn bus(&mut self, clock: u64, sender: u32, word: Word) {
         self.add(clock, Place::Bus, What::Carries(sender, word.word));
     }
 
-    /// What is seen of the merger: whether the banks have changed, and whether the round is the first one of its scan.
+    /// Notes the merger's signals: whether the banks have changed, and whether the round is the first one of its scan.
     pub fn merger(&mut self, clock: u64, shown: bool, first_round: bool) {
         if shown != std::mem::replace(&mut self.shown, shown) {
             self.changes += 1;

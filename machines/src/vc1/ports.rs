@@ -1,4 +1,4 @@
-//! What stands at the ports of the hardware: of the processing elements, and of the host to the bus.
+//! The ports of the hardware: those of the processing elements, and that of the host to the bus.
 
 use tilewright_sim::Port;
 
@@ -7,20 +7,20 @@ use super::processor::Processor;
 use super::program::Access;
 use super::words::Word;
 
-/// What stands at the ports of a processing element.
+/// The signals at the ports of a processing element.
 #[derive(Clone, Default)]
 pub(super) struct Ports {
     pub access: Option<Access>,
     pub sends: Option<Word>,
     pub receives: bool,
     pub done: bool,
-    /// At the coming edge the local frame buffer takes the access, and the bus the word.
+    /// Whether the local frame buffer takes the access at the coming edge, and the bus the word.
     pub taken: bool,
     pub sent: bool,
 }
 
 impl Hardware {
-    /// Puts what a processing element wants at its ports for the coming clock.
+    /// Puts the requests of a processing element at its ports for the coming clock.
     pub(super) fn present(&mut self, number: usize, processor: &Processor) {
         let port = self.sim.i.processors[number];
         let access = processor.access();
@@ -75,7 +75,7 @@ impl Hardware {
         self.ports[processor].sends.is_some() && self.flag(self.sim.i.processors[processor].sends.ready)
     }
 
-    /// Whether the host's word has gone to the bus, so that there is room for another one.
+    /// Whether the bus has taken the host's word, so that another one may follow.
     pub fn takes_command(&self) -> bool {
         self.command.is_none()
     }
@@ -85,7 +85,7 @@ impl Hardware {
         self.command = word;
     }
 
-    /// Puts the host's word at its port for the coming clock. The host holds the line low until its words have gone.
+    /// Puts the host's word at its port for the coming clock. The host keeps the sync line low until its words are sent.
     pub(super) fn present_command(&mut self) {
         let word = self.command;
         let before = std::mem::replace(&mut self.command_port, word);

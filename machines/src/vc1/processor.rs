@@ -1,8 +1,8 @@
-//! A processing element: runs its program clock by clock against the ports of its local frame buffer unit and of the bus.
+//! A processing element, which runs its program clock by clock with the ports of its local frame buffer unit and of the bus.
 //!
-//! Source: VC1-PE, VC1-ACC, VC1-NET. The i860 goes on computing as soon as a port has taken an access, and waits as long as it has
-//! not. While it waits for the bus it takes packets from its queue and draws them, so that no bus waits for a queue whose
-//! processing element waits for the bus. While it waits for a swap it does nothing at all.
+//! Source: VC1-PE, VC1-ACC, VC1-NET. The i860 waits until a port has taken an access, and then goes on computing. While it waits for the bus,
+//! it takes packets from its queue and draws them. So the bus never waits for a queue whose processing element waits for the bus. While it
+//! waits for a swap it does nothing.
 
 use tilewright_rtl::swap::SwapState;
 
@@ -12,73 +12,73 @@ use super::job::Views;
 use super::program::{Access, Next, Phase, Settings, Sight, Task};
 use super::words::{Message, Word};
 
-/// Clocks of computation below which looking at each is quicker than looking ahead.
+/// Clocks of computation below which single steps are faster than looking ahead.
 const FEW: u64 = 4;
 
 /// A processing element in the middle of a frame.
 pub(crate) struct Processor {
     settings: Settings,
-    /// What geometry makes of the scene in each view.
+    /// The result of geometry for each view.
     views: Views,
-    /// Its program: each task has begun the next one, and the last one runs.
+    /// Its program: each task has begun the next one, and the last one is running.
     tasks: Vec<Task>,
     now: Now,
-    /// What it goes on with, for each task that it began in the middle of a step.
+    /// For each task that it began in the middle of a step, the step to resume.
     suspended: Vec<(usize, Now)>,
-    /// What the swap control says in the coming clock.
+    /// The signals of the swap control in the coming clock.
     may: SwapState,
     /// The word that it offers to the bus.
     offered: Option<Word>,
     /// The word at the front of its queue.
     front: Option<Word>,
-    /// Polygons that it has sent and not yet received.
+    /// The number of polygons that it has sent and not received yet.
     unseen: u32,
     tally: Tally,
     /// The frames that are over.
     frames: Vec<Tally>,
-    /// What it did one after another, if that is to be known.
+    /// Its logged activities, if they are logged.
     log: Option<Log>,
 }
 
-/// Classes of clocks one after another, and for how many of them.
+/// Consecutive classes of clocks, each with its number of clocks.
 #[derive(Clone, Debug, Default)]
 struct Log {
     runs: Vec<(Class, u64)>,
-    /// How many runs are of frames that are over.
+    /// The number of entries for frames that are over.
     over: usize,
 }
 
-/// What a processing element did in a frame so far, from swap to swap.
+/// The counts of a processing element in its frame so far, from swap to swap.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
     /// Its clocks.
     pub clocks: Clocks,
     /// Pixels that the local frame buffer took.
     pub pixels: u64,
-    /// Swaps for want of a page.
+    /// Swaps because no page was free.
     pub overflows: u64,
     /// Polygons that it sent to all.
     pub broadcast: u64,
 }
 
-/// What it does in a clock.
+/// Its activity in a clock.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Now {
-    /// Computing for so many clocks more, at least 1, before an access or the next step.
+    /// Computing for this number of clocks, at least 1, before an access or the next step.
     Computing(u64, Class, Option<Access>),
     /// At a port.
     Accessing(Access),
     Waiting,
 }
 
-/// What a processing element sees at an edge of its clock.
+/// The inputs of a processing element at an edge of its clock.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge {
     /// Its local frame buffer takes the access.
     pub taken: bool,
     /// The bus takes the word that it offers.
     pub sent: bool,
-    /// What the swap control says from then on.
+    /// The swap control's signals from then on.
     pub may: SwapState,
     /// The word at the front of its queue from then on.
     pub front: Option<Word>,
@@ -104,12 +104,12 @@ impl Processor {
         processor
     }
 
-    /// The same, which keeps what it does one after another.
+    /// The same processing element, which logs its activities.
     pub fn logged(self) -> Processor {
         Processor { log: Some(Log::default()), ..self }
     }
 
-    /// What it did one after another in the frames that are over, and for how many clocks; nothing unless it is [logged](Processor::logged).
+    /// Its consecutive activities in the frames that are over, with their clocks; empty unless it is [logged](Processor::logged).
     pub fn runs(&self) -> &[(Class, u64)] {
         self.log.as_ref().map_or(&[], |log| &log.runs[..log.over])
     }
@@ -125,7 +125,7 @@ impl Processor {
         }
     }
 
-    /// What stands at the ports of its local frame buffer in the coming clock.
+    /// Its access to the local frame buffer in the coming clock.
     pub fn access(&self) -> Option<Access> {
         match self.now {
             Now::Accessing(access @ (Access::Clear(_) | Access::Draw(_))) if !self.is_halted() => Some(access),
@@ -133,7 +133,7 @@ impl Processor {
         }
     }
 
-    /// What it offers to the bus in the coming clock.
+    /// Its word for the bus in the coming clock.
     pub fn offered(&self) -> Option<Word> {
         self.offered
     }
@@ -143,13 +143,13 @@ impl Processor {
         self.now == Now::Accessing(Access::Receive) && !self.is_halted()
     }
 
-    /// Whether it has drawn its frame, and says so: its contribution to the sync line.
+    /// Whether it has drawn its frame: its contribution to the sync line.
     pub fn done(&self) -> bool {
         let is_drawn = matches!(self.tasks[..], [Task::Frames(Phase::Drawn)]);
         is_drawn && self.now == Now::Waiting && self.may == SwapState::Draw && self.offered.is_none()
     }
 
-    /// Polygons of its frame that it has not begun, of so many.
+    /// The number of polygons of its frame that it has not begun.
     pub fn polygons_left(&self, all: usize) -> usize {
         match &self.tasks[..] {
             [Task::Frames(Phase::Swapped | Phase::Cleared), ..] => all,
@@ -158,7 +158,7 @@ impl Processor {
         }
     }
 
-    /// What it did in the frames that are over.
+    /// Its counts of the frames that are over.
     pub fn frames(&self) -> &[Tally] {
         &self.frames
     }
@@ -174,8 +174,8 @@ impl Processor {
         is_cleared && self.now == Now::Waiting && self.may == SwapState::Draw && self.front.is_none()
     }
 
-    /// Computes on at once, if it offers nothing to the bus and waits for no swap, as if that many edges had come; says how many. It comes to
-    /// an access to its local frame buffer by itself, and to all else with a look at its ports.
+    /// Computes ahead, if it offers nothing to the bus and waits for no swap. Returns the number of edges that it skipped. It reaches accesses to
+    /// its local frame buffer by itself; for everything else it has to see its ports.
     pub fn compute_ahead(&mut self) -> u64 {
         let clocks = match self.now {
             _ if self.offered.is_some() || self.is_halted() => 0,
@@ -187,8 +187,8 @@ impl Processor {
         clocks
     }
 
-    /// So many edges of its clock, at which it goes on with what it does, and sees nothing new. That may lead it to a port of its local frame
-    /// buffer, which does not take the access meanwhile.
+    /// Runs edges of its clock without new inputs. It may reach a port of its local frame buffer, which does not take the access during these
+    /// edges.
     pub fn pass(&mut self, mut clocks: u64) {
         if let Now::Computing(left, class, Some(access @ (Access::Clear(_) | Access::Draw(_)))) = self.now
             && clocks >= left
@@ -212,38 +212,38 @@ impl Processor {
         self.count(class, clocks);
     }
 
-    /// What it does in the coming clocks.
+    /// Its activity in the coming clocks.
     pub fn now(&self) -> Now {
         self.now
     }
 
-    /// What has come of the packet that it receives.
+    /// The received words of the current packet.
     pub fn packet(&mut self) -> &mut Vec<u32> {
         let Some(Task::Receive { words }) = self.tasks.last_mut() else { unreachable!("a word is received by a task") };
         words
     }
 
-    /// The bus has taken the word that it offered.
+    /// Notes that the bus has taken its word.
     pub fn taken_by_bus(&mut self) {
         self.offered = None;
     }
 
-    /// It sees that word at the front of its queue in the coming clock.
+    /// Shows it that word at the front of its queue in the coming clock.
     pub fn see(&mut self, front: Option<Word>) {
         self.front = front;
     }
 
-    /// The word that it sees at the front of its queue.
+    /// The word at the front of its queue.
     pub fn front(&self) -> Option<Word> {
         self.front
     }
 
-    /// What the swap control says in the coming clock.
+    /// The signals of the swap control in the coming clock.
     pub fn may(&self) -> SwapState {
         self.may
     }
 
-    /// An edge of its clock.
+    /// Runs an edge of its clock.
     pub fn edge(&mut self, edge: Edge) {
         let before = std::mem::replace(&mut self.may, edge.may);
         let arrived = std::mem::replace(&mut self.front, edge.front);
@@ -274,7 +274,7 @@ impl Processor {
         }
     }
 
-    /// A clock in which it does not wait for a swap; says what it did.
+    /// Runs a clock in which it does not wait for a swap. Returns its class.
     fn clock(&mut self, taken: bool, port_is_free: bool, arrived: Option<Word>) -> Class {
         match self.now {
             Now::Waiting => {
@@ -318,7 +318,7 @@ impl Processor {
         }
     }
 
-    /// Whether it may receive a packet while its own one waits for the bus: that may not be the one which it is sending.
+    /// Whether it may receive a packet while its own packet waits for the bus. It must not be the packet that it is sending.
     pub fn may_serve(&self) -> bool {
         let is_begun = matches!(self.tasks.last(), Some(Task::Send { at: 2.., .. }));
         self.front.is_some_and(|word| {
@@ -351,14 +351,14 @@ impl Processor {
         self.go_on();
     }
 
-    /// Begins a task in the middle of a step, which it goes on with afterwards.
+    /// Begins a task in the middle of a step, which it resumes afterwards.
     fn interrupt(&mut self, task: Task) {
         self.suspended.push((self.tasks.len(), self.now));
         self.tasks.push(task);
         self.go_on();
     }
 
-    /// Goes on with the task that runs, to its next step.
+    /// Runs the current task to its next step.
     fn go_on(&mut self) {
         loop {
             if let Some((_, now)) = self.suspended.pop_if(|(tasks, _)| *tasks == self.tasks.len()) {
@@ -370,7 +370,7 @@ impl Processor {
             match task.next(&sight, &self.settings) {
                 Next::Step { clocks: 0, access: None, .. } => {}
                 Next::Step { clocks, class, access } => {
-                    // The last clock of an access is the one at the port.
+                    // The last clock of an access is that at the port.
                     self.compute(clocks - u64::from(access.is_some()), class, access);
                     return;
                 }

@@ -1,10 +1,10 @@
-//! The rendering program of a processing element, as tasks that begin one another: steps of computation, each before an access to its
-//! local frame buffer or to the bus.
+//! The rendering program of a processing element, in tasks that begin one another. Each step is a computation before an access to the local
+//! frame buffer or to the bus.
 //!
-//! Source: section 4, VC1-SW1 and VC1-APR of the paper. After a swap the program clears its patch table, entry by entry (VC1-CLR2), and
-//! waits for the host's command. Then it takes its polygons in order of submission: geometry, area, clipping, and for each packet
-//! set-up and scan conversion. A packet whose area is above a threshold it sends to all, itself too, and each draws its own rows of it
-//! (Figure 12). Between polygons it looks at its queue. It knows nothing of time: [`super::processor`] runs it.
+//! Source: section 4, VC1-SW1 and VC1-APR of the paper. After a swap the program clears its patch table, entry by entry (VC1-CLR2), and waits
+//! for the host's command. Then it takes its polygons in the sequence of submission: geometry, area, clipping, and for each packet set-up and
+//! scan conversion. It sends a packet with an area above a threshold to all processing elements, including itself, and each draws its own rows
+//! of it (Figure 12). Between polygons it checks its queue. The program has no notion of time: [`super::processor`] runs it.
 
 use std::sync::Arc;
 
@@ -18,12 +18,12 @@ use super::job::View;
 use super::scan_conversion::{Pixel, Pixels, Rows};
 use super::words::{COMMAND_WORDS, Message, Word};
 
-/// What holds for all frames of a processing element.
+/// The constants of a processing element for all frames.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Settings {
     /// Its number.
     pub number: u32,
-    /// How many there are.
+    /// The number of processing elements.
     pub processors: u32,
     pub size: Size,
     /// Entries of its patch table.
@@ -34,13 +34,13 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// Those of a machine, with so many entries of a patch table.
+    /// The constants of a machine with that number of entries in a patch table.
     pub fn of(config: &Config, number: u32, patches: u32) -> Settings {
         let Config { size, processors, costs, apr, .. } = *config;
         Settings { number, processors, size, patches, costs, apr }
     }
 
-    /// Whether a packet is drawn by all.
+    /// Whether all processing elements draw a packet.
     pub fn is_large(apr: Option<u32>, packet: &Triangle) -> bool {
         apr.is_some_and(|threshold| packet.area() > f64::from(threshold))
     }
@@ -64,23 +64,23 @@ pub(crate) enum Access {
     Receive,
 }
 
-/// What a task does next.
+/// The next step of a task.
 pub(crate) enum Next {
-    /// Computes for so many clocks, the access's own included if it is taken at once.
+    /// Computes for this number of clocks, including that of the access if it is taken at once.
     Step { clocks: u64, class: Class, access: Option<Access> },
-    /// Another task, before it goes on.
+    /// Runs another task before it resumes.
     Begin(Task),
-    /// Nothing, for a clock.
+    /// Does nothing for a clock.
     Wait,
-    /// It is over.
+    /// The task is over.
     End,
 }
 
-/// What the program sees when a task goes on.
+/// The inputs of the program when a task resumes.
 pub(crate) struct Sight {
-    /// A word waits in the queue.
+    /// Whether a word waits in the queue.
     pub word: bool,
-    /// What the swap control says.
+    /// The swap control's signals.
     pub may: SwapState,
 }
 
@@ -94,23 +94,23 @@ pub(crate) enum Task {
     Polygons(Polygons),
     /// Draws a packet.
     Scan(Box<Scan>),
-    /// Sets up a packet of which it has no row, for so many clocks more.
+    /// Sets up a packet without rows for this processing element, for this number of clocks.
     SetUp { clocks: u64 },
     /// Sends a packet.
     Send { words: Vec<Word>, at: usize },
-    /// Receives a packet, of which these words have come.
+    /// Receives a packet, of which these words have arrived.
     Receive { words: Vec<u32> },
 }
 
-/// Where a program is in its frame.
+/// The state of a program in its frame.
 pub(crate) enum Phase {
     /// Its table has to be cleared.
     Swapped,
     /// The command has to come.
     Cleared,
-    /// It has come.
+    /// The command has arrived.
     Commanded(Arc<View>),
-    /// All polygons of its own are drawn or sent.
+    /// All its own polygons are drawn or sent.
     Drawn,
 }
 
@@ -121,7 +121,7 @@ pub(crate) struct Polygons {
     polygon: usize,
     /// The geometry of that polygon is over.
     is_transformed: bool,
-    /// The packets of the polygon before that are still to be drawn.
+    /// The remaining packets of the polygon before.
     rest: std::ops::Range<usize>,
 }
 
@@ -131,10 +131,10 @@ pub(crate) struct Scan {
     /// The next one.
     pixel: Option<Pixel>,
     rows: Rows,
-    /// The row from which on rows are still to be charged.
+    /// The first row whose cost has not been counted.
     row: u32,
     bottom: u32,
-    /// Clocks of set-up that are still to be spent.
+    /// Remaining clocks of set-up.
     set_up: u64,
 }
 
@@ -152,7 +152,7 @@ impl Task {
         }))
     }
 
-    /// Draws its rows of a polygon that all draw; most have none of a small one.
+    /// Draws its rows of a polygon that all draw. Most processing elements have no row of a small polygon.
     pub fn share(packet: &Triangle, settings: &Settings) -> Task {
         let rows = settings.rows();
         match rows.count(packet.bounds.top, packet.bounds.bottom) {
@@ -216,7 +216,7 @@ impl Phase {
 }
 
 impl Polygons {
-    /// Polygons that are not begun.
+    /// The number of polygons that are not begun.
     pub fn left(&self, number: u32) -> usize {
         self.view.polygons(number).len() - self.polygon
     }
@@ -249,7 +249,7 @@ impl Polygons {
 }
 
 impl Scan {
-    /// Whether there is a pixel that is not begun.
+    /// Whether a pixel is left.
     pub fn has_pixel(&self) -> bool {
         self.pixel.is_some()
     }
@@ -262,7 +262,7 @@ impl Scan {
             return Next::End;
         }
         let end = pixel.map_or(self.bottom, |pixel| pixel.y);
-        // Most pixels are in the row of the one before.
+        // Most pixels are in the same row as the one before.
         let rows = if self.row > end { 0 } else { self.rows.count(self.row, end) };
         self.row = self.row.max(end + 1);
         let clocks = set_up + u64::from(rows) * costs.row + if pixel.is_some() { costs.pixel } else { 0 };

@@ -1,4 +1,4 @@
-//! What frames took: counts, clocks and times, the same on every run.
+//! The report of frames: counts, clocks and times, the same in every run.
 
 use std::fmt;
 
@@ -12,14 +12,14 @@ use super::job::View;
 use super::processor::Tally;
 use super::words::POLYGON_WORDS;
 
-/// The report of a run. Everything in it is counted in the simulated machine; nothing depends on the computer that runs it.
+/// The report of a run. All numbers are counted in the simulated machine, and none depends on the computer that runs it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Report {
     /// The machine.
     pub machine: Built,
     /// Polygons of the scene.
     pub polygons: u32,
-    /// Words with which the scene was loaded before the first frame: 6 a vertex, 3 a triangle. Computed, not simulated.
+    /// Words to load the scene before the first frame: 6 a vertex, 3 a triangle. They are computed, not simulated.
     pub load_words: u64,
     /// T_m in clocks of the merger (VC1-TM).
     pub merge_clocks: u64,
@@ -27,26 +27,26 @@ pub struct Report {
     pub judged: u64,
     /// Events, times and counts that were compared with the [model](super::model) of the machine.
     pub compared: u64,
-    /// The frames, in order.
+    /// The frames in their sequence.
     pub frames: Vec<FrameReport>,
 }
 
-/// What a frame took.
+/// The report of a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct FrameReport {
     /// Triangle packets, after clipping.
     pub packets: u64,
     /// Words on the bus: its command, its scene if that is sent, and polygons for all.
     pub words: u64,
-    /// When what happened.
+    /// The times of the frame.
     pub times: Times,
     /// Refreshes of the display from the frame before, or from the beginning, until this one is shown.
     pub refreshes: u64,
-    /// What each processing element did, from its swap of the frame before to that of this one.
+    /// The numbers of each processing element, from its swap of the frame before to that of this one.
     pub processors: Vec<ProcessorReport>,
 }
 
-/// When what happened to a frame, in simulated picoseconds, as seen at an edge of the processing elements' clock.
+/// The times of a frame in simulated picoseconds, observed at edges of the processing elements' clock.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Times {
     /// The host began to send the command.
@@ -55,24 +55,24 @@ pub struct Times {
     pub drawn: Option<u64>,
     /// The last local frame buffer had swapped.
     pub swapped: Option<u64>,
-    /// The global frame buffer had it stored.
+    /// The global frame buffer had stored it.
     pub merged: Option<u64>,
     /// The global frame buffer had swapped.
     pub shown: Option<u64>,
-    /// Of the last pass of a picture: a refresh of its average began.
+    /// A refresh of the average began, for the last pass of a picture.
     pub averaged: Option<u64>,
 }
 
-/// What a processing element did in a frame.
+/// The numbers of a processing element in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ProcessorReport {
     /// Polygons assigned to it.
     pub polygons: u32,
-    /// Clocks that the assignment expected them to take.
+    /// Their clocks expected by the assignment.
     pub expected: u64,
     /// Pixels that it drew.
     pub pixels: u64,
-    /// Pages of image memory that they took, since the last overflow if there was one.
+    /// Pages of image memory that the pixels took, since the last overflow if there was one.
     pub pages: u32,
     /// Swaps of its local frame buffer because all pages were taken.
     pub overflows: u64,
@@ -89,21 +89,21 @@ pub struct Shown {
     pub number: u32,
     /// The colours that the display got, which are those of the global frame buffer, and its depths.
     pub frame: Frame,
-    /// Of the last pass of a picture: the average of its passes' colours, which the display got, with the depths of this one.
+    /// For the last pass of a picture, the displayed average of its passes' colours, with the depths of this pass.
     pub average: Option<Frame>,
-    /// What it took.
+    /// Its report.
     pub report: FrameReport,
 }
 
 impl Times {
-    /// When it was on display: the frame, or the average of the picture that it ends.
+    /// The time at which it was displayed: the frame, or the average of the picture that it ends.
     fn seen(&self) -> Option<u64> {
         self.averaged.or(self.shown)
     }
 }
 
 impl ProcessorReport {
-    /// For a view, and what the processing element of that number counted and holds.
+    /// The numbers for a view, from the counts of the processing element of that number.
     pub(crate) fn of(view: &View, number: u32, tally: &Tally, pages: u32) -> ProcessorReport {
         ProcessorReport {
             polygons: view.polygons(number).len() as u32,
@@ -118,7 +118,7 @@ impl ProcessorReport {
 }
 
 impl FrameReport {
-    /// For a view, and as many words of the host; those of polygons for all are added.
+    /// The report for a view and a number of the host's words; those of polygons for all are added.
     pub(crate) fn of(
         view: &View,
         words: u64,
@@ -137,7 +137,7 @@ impl FrameReport {
         self.times.seen().map_or(0, |seen| seen - self.times.command)
     }
 
-    /// Pixels drawn, each as often as it was drawn.
+    /// Drawn pixels; a pixel counts each time.
     pub fn pixels(&self) -> u64 {
         self.processors.iter().map(|it| it.pixels).sum()
     }
@@ -152,14 +152,14 @@ impl FrameReport {
         self.processors.iter().map(|it| it.broadcast).sum()
     }
 
-    /// How evenly the work was shared: the mean of the processing elements' busy clocks over the greatest, from 0 to 1.
+    /// The balance of the work: the mean of the processing elements' busy clocks over the greatest, from 0 to 1.
     pub fn balance(&self) -> f64 {
         let busy = || self.processors.iter().map(|it| it.clocks.busy());
         let most = busy().max().unwrap_or(0).max(1) * self.processors.len() as u64;
         busy().sum::<u64>() as f64 / most as f64
     }
 
-    /// Clocks for which a pixel waited at the port of a local frame buffer, per pixel drawn.
+    /// Clocks in which a pixel waited at the port of a local frame buffer, per drawn pixel.
     pub fn stalls_per_pixel(&self) -> f64 {
         let stalls: u64 = self.processors.iter().map(|it| it.clocks.stalled).sum();
         stalls as f64 / self.pixels().max(1) as f64
@@ -203,7 +203,7 @@ impl Report {
         (1..).zip(&self.frames).try_for_each(|(number, frame)| frame.write_row(number, f))
     }
 
-    /// When the averages of several frames were shown.
+    /// The times at which averages of several frames were shown.
     fn write_pictures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let passes = self.machine.passes as usize;
         for (number, averaged) in (1..).zip(&self.frames).filter_map(|(at, it)| Some((at, it.times.averaged?))) {
@@ -229,7 +229,7 @@ impl Report {
         write!(f, "{:.3} clocks on average.", mean(&FrameReport::stalls_per_pixel))
     }
 
-    /// Nothing, where there was no circuit.
+    /// Nothing, if there was no circuit.
     fn write_compared(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.compared {
             0 => Ok(()),

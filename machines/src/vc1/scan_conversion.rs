@@ -1,7 +1,7 @@
-//! Scan conversion as the program of a processing element does it: a packet's pixels in raster order, by additions alone.
+//! Scan conversion in the program of a processing element: a packet's pixels in raster order, by additions alone.
 //!
-//! Source: facts E0. Sums are exact (edges) or modulo a power of two (planes), so that stepping from pixel to pixel ends at the
-//! very words that direct evaluation gives (DES-EDGE, DES-Z).
+//! Source: facts E0. Sums are exact (edges) or modulo a power of two (planes), so stepping from pixel to pixel gives exactly the words of direct
+//! evaluation (DES-EDGE, DES-Z).
 
 use tilewright_scenes::packet::{COLOUR_PLANE_BITS, DEPTH_PLANE_BITS, FRACTION_BITS};
 use tilewright_scenes::{Edge, PixelBox, Plane, Triangle};
@@ -15,7 +15,7 @@ pub(crate) struct Pixel {
     pub word: u64,
 }
 
-/// All that changes from pixel to pixel. Planes wrap modulo 2^64, of which their own moduli are divisors.
+/// All values that change from pixel to pixel. Planes wrap modulo 2^64, a multiple of their own moduli.
 #[derive(Clone, Copy)]
 struct Interpolants {
     edges: [i64; 3],
@@ -24,7 +24,7 @@ struct Interpolants {
 }
 
 impl Interpolants {
-    /// At pixel (0, 0).
+    /// The values at pixel (0, 0).
     fn origin(packet: &Triangle) -> Interpolants {
         Interpolants {
             edges: packet.edges.map(|e| e.c.into()),
@@ -58,7 +58,7 @@ impl Interpolants {
     }
 }
 
-/// The covered pixels of a packet, row by row from the upper left, in all rows of the screen or in every n-th.
+/// The covered pixels of a packet, row by row from the upper left, in all rows of the screen or in every n-th row.
 pub(crate) struct Pixels {
     bounds: PixelBox,
     rows: Rows,
@@ -81,12 +81,12 @@ pub(crate) struct Rows {
 impl Rows {
     pub const ALL: Rows = Rows { first: 0, every: 1 };
 
-    /// The first of them that is not above that row.
+    /// The first of these rows that is not above that row.
     pub fn from(self, y: u32) -> u32 {
         y + (self.first + self.every - y % self.every) % self.every
     }
 
-    /// How many there are from one row to another, both included.
+    /// The number of these rows from one row to another, both included.
     pub fn count(self, top: u32, bottom: u32) -> u32 {
         let first = self.from(top);
         if first > bottom { 0 } else { (bottom - first) / self.every + 1 }

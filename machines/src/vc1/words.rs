@@ -1,15 +1,14 @@
-//! What goes over the broadcast bus: packets of words of 32 bits.
+//! The packets on the broadcast bus, in words of 32 bits.
 //!
-//! Source: VC1-APR, VC1-NET. The paper names what is sent, and no format; this one is ours.
+//! Source: VC1-APR, VC1-NET. The paper names the contents of packets, but no format; this format is our choice.
 //!
 //! | packet | words |
 //! |---|---|
 //! | command of the host | kind and frame, 19 of the view |
 //! | scene, in immediate mode | kind and count; up to 1023 words of vertices, 6 each, and triangles, 3 each |
-//! | polygon | kind and sender; of each vertex x above y, z, and r, g, b |
+//! | polygon | kind and sender; for each vertex x above y, z, and r, g, b |
 //!
-//! The words of view and scene take their time on the bus and are not looked at: what a view makes of the scene is computed
-//! beforehand.
+//! The words of view and scene take time on the bus, but their contents are not used: the projection of a view is computed beforehand.
 
 use tilewright_scenes::ScreenVertex;
 
@@ -23,25 +22,25 @@ const POLYGON: u32 = 2 << 24;
 const SCENE: u32 = 3 << 24;
 const NUMBER: u32 = (1 << 24) - 1;
 
-/// Words of a packet that carries a part of the scene, at most.
+/// The most words of a packet with a part of the scene.
 const MOST_WORDS: u32 = 1024;
 
 /// A word on the bus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Word {
     pub word: u32,
-    /// It is the last of its packet.
+    /// Whether it is the last word of its packet.
     pub last: bool,
 }
 
-/// What a packet says.
+/// The content of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Message {
     /// Draw that frame.
     Command { frame: u32 },
     /// Draw your rows of that polygon.
     Polygon { sender: u32, vertices: [ScreenVertex; 3] },
-    /// A part of the scene, of so many words.
+    /// A part of the scene, with this number of words.
     Scene { words: u32 },
 }
 
@@ -68,7 +67,7 @@ impl Message {
         words.into_iter().enumerate().map(|(at, word)| Word { word, last: at == last }).collect()
     }
 
-    /// The packets that carry a scene of so many words.
+    /// The packets for a scene of that number of words.
     fn scene(mut words: u64) -> Vec<Message> {
         let mut packets = Vec::new();
         while words > 0 {
@@ -79,14 +78,14 @@ impl Message {
         packets
     }
 
-    /// The packets with which the host begins a frame: the scene, of so many words, if it sends that, and the command.
+    /// The packets with which the host begins a frame: the scene, if it sends one with this number of words, and the command.
     pub fn begin(frame: u32, scene: Option<u64>) -> Vec<Message> {
         let mut packets = scene.map(Message::scene).unwrap_or_default();
         packets.push(Message::Command { frame });
         packets
     }
 
-    /// What these words say, of which the last one has come; nothing, if they are no packet.
+    /// The content of a complete packet; `None` if these words are not a packet.
     pub fn of_words(words: &[u32]) -> Option<Message> {
         let number = words[0] & NUMBER;
         match (words[0] & !NUMBER, words.len()) {

@@ -157,7 +157,7 @@ fn a_packet_for_another_machine_is_refused_in_a_sentence() {
     wide.bounds.right = 32;
     assert_eq!(
         refused(wide),
-        "packet 1 cannot be drawn: it reaches beyond the machine's 32x24 pixels: set it up for that size"
+        "packet 1 cannot be drawn: it extends beyond the machine's 32x24 pixels: set it up for that size"
     );
     let mut steep = triangle.clone();
     steep.edges[2] = Edge { a: 1 << 16, ..steep.edges[2] };

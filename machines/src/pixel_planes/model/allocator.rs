@@ -1,17 +1,17 @@
-//! The region allocator: a region a clock, to the lowest of the renderers that are free.
+//! The region allocator: one region a clock, to the free renderer with the lowest number.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 pub(super) struct Allocator {
-    /// Regions that are given, and all.
+    /// The number of regions given so far, and of all.
     given: usize,
     regions: usize,
-    /// The clock behind the one in which the last was given.
+    /// The clock after the one in which the last region was given.
     next: u64,
-    /// Those that are free, a bit each.
+    /// The free renderers, a bit each.
     free: u64,
-    /// Those that will be, and from which clock on.
+    /// The renderers that will be free, and the first clock of that.
     later: BinaryHeap<Reverse<(u64, usize)>>,
 }
 
@@ -21,7 +21,7 @@ impl Allocator {
         Allocator { given: 0, regions, next: 0, free, later: BinaryHeap::new() }
     }
 
-    /// The clock in which it gives the next region, as far as is known.
+    /// The clock in which it gives the next region, as far as it is known.
     pub fn next(&self) -> Option<u64> {
         if self.given == self.regions {
             return None;
@@ -33,7 +33,7 @@ impl Allocator {
         Some(first.max(self.next))
     }
 
-    /// Gives it in that clock; the number of the region, and of its renderer.
+    /// Gives it in that clock. Returns the numbers of the region and of its renderer.
     pub fn give(&mut self, now: u64) -> (usize, usize) {
         while let Some(&Reverse((_, number))) = self.later.peek().filter(|Reverse((clock, _))| *clock <= now) {
             self.later.pop();
@@ -45,7 +45,7 @@ impl Allocator {
         (self.given - 1, number)
     }
 
-    /// A renderer is free from a clock on.
+    /// Marks a renderer as free from a clock on.
     pub fn free(&mut self, number: usize, clock: u64) {
         self.later.push(Reverse((clock, number)));
     }

@@ -1,4 +1,4 @@
-//! The transaction-level model of the machine: its clocks without its circuit, for runs that the circuit is too slow for.
+//! The transaction-level model of the machine: its clocks without its circuit, for runs that take too long on the circuit.
 //!
 //! ```text
 //! programs of regions -- Allocator --> a renderer each
@@ -9,16 +9,16 @@
 //!      '--------------------------- planes ----------------------'---> frame buffer
 //! ```
 //!
-//! Nothing here counts clocks one by one: an instruction, and a plane, are a few comparisons each. All clocks are those of the hardware
-//! ([`PixelPlanes5`](tilewright_rtl::pixel_planes::machine::PixelPlanes5)), one for one: the tests compare each handshake, and so does
+//! The model does not step through clocks: an instruction or a plane is a few comparisons. All clocks are those of the hardware
+//! ([`PixelPlanes5`](tilewright_rtl::pixel_planes::machine::PixelPlanes5)). The tests compare each handshake, and so does
 //! [`Machine::render`](super::Machine::render) on every frame.
 //!
-//! | file | what is in it |
+//! | file | content |
 //! |---|---|
 //! | `renderer` | queue, controller and backing store of a renderer |
-//! | `ring` | whose turn it is, and what the credit pays for |
+//! | `ring` | which message goes next, and the credit of bits |
 //! | `allocator` | which renderer gets the next region |
-//! | `timing` | what came of it |
+//! | `timing` | the result in clocks |
 
 mod allocator;
 mod renderer;
@@ -49,7 +49,7 @@ pub use timing::{RegionTiming, RendererTiming, RingTiming, Starved, Timing};
 /// };
 /// let config = Config { renderers: 2, ring: Config::AMPLE_RING, ..Config::new(Size::VGA) };
 /// let timing = Model::new(&config)?.run(&[steps(1000), steps(1000), steps(10)]);
-/// // The third goes to the one that is free first.
+/// // The third region goes to the renderer that is free first.
 /// assert_eq!(timing.renderers[0].regions, [0, 2]);
 /// assert_eq!(timing.first_starved, None);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -63,23 +63,23 @@ pub struct Model {
 }
 
 impl Model {
-    /// The clocks that a region takes beside those of its primitives, when instructions follow one another: 48 in which it is cleared and 48 in which
-    /// it is saved, one from the allocator to the ring, one from there to the queue, one to the controller. The clock in which the
-    /// last bit is sent is the last; in the next one the renderer is given another region. Side by side, what of this runs under edges of
-    /// primitives is saved: [`Model::clocks_of`].
+    /// The clocks of a region beside those of its primitives, if instructions follow one another. Clearing and saving take 48 each. One goes from the
+    /// allocator to the ring, one from there to the queue, and one to the controller. The last clock is the one in which the last bit is sent; in the
+    /// next one the renderer gets another region. If instructions run side by side, some of these clocks overlap with edges of primitives:
+    /// [`Model::clocks_of`].
     pub const REGION_OVERHEAD: u64 = 48 + 48 + 3;
 
-    /// The model of the machine of that configuration; its screen is of no account.
+    /// The model of the machine of that configuration; its screen does not matter.
     ///
     /// # Errors
-    /// There is no such machine.
+    /// A parameter is out of range.
     pub fn new(config: &Config) -> Result<Model, ParameterError> {
         let lag = config.renderer()?.lag();
         Ok(Model { config: config.clone(), ring: config.ring()?, lag })
     }
 
-    /// Clocks of a primitive of so many instructions among others of its kind, N, and those of a region beside N for each of them, while nobody waits:
-    /// the update time is N for each primitive of the worst renderer, and the second number for each of its regions (PP5-UT).
+    /// N, the clocks of a primitive with these instructions among others of its kind, and the clocks of a region beside its primitives, without
+    /// waits. The update time is N for each primitive of the busiest renderer, and the second number for each of its regions (PP5-UT).
     ///
     /// ```
     /// use tilewright_machines::pixel_planes::{Config, model::{Model, Step}};
@@ -91,7 +91,7 @@ impl Model {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn clocks_of(&self, primitive: &[Step]) -> (u64, u64) {
-        // By then one comes as the other; a region alone waits for no other one, and an ample ring and queue for nobody.
+        // By then all primitives take the same clocks. A single region waits for no other, and ring and queue are ample.
         const MANY: u64 = 8;
         let fill = Step { on_tree: false, on_memory: true, saves: false, skip: 0, length: 24 };
         let save = Step { saves: true, length: 48, ..fill };
@@ -106,8 +106,8 @@ impl Model {
         (n, clocks(MANY) - MANY * n)
     }
 
-    /// What the machine does with regions, in the order in which they are given to renderers; each is told by its instructions, of which the last
-    /// one, and no other, saves it. The first clock is 0, in which the first region is given.
+    /// The clocks of the machine for regions, in the sequence in which renderers get them. A region is its instructions; the last one, and no other,
+    /// saves it. The first region is given in clock 0.
     ///
     /// # Panics
     /// A region does not end with its save.
@@ -118,7 +118,7 @@ impl Model {
     }
 }
 
-/// A run that is under way.
+/// A run in progress.
 struct Run<'a, P> {
     regions: &'a [P],
     allocator: Allocator,
@@ -141,7 +141,7 @@ impl<'a, P: AsRef<[Step]>> Run<'a, P> {
         }
     }
 
-    /// Does what happens in the next clock in which something does; false if there is none.
+    /// Advances to the next clock in which something happens; false if there is none.
     fn clock(&mut self) -> bool {
         let Some(now) = self.allocator.next().into_iter().chain(self.ring.next()).min() else { return false };
         if self.allocator.next() == Some(now) {
@@ -184,7 +184,7 @@ impl<'a, P: AsRef<[Step]>> Run<'a, P> {
         }
     }
 
-    /// If a region has been saved just now, it will be sent, and its renderer free.
+    /// If a region has just been saved, schedules its planes, and frees its renderer.
     fn look_at_save(&mut self, number: usize) {
         if let Some((first_plane, free)) = self.renderers[number].save() {
             self.ring.ask(self.ring.station_of_planes(number), first_plane);

@@ -1,4 +1,4 @@
-//! A renderer: its queue, its controller, and the backing store that sends what it drew before.
+//! A renderer: its queue, its controller, and the backing store that sends the region before.
 
 use tilewright_rtl::pixel_planes::fields;
 use tilewright_rtl::pixel_planes::schedule::{Schedule, Step};
@@ -9,29 +9,29 @@ pub(super) struct Renderer<'a> {
     queue: usize,
     /// Planes of a region.
     planes: usize,
-    /// Clocks from the first bit of a save to the first plane that can go.
+    /// Clocks from the first bit of a save until the first plane can be sent.
     save_to_plane: u64,
     controller: Schedule,
-    /// What its region has still to receive, and the clock in which it got that.
+    /// The instructions that its region still has to receive, and the clock in which it got the region.
     steps: std::slice::Iter<'a, Step>,
     given: u64,
-    /// The save of its region, once it has come: with the first clock in which it is taken if the store is free.
+    /// The save of its region, once it has arrived, with the first clock in which it is taken if the store is free.
     save: Option<(&'a Step, u64)>,
-    /// Planes of the last region that was saved that are still to be sent.
+    /// Planes of the last saved region that are not sent yet.
     to_send: usize,
-    /// The store is free from that clock on, if nothing is to be sent.
+    /// The first clock in which the store is free, if nothing is left to send.
     free: u64,
     pub timing: RendererTiming,
 }
 
 impl<'a> Renderer<'a> {
-    /// With pixels that are `lag` clocks behind its controller.
+    /// A renderer with pixels `lag` clocks behind its controller.
     pub fn new(side: u32, queue: u32, lag: u32, side_by_side: bool) -> Renderer<'a> {
         let word = fields::WORD.bits;
         Renderer {
             queue: queue as usize,
             planes: (side * word) as usize,
-            // Its bits have gone through the pixels' pipeline, and the first plane is read.
+            // Its bits have passed the pixels' pipeline, and the first plane is read.
             save_to_plane: u64::from(lag + word + 1),
             controller: Schedule::new(side_by_side),
             steps: [].iter(),
@@ -50,7 +50,7 @@ impl<'a> Renderer<'a> {
         self.timing.begin(region, now);
     }
 
-    /// The first clock in which its queue has room for the next instruction of its region, if it has one.
+    /// The first clock in which its queue has space for the next instruction of its region, if there is one.
     pub fn room(&self) -> Option<u64> {
         if self.steps.len() == 0 {
             return None;
@@ -61,10 +61,10 @@ impl<'a> Renderer<'a> {
         Some(behind.max(leaves))
     }
 
-    /// The next instruction comes in that clock, and is seen in the next one.
+    /// The next instruction arrives in that clock, and is visible in the next one.
     pub fn receive(&mut self, now: u64) {
         let step = self.steps.next().expect("there was one to send");
-        // The first one of a region cannot be seen sooner.
+        // The first instruction of a region cannot be visible sooner.
         let ready = self.controller.ready(step).max(self.given + 2);
         self.timing.arrive(now, ready);
         let could = ready.max(now + 1);
@@ -81,8 +81,8 @@ impl<'a> Renderer<'a> {
         times.begins
     }
 
-    /// If the save of its region has come and the store is free: the clocks in which the first plane can go, and from which on it can be given
-    /// another region.
+    /// If the save of its region has arrived and the store is free: the clock in which the first plane can be sent, and the one from which on it can
+    /// get another region.
     pub fn save(&mut self) -> Option<(u64, u64)> {
         let (step, could) = self.save.take_if(|_| self.to_send == 0)?;
         let clock = could.max(self.free);

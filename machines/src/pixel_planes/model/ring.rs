@@ -1,6 +1,6 @@
-//! The ring: whose turn it is, and what the credit pays for.
+//! The ring: which message goes next, and the credit of bits.
 //!
-//! A station is one that has messages: first the bins of all renderers, then what all renderers have finished.
+//! A station is a source of messages: first the bins of all renderers, then the finished planes of all renderers.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -15,18 +15,18 @@ pub(super) struct Ring {
     most_credit: u64,
     /// Bits of an instruction, and of a plane.
     bits: [u64; 2],
-    /// What is left of the credit in clock `at`, in which nothing was left to be done but what has to wait.
+    /// The rest of the credit in clock `at`, in which all remaining messages had to wait.
     credit: u64,
     at: u64,
     /// The station that went last.
     last: usize,
-    /// Whose line is being sent.
+    /// The station whose line is being sent.
     line_of: Option<usize>,
-    /// Who has a message, a bit each.
+    /// The stations with a message, a bit each.
     asking: u64,
-    /// Of those, in the clock that is under way, who has not had a turn.
+    /// Those of them that were not served in the current clock.
     open: u64,
-    /// Who will have one, and from which clock on.
+    /// The stations that will have a message, and the first clock of that.
     later: BinaryHeap<Reverse<(u64, usize)>>,
     pub timing: RingTiming,
 }
@@ -64,23 +64,23 @@ impl Ring {
         station.checked_sub(self.renderers)
     }
 
-    /// A station has its next message from a clock on in which its receiver takes it.
+    /// Gives a station its next message, from the clock on in which its receiver takes it.
     pub fn ask(&mut self, station: usize, clock: u64) {
         self.later.push(Reverse((clock, station)));
     }
 
-    /// The same of the next plane of the line that is being sent.
+    /// The same for the next plane of the line that is being sent.
     pub fn ask_on(&mut self, renderer: usize, clock: u64) {
         self.line_of = Some(renderer);
         self.ask(self.station_of_planes(renderer), clock);
     }
 
-    /// The line that is being sent is complete.
+    /// Ends the line that is being sent.
     pub fn end_line(&mut self) {
         self.line_of = None;
     }
 
-    /// Those that may go: of planes only those of the line that is being sent.
+    /// The messages that may go; during a line, only its planes among all planes.
     fn may_go(&self) -> u64 {
         let instructions = (1 << self.renderers) - 1;
         match self.line_of {
@@ -89,7 +89,7 @@ impl Ring {
         }
     }
 
-    /// The first of some stations behind the one that went last.
+    /// The first of some stations after the one that was served last.
     fn first(&self, stations: u64) -> usize {
         let behind = stations & (u64::MAX << self.last << 1);
         (if behind == 0 { stations } else { behind }).trailing_zeros() as usize
@@ -99,7 +99,7 @@ impl Ring {
         self.bits[usize::from(station >= self.renderers)]
     }
 
-    /// The next clock in which a message might go, as far as is known.
+    /// The next clock in which a message may go, as far as it is known.
     pub fn next(&self) -> Option<u64> {
         let asked = self.later.peek().map(|Reverse((clock, _))| *clock);
         let may_go = self.may_go();
@@ -111,7 +111,7 @@ impl Ring {
         Some(asked.map_or(paid, |asked| asked.min(paid)))
     }
 
-    /// Begins with a clock.
+    /// Begins a clock.
     pub fn begin(&mut self, now: u64) {
         while let Some(&Reverse((_, station))) = self.later.peek().filter(|Reverse((clock, _))| *clock <= now) {
             self.later.pop();
@@ -136,7 +136,7 @@ impl Ring {
         match self.planes_of(station) {
             None => self.timing.instructions += 1,
             Some(_) => {
-                // One a clock goes to the frame buffer.
+                // One plane a clock goes to the frame buffer.
                 self.open &= (1 << self.renderers) - 1;
                 self.timing.planes += 1;
             }

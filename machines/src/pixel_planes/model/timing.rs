@@ -1,4 +1,4 @@
-//! What a run of the model is in clocks.
+//! The clocks of a run of the model.
 
 use std::ops::Range;
 
@@ -9,13 +9,13 @@ use tilewright_rtl::pixel_planes::schedule::{Step, Times};
 /// The clocks of a run, counted from that in which the first region is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Timing {
-    /// By region, in the order in which they were given.
+    /// By region, in the sequence in which they were given.
     pub regions: Vec<RegionTiming>,
     /// By renderer.
     pub renderers: Vec<RendererTiming>,
-    /// What the ring brought.
+    /// The traffic on the ring.
     pub ring: RingTiming,
-    /// The first clock in which all renderers had done the last of their regions.
+    /// The first clock in which all renderers had drawn their last region.
     pub drawn: u64,
     /// The first clock in which all planes had been sent.
     pub sent: u64,
@@ -30,22 +30,22 @@ pub struct RegionTiming {
     pub renderer: usize,
     /// The clock in which the renderer got it.
     pub given: u64,
-    /// The first clock in which the renderer could be given another one.
+    /// The first clock in which the renderer could get another one.
     pub free: u64,
     /// Clocks in which the renderer had to wait for its instructions.
     pub starved: u64,
-    /// Clocks in which it had to wait with its save until the region before was sent.
+    /// Clocks in which its save had to wait until the region before was sent.
     pub waited_for_store: u64,
 }
 
-/// Clocks of a renderer, those of its instructions and planes one after another through all of its regions.
+/// Clocks of a renderer. Those of its instructions and planes are listed one after another, over all of its regions.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RendererTiming {
-    /// Its regions, by their place in the order in which they are given.
+    /// Its regions, by their place in the sequence in which they are given.
     pub regions: Vec<usize>,
-    /// When it got each of them, and the first clock in which it could be given another one.
+    /// The clock in which it got each of them.
     pub given: Vec<u64>,
-    /// See `given`.
+    /// The first clock in which it could get another one.
     pub free: Vec<u64>,
     /// The clock in which its queue took each instruction from the ring.
     pub arrived: Vec<u64>,
@@ -55,7 +55,7 @@ pub struct RendererTiming {
     pub begun: Vec<u64>,
     /// The clock of the last bit of each instruction.
     pub ended: Vec<u64>,
-    /// The first clock in which the first plane of each region could go.
+    /// The first clock in which the first plane of each region could be sent.
     pub shown: Vec<u64>,
     /// The clock in which the ring took each plane.
     pub planes: Vec<u64>,
@@ -65,15 +65,15 @@ pub struct RendererTiming {
     pub starved: u64,
     /// The first of them.
     pub first_starved: Option<u64>,
-    /// Clocks in which its queue had the save of its region, and the backing store was all that it waited for.
+    /// Clocks in which its queue had the save of its region, and waited only for the backing store.
     pub waited_for_store: u64,
     /// Clocks of both kinds by region.
     waits: Vec<[u64; 2]>,
-    /// Which clocks they are: of the first kind, and of the second.
+    /// These clocks: those of the first kind, and those of the second.
     waited: [Vec<Range<u64>>; 2],
 }
 
-/// What the ring brought.
+/// The traffic on the ring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RingTiming {
     /// Bits that it can bring in a clock.
@@ -88,17 +88,17 @@ pub struct RingTiming {
     pub last: u64,
 }
 
-/// Where the array of a renderer had to wait for the ring.
+/// The place and clock at which a renderer had to wait for the ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Starved {
-    /// The renderer, the lowest of several.
+    /// The renderer; the lowest number of several.
     pub renderer: usize,
     /// The clock.
     pub clock: u64,
 }
 
 impl RingTiming {
-    /// The bits that it brought, in parts of those that it could have until the last one.
+    /// The bits that it brought, over its capacity until the last one.
     pub fn load(&self) -> f64 {
         self.bits as f64 / (self.rate * (self.last + 1)) as f64
     }
@@ -116,7 +116,7 @@ impl RendererTiming {
         self.waits.push([0, 0]);
     }
 
-    /// An instruction comes, which its controller could have taken at `ready`.
+    /// An instruction arrives, which its controller could have taken at `ready`.
     pub(super) fn arrive(&mut self, now: u64, ready: u64) {
         self.arrived.push(now);
         let starved = (now + 1).saturating_sub(ready);
@@ -134,7 +134,7 @@ impl RendererTiming {
         self.ended.push(ends - 1);
     }
 
-    /// Its region has been saved, after so many clocks in which the store was not free.
+    /// Its region has been saved, after clocks in which the store was not free.
     pub(super) fn end(&mut self, waited: u64, shown: u64, free: u64) {
         self.waited_for_store += waited;
         self.waits.last_mut().expect("it has a region")[1] = waited;

@@ -1,8 +1,8 @@
-//! Primitives whose edges take as many clocks as any's.
+//! Primitives whose edges take the most possible clocks.
 //!
-//! Source: facts E0 (guard band), E3. Of each an edge's clocks are the bits of its values in a region of 128 x 128 pixels. A value of an edge
-//! that crosses is at most 127 (|a| + |b|) - 1, where |a| + |b| are the edge's extents in x and y in 1/16 pixel: so 25 bits need 66,053 of these,
-//! 24 need 33,027 and 23 need 16,514. The guard band has 65,535 along each axis.
+//! Source: facts E0 (guard band), E3. The clocks of an edge are the bits of its values in a region of 128 x 128 pixels. A value of an edge that
+//! crosses the region is at most 127 (|a| + |b|) - 1. Here |a| + |b| are the edge's extents in x and y in 1/16 pixel. So 25 bits need 66,053 of
+//! these, 24 need 33,027 and 23 need 16,514. The guard band has 65,535 along each axis.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixel_planes::instruction::Instruction;
@@ -13,16 +13,16 @@ use super::super::bin::Bin;
 use super::super::config::Config;
 use super::Kind;
 
-/// Both ends are in the region, so that all four edges cross it. Those at the ends are along the axes and 16 long: 12 bits of their own, 8 as least
-/// half-planes. The long ones are no longer than the region: 20 and 15.
+/// Both ends are in the region, so that all four edges cross it. Edges at the ends are along the axes and 16 units long: 12 bits, or 8 as least
+/// half-planes. Long edges are at most as long as the region: 20 bits, or 15.
 const VECTOR: [(i32, i32); 2] = [(4524, 16_215), (2868, 14_534)];
 
-/// All edges cross the region, so it is thin, and the extents of the longest, up to 131,070, are about those of both others together: of the three one
-/// has 24 bits, the others 25. As least half-planes all have 15.
+/// All edges cross the region, so the triangle is thin. The extents of the longest edge, up to 131,070, are about those of the other two together.
+/// So one edge has 24 bits, and two have 25. As least half-planes all have 15.
 const TRIANGLE: [(i32, i32); 3] = [(8865, 7605), (31_341, 31_976), (-31_620, -32_041)];
 
-/// All edges cross the region, so it is thin, and each of its two sides has at most 131,070: three edges of 24 bits and one of 23. (Four and four
-/// edges are more than five and three.)
+/// All edges cross the region, so the polygon is thin, and each of its two sides has extents of at most 131,070: three edges of 24 bits and one of 23.
+/// (Four and four edges have more bits than five and three.)
 pub(super) const LARGE: [(i32, i32); 8] = [
     (-31_340, -32_688),
     (-19_951, -21_463),
@@ -46,7 +46,7 @@ pub(super) const POLYGON: [(i32, i32); 8] = [
     (-16_988, -14_732),
 ];
 
-/// What a program draws for a primitive whose edges take as many clocks as any's of its kind, in that form.
+/// The instructions of a program for a primitive whose edges take the most possible clocks of its kind, in that form.
 ///
 /// # Errors
 /// There are no regions of 128 x 128 pixels.

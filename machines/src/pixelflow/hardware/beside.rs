@@ -1,22 +1,22 @@
-//! What is at a node's texture port.
+//! The unit at a node's texture port.
 
 use super::node::ArraySimulation;
 use super::store::FrameStore;
 use super::texture::TextureLookUp;
 use crate::error::Error;
 
-/// What is at a texture port.
+/// The unit at a texture port.
 pub(in crate::pixelflow) enum Beside {
     /// Nothing.
     Nobody,
-    /// What finds texels.
+    /// The texture unit.
     Texture(TextureLookUp),
-    /// What is shown.
+    /// The frame buffer.
     Store(FrameStore),
 }
 
 impl Beside {
-    /// It is at work.
+    /// Whether it works.
     pub fn is_busy(&self) -> bool {
         match self {
             Beside::Nobody => false,
@@ -25,12 +25,12 @@ impl Beside {
         }
     }
 
-    /// It writes registers.
+    /// Whether it writes registers.
     pub fn is_writing(&self) -> bool {
         matches!(self, Beside::Texture(_)) && self.is_busy()
     }
 
-    /// It ends in this clock, if it only reads.
+    /// Whether it ends in this clock, if it only reads.
     pub fn is_ending(&mut self) -> bool {
         match self {
             Beside::Store(store) => store.is_ending(),
@@ -38,7 +38,7 @@ impl Beside {
         }
     }
 
-    /// A clock, before that of the array, which is told when it has done.
+    /// Simulates a clock, before that of the array. The array is told when the unit has finished.
     ///
     /// # Errors
     /// [`Error::Simulation`].

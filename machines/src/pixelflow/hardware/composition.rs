@@ -1,4 +1,4 @@
-//! How long the network takes, counted in simulation.
+//! The time of the network, counted in simulation.
 
 use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::compositor::Mode;
@@ -9,8 +9,8 @@ use tilewright_sim::Simulation;
 use crate::error::Error;
 use crate::pixelflow::costs::Ticks;
 
-/// Ticks from the first byte that the last node of a network gets to the last one, of words one behind the other: the first node loads them, and all between compose
-/// (PFL-TCB).
+/// Ticks from the first to the last byte at the last node of a network, for words one after another. The first node loads them, and all nodes
+/// between compose (PFL-TCB).
 ///
 /// ```
 /// use tilewright_machines::pixelflow::composition_time;
@@ -26,7 +26,7 @@ use crate::pixelflow::costs::Ticks;
 /// [`Error::Simulation`].
 ///
 /// # Panics
-/// There are less than two nodes, or no bytes or words.
+/// There are fewer than two nodes, or no bytes or words.
 pub fn composition_time(nodes: u32, port: NetworkPort, words: u64, bytes: u64) -> Result<Ticks, Error> {
     assert!(nodes >= 2 && words > 0 && bytes > 0, "a word goes from a node to another one");
     let pixels = u64::from(port.pixels);

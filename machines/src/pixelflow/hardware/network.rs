@@ -1,4 +1,4 @@
-//! The network in simulation, which composes the words of all nodes.
+//! The simulated network, which composes the words of all nodes.
 
 use tilewright_rtl::pixelflow::TRANSFER;
 use tilewright_rtl::pixelflow::array::PixelArray;
@@ -9,7 +9,7 @@ use tilewright_sim::{EngineKind, Simulation};
 use super::Words;
 use crate::error::Error;
 
-/// One way of the network.
+/// One direction of the network.
 pub(in crate::pixelflow) struct Way {
     sim: Simulation<NetworkIn, NetworkOut>,
     nodes: usize,
@@ -19,7 +19,7 @@ pub(in crate::pixelflow) struct Way {
 }
 
 impl Way {
-    /// Of so many nodes.
+    /// A network of that number of nodes.
     pub fn new(array: &PixelArray, nodes: usize, engine: EngineKind) -> Result<Way, Error> {
         let port = array.network_port();
         let mut sim = Simulation::at(&Network { nodes: nodes as u32, port }, TRANSFER)?.on(engine);
@@ -32,9 +32,9 @@ impl Way {
         Ok(Way { sim, nodes, chips: array.chips(), pixels: array.pixels() as usize })
     }
 
-    /// Sends words from the first node that has some to another one behind all of them; the others compose. Gives what that one gets.
+    /// Sends words from the first node that has some to a node after all of these; the others compose. Returns the words at that node.
     ///
-    /// The words of node number n go n ticks later than those of the first.
+    /// Node number n sends its words n ticks later than the first one.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -67,10 +67,10 @@ impl Way {
         Ok(came)
     }
 
-    /// Of each pixel, chip by chip, the number of the first of these nodes that sent the word that came.
+    /// For each pixel, chip by chip, the number of the first of these nodes that sent the received word.
     ///
     /// # Panics
-    /// Nobody sent it.
+    /// None of them sent it.
     pub fn winners(&self, own: &[(usize, &Words)], came: &Words) -> Vec<u16> {
         let bytes = came.len() / self.pixels;
         let is_of = |words: &Words, chip: u32, pixel: usize| {

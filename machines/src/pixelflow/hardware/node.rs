@@ -1,4 +1,4 @@
-//! A node's array in simulation: it is given instructions, and the network reads and writes its registers.
+//! A node's array in simulation. It gets instructions, and the network reads and writes its registers.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -18,59 +18,59 @@ use crate::pixelflow::works::Mark;
 /// An array in simulation.
 pub(super) type ArraySimulation = Simulation<PixelArrayIn, PixelArrayOut>;
 
-/// What the network does with a bank, from some tick on: a byte of each chip a tick.
+/// An access of the network to a bank, from some tick on: a byte of each chip a tick.
 #[derive(Debug)]
 pub(in crate::pixelflow) struct Access {
     pub from: Ticks,
     pub bank: usize,
     /// Bytes of a word.
     pub bytes: u64,
-    /// The words that come; none if those in the bank go.
+    /// The words that arrive; `None` if the bank's words are sent.
     pub comes: Option<Words>,
 }
 
-/// What the network does with a bank, one access after another.
+/// The accesses of the network to a bank, one after another.
 #[derive(Default)]
 struct Bank {
     accesses: VecDeque<Access>,
-    /// Of the first access, how many ticks are done, and what went.
+    /// The ticks of the first access that are done, and the words sent in it.
     done: Ticks,
     went: Option<Words>,
-    /// Words that went before.
+    /// Words that were sent before.
     sent: VecDeque<Words>,
 }
 
-/// An array, and the time at which it is.
+/// An array, and its current time.
 pub(in crate::pixelflow) struct Node {
-    /// What errors call it.
+    /// Its name in errors.
     name: String,
     sim: ArraySimulation,
-    /// Ticks of the network since the beginning, with those that were left out: then nothing in the array changes.
+    /// Ticks of the network since the beginning, including skipped ticks, in which nothing in the array changes.
     time: Ticks,
     chips: u32,
     /// Pixels of a chip.
     pixels: u64,
     banks: [Bank; 2],
-    /// From when on the array is to be told of each access that ended, and its bank.
+    /// For each access that ended, its bank and the time from which the array is told.
     ended: VecDeque<(Ticks, usize)>,
     /// Clocks since the array was busy.
     rest: u32,
     latency: u32,
-    /// Clocks in which it had an instruction, and the ticks that these are.
+    /// Clocks in which it had an instruction, and their ticks.
     busy: u64,
     worked: Vec<Range<Ticks>>,
-    /// The ticks in which each bank is to be given, by the model.
+    /// The ticks in which the model expects each bank to be given.
     expected: [VecDeque<Ticks>; 2],
     /// Banks that the network has, as far as the array knows.
     claimed: [bool; 2],
-    /// From when on its next instruction is there.
+    /// The time from which on its next instruction is available.
     there: Ticks,
-    /// What is at its texture port.
+    /// The unit at its texture port.
     beside: Beside,
 }
 
 impl Node {
-    /// A node of such an array with that at its texture port, in the tick in which its first instruction is there.
+    /// A node with such an array and that unit at its texture port, in the tick in which its first instruction is available.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -88,7 +88,7 @@ impl Node {
         writes.into_iter().for_each(|port| sim.set(port, false));
         sim.set(sim.i.instructions.valid, false);
         sim.try_reset()?;
-        // The next edges are of the network alone, and those behind them of both.
+        // The next edges are of the network alone, and the following ones of both clocks.
         let clocks = sim.cycles(ARRAY).expect("there is one");
         while sim.cycles(ARRAY).expect("there is one") == clocks {
             sim.try_step()?;
@@ -117,17 +117,17 @@ impl Node {
         self.sim
     }
 
-    /// The network will do that.
+    /// Schedules an access of the network.
     pub fn access(&mut self, access: Access) {
         self.banks[access.bank].accesses.push_back(access);
     }
 
-    /// The words that went from a bank in the first access whose are not yet taken; none if it has not ended.
+    /// Takes the words that a bank sent in its first access that has not been taken; `None` if that has not ended.
     pub fn sent(&mut self, bank: usize) -> Option<Words> {
         self.banks[bank].sent.pop_front()
     }
 
-    /// Whether there are some.
+    /// Whether there are such words.
     pub fn has_sent(&self, bank: usize) -> bool {
         !self.banks[bank].sent.is_empty()
     }
@@ -142,12 +142,12 @@ impl Node {
         &self.worked
     }
 
-    /// It is to give a bank in that tick, behind all that were said before.
+    /// Expects it to give a bank in that tick, after all that were expected before.
     pub fn expect(&mut self, bank: usize, tick: Ticks) {
         self.expected[bank].push_back(tick);
     }
 
-    /// What the frame buffer shows, if it has one.
+    /// The picture of the frame buffer, if the node has one.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -158,10 +158,10 @@ impl Node {
         }
     }
 
-    /// Runs a program until its last instruction is taken; from a marked place on no instruction is there before that tick.
+    /// Runs a program until its last instruction is taken. From a given place on, no instruction is available before that tick.
     ///
     /// # Errors
-    /// [`Error::Simulation`]; [`Error::Differs`]: a bank is given in another tick than is expected.
+    /// [`Error::Simulation`]; [`Error::Differs`]: a bank is given in another tick than expected.
     pub fn run(&mut self, program: &[Instruction<u64>], marks: &[Mark]) -> Result<(), Error> {
         let mut marks = marks.iter().peekable();
         for (number, instruction) in program.iter().enumerate() {
@@ -174,7 +174,7 @@ impl Node {
         Ok(())
     }
 
-    /// Lets the network do all that it has to, and banks be given.
+    /// Runs until the network has done all its accesses, and all expected banks are given.
     ///
     /// # Errors
     /// As [`Node::run`].
@@ -194,8 +194,8 @@ impl Node {
         Error::Differs { unit: self.name.clone(), signal, clock: self.time / 2, seen, expected }
     }
 
-    /// Goes on by a tick, or by those in which nothing happens; with every second one the array has a clock, and the instruction before it. Tells
-    /// whether that is taken.
+    /// Advances by a tick, or by several in which nothing happens. Every second tick is a clock of the array, with the given instruction. Returns
+    /// whether the instruction is taken.
     fn advance(&mut self, shown: Option<&Instruction<u64>>) -> Result<bool, Error> {
         if !self.is_array_edge() {
             self.tick()?;
@@ -208,7 +208,7 @@ impl Node {
         if shown.is_some_and(|instruction| self.waits(instruction)) && self.is_forgotten() {
             return Err(self.differs(0, self.next_expected().unwrap_or(0)));
         }
-        // An instruction that would wait for a bank is held back: so the controller says that it is idle.
+        // Delay an instruction that would wait for a bank, so that the controller says that it is idle.
         let shown = shown.filter(|instruction| !self.waits(instruction));
         self.sim.set(self.sim.i.instructions.valid, shown.is_some());
         let taken = shown.filter(|_| self.sim.get_u64(self.sim.i.instructions.ready) == 1);
@@ -232,7 +232,7 @@ impl Node {
         self.time % 2 == 1
     }
 
-    /// Goes on to the next thing that happens, if the array is at rest: then network and frame buffer read what does not change, without a clock of it.
+    /// Advances to the next event, if the array is idle. Network and frame buffer then read constant registers, without a clock of the array.
     fn leave_out(&mut self) -> Result<(), Error> {
         if self.rest <= self.latency || self.beside.is_writing() {
             return Ok(());
@@ -252,7 +252,7 @@ impl Node {
         Ok(())
     }
 
-    /// Counts the clock: whether the array rests.
+    /// Counts the clock. Returns whether the array is idle.
     fn count(&mut self, taken: bool) {
         let is_idle = !taken && self.sim.get_u64(self.sim.o.idle) == 1;
         self.rest = if is_idle { self.rest + 1 } else { 0 };
@@ -271,7 +271,7 @@ impl Node {
         }
     }
 
-    /// Whether the network has nothing to do, so that nobody would ever have a bank again.
+    /// Whether the network has nothing to do, so that no bank would ever be given back.
     fn is_forgotten(&self) -> bool {
         self.banks.iter().all(|bank| bank.accesses.is_empty())
             && self.ended.is_empty()
@@ -284,7 +284,7 @@ impl Node {
         self.there <= self.time & !1
     }
 
-    /// Whether an instruction is not there, or waits for a bank that the network has, or for what is at the texture port.
+    /// Whether an instruction is not available, or waits for a bank of the network, or for the unit at the texture port.
     fn waits(&self, instruction: &Instruction<u64>) -> bool {
         let is = |sync: Sync| instruction.sync == sync as u64;
         !self.is_there()
@@ -298,12 +298,12 @@ impl Node {
         }
     }
 
-    /// Puts an instruction before the array.
+    /// Puts an instruction at the array's port.
     fn put(&mut self, instruction: &Instruction<u64>) {
         self.sim.set_record(self.sim.i.instructions.payload, *instruction);
     }
 
-    /// Whether network or frame buffer reads, nothing is written, and the array will not be told of anything before two more ticks.
+    /// Whether network or frame buffer reads, nothing is written, and the array will be told nothing for two more ticks.
     fn is_read_alone(&mut self) -> bool {
         let (time, pixels) = (self.time, self.pixels);
         let is_under_way = |bank: &&Bank| bank.accesses.front().is_some_and(|access| access.from <= time + 1);
@@ -317,7 +317,7 @@ impl Node {
         some && under_way.all(is_read) && !is_told && !self.beside.is_ending()
     }
 
-    /// Two ticks of a network and a clock of a frame buffer that read, left out but for what they read.
+    /// Skips two ticks of the network and a clock of the frame buffer, and reads their registers.
     fn pass(&mut self) -> Result<(), Error> {
         for _ in 0..2 {
             for bank in 0..2 {
@@ -347,7 +347,7 @@ impl Node {
         Ok(())
     }
 
-    /// In the clock behind the end of an access the array is told of it.
+    /// Tells the array of an ended access in the next clock.
     fn tell_what_ended(&mut self) {
         let mut banks = 0;
         while let Some((_, bank)) = self.ended.pop_front_if(|(time, _)| *time <= self.time) {
@@ -357,7 +357,7 @@ impl Node {
         self.sim.set(self.sim.i.bank_done, banks);
     }
 
-    /// The byte of each chip of a bank whose turn it is, if it is; tells whether it is the last.
+    /// Transfers the next byte of each chip of a bank, if an access is active. Returns whether it is the last.
     fn transfer(&mut self, number: usize) -> bool {
         let bank = &mut self.banks[number];
         let Some(access) = bank.accesses.front().filter(|access| access.from <= self.time) else { return false };

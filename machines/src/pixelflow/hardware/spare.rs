@@ -1,4 +1,4 @@
-//! Arrays in simulation that have drawn a frame: to make one anew takes longer than a small frame.
+//! Simulated arrays for reuse: making a new one takes longer than a small frame.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -9,19 +9,19 @@ use tilewright_sim::{EngineKind, Simulation};
 use super::node::ArraySimulation;
 use crate::error::Error;
 
-/// Arrays of one size on one engine that nobody uses; copies of it are the same ones.
+/// Unused arrays of one size on one engine. Clones share them.
 #[derive(Clone, Default)]
 pub(in crate::pixelflow) struct Spare(Arc<Mutex<Arrays>>);
 
 #[derive(Default)]
 struct Arrays {
-    /// The one that all others are made like.
+    /// The template of all arrays.
     first: Option<ArraySimulation>,
     free: Vec<ArraySimulation>,
 }
 
 impl Spare {
-    /// One of them, or a new one; it has to be reset.
+    /// An unused array, or a new one. It has to be reset.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -37,7 +37,7 @@ impl Spare {
         Ok(arrays.first.insert(first).another())
     }
 
-    /// Another frame may use it.
+    /// Returns an array for another frame.
     pub fn keep(&self, array: ArraySimulation) {
         self.lock().free.push(array);
     }

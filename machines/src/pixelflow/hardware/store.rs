@@ -1,4 +1,4 @@
-//! The frame buffer in simulation, beside the array whose registers it reads.
+//! The simulated frame buffer, beside the array whose registers it reads.
 
 use tilewright_rtl::pixelflow::ARRAY;
 use tilewright_rtl::pixelflow::frame_buffer::{FrameBufferIn, FrameBufferOut};
@@ -16,7 +16,7 @@ pub(in crate::pixelflow) struct FrameStore {
 }
 
 impl FrameStore {
-    /// One that is empty.
+    /// An empty frame buffer.
     ///
     /// # Errors
     /// [`Error::Parameter`]: as [`Works::frame_buffer`]; [`Error::Simulation`].
@@ -28,7 +28,7 @@ impl FrameStore {
         Ok(FrameStore { sim, is_busy: false, pixels: works.size().pixels() })
     }
 
-    /// A clock, before that of the array whose registers it reads; tells whether it has done.
+    /// Simulates a clock, before that of the array whose registers it reads. Returns whether it has finished.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -53,17 +53,17 @@ impl FrameStore {
         Ok(is_done)
     }
 
-    /// It is at work.
+    /// Whether it works.
     pub fn is_busy(&self) -> bool {
         self.is_busy
     }
 
-    /// It ends with the next clock.
+    /// Whether it ends with the next clock.
     pub fn is_ending(&mut self) -> bool {
         self.is_busy && self.sim.get_u64(self.sim.o.done) == 1
     }
 
-    /// The frame that is shown, line by line, once it has all regions.
+    /// The displayed frame, line by line, once it has all regions.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -71,7 +71,7 @@ impl FrameStore {
         let (sim, mut shown) = (&mut self.sim, Vec::with_capacity(self.pixels));
         sim.set(sim.i.start, false);
         sim.set(sim.o.pixels.ready, true);
-        // The two frames change places, and the first pixel is read.
+        // The two frames swap, and the first pixel is read.
         for _ in 0..self.pixels + 4 {
             let pixels = sim.o.pixels;
             if sim.get_u64(pixels.valid) == 1 && shown.len() < self.pixels {

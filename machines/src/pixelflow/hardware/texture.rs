@@ -1,4 +1,4 @@
-//! The texture unit in simulation, beside the array whose registers it serves.
+//! The simulated texture unit, beside the array whose registers it serves.
 
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::pixelflow::ARRAY;
@@ -11,17 +11,17 @@ use tilewright_sim::{Bundle, EngineKind, Port, Simulation};
 
 use crate::error::Error;
 
-/// A texture unit, whose memory has textures.
+/// A texture unit with textures in its memory.
 pub(in crate::pixelflow) struct TextureLookUp {
     sim: Simulation<TextureUnitIn, TextureUnitOut>,
     is_busy: bool,
 }
 
 impl TextureLookUp {
-    /// One for such an array, with these textures; it takes a clock a texel to write them, before the frame.
+    /// A texture unit for such an array, with these textures. They are written before the frame, one texel a clock.
     ///
     /// # Errors
-    /// [`Error::Parameter`]: a texture is finer than there is hardware for; [`Error::Simulation`].
+    /// [`Error::Parameter`]: a texture is too fine for the hardware; [`Error::Simulation`].
     pub fn new<'a>(
         array: &PixelArray,
         textures: impl ExactSizeIterator<Item = &'a Texture> + Clone,
@@ -30,7 +30,7 @@ impl TextureLookUp {
         if let Some(texture) = textures.clone().find(|texture| texture.level() > TextureMemory::FINEST) {
             let (side, most) = (1_u64 << texture.level(), 1_u64 << TextureMemory::FINEST);
             let problem = format!(
-                "a texture of {side}x{side} texels: a node's have at most {most} a side; take a smaller picture"
+                "a texture of {side}x{side} texels: a node's textures have at most {most} a side; take a smaller picture"
             );
             return Err(ParameterError(problem).into());
         }
@@ -82,12 +82,12 @@ impl TextureLookUp {
         TextureUnit { chips: array.chips(), pixels: array.pixels(), memory }.clocks()
     }
 
-    /// It is at work.
+    /// Whether it works.
     pub fn is_busy(&self) -> bool {
         self.is_busy
     }
 
-    /// A clock of the unit, before that of the array whose registers it reads and writes; tells whether it has done.
+    /// Simulates a clock of the unit, before that of the array whose registers it reads and writes. Returns whether it has finished.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -106,7 +106,7 @@ impl TextureLookUp {
         let port = unit.o.port;
         array.set(registers.pixel, unit.get_u64(port.pixel));
         array.set(registers.address, unit.get_u64(port.address));
-        // In a clock the port is read or written.
+        // The port is either read or written in a clock.
         let writes = unit.get_u64(port.writes) == 1;
         array.set(registers.writes, writes);
         match writes {

@@ -1,9 +1,9 @@
-//! The latency of two eyes' frames, of so many primitives each, by the paper's formulas.
+//! The latency of frames for two eyes, by the paper's formulas.
 //!
-//! Halved, each frame is that of a smaller machine. One after another, with F as the front end, P as what is made while it is drawn, R as rasterization, C as
-//! composition, L as the load of the frame buffer, and B as the longest of all stages behind the front end:
+//! In a halved machine, each frame is that of a smaller machine. One after another, the times are: F of the front end, P of the instructions made during
+//! rasterization, R of rasterization, C of composition, L of loading the frame buffer, and B of the longest stage behind the front end.
 //!
-//! | system | one frame | the second one ends |
+//! | system | one frame | end of the second frame |
 //! |---|---|---|
 //! | base | `F + B` | `max(2 F, F + B) + B`: its front end runs beside the first one's stages, and each stage follows its own |
 //! | pre-sorting | `F + B` | `max(2 F + P, F + B) + B`: its front end waits until the first one's instructions are made |
@@ -13,16 +13,16 @@ use super::super::stereo::Stereo;
 use super::{Samples, Software, System, Times};
 
 impl Software {
-    /// Milliseconds from the beginning to both eyes' frames of so many primitives each.
+    /// Milliseconds from the beginning to both eyes' frames, each of that number of primitives.
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Nodes, Samples, Software, Stereo, System};
     ///
     /// let base = Software::paper(System::Base, Nodes::paper(4), Samples::One);
     /// let both = |primitives, stereo| format!("{:.2}", base.stereo_latency(primitives, stereo));
-    /// // The least: one after another the frame buffer is written twice.
+    /// // The least latency: one after another the frame buffer is written twice.
     /// assert_eq!([Stereo::Halved, Stereo::Sequential].map(|stereo| both(0.0, stereo)), ["2.31", "4.26"]);
-    /// // Many: front end and rasterizers of a whole machine work at the same time, on a frame each.
+    /// // With many primitives, front end and rasterizers of a whole machine work at the same time on a frame each.
     /// assert_eq!([Stereo::Halved, Stereo::Sequential].map(|stereo| both(50_000.0, stereo)), ["20.70", "15.98"]);
     /// ```
     ///
@@ -36,7 +36,7 @@ impl Software {
         }
     }
 
-    /// When a second frame ends that is begun as soon as can be.
+    /// The end of a second frame that begins as soon as possible.
     fn second_frame(&self, primitives: f64) -> f64 {
         let Times { front, generate, rasterize, compose, shade, load } = self.times(primitives);
         let stages = [generate, rasterize, compose, shade, load].into_iter().fold(0.0, f64::max);
@@ -52,8 +52,8 @@ impl Software {
         }
     }
 
-    /// From how many primitives of each eye on the frames are there sooner one after another than both at once, on halves of the nodes; `None` if that
-    /// is never so.
+    /// The number of primitives of each eye from which on frames one after another are ready sooner than both at once on halves of the nodes; `None`
+    /// if they never are.
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Nodes, Samples, Software, System};

@@ -1,4 +1,4 @@
-//! What nodes and network do side by side.
+//! Jobs of nodes and network that run in parallel.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -7,12 +7,12 @@ use crate::error::Error;
 use crate::pixelflow::hardware::{Access, Node, Way, Words};
 use crate::pixelflow::works::Works;
 
-/// To whom words go.
+/// The receiver of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Target {
     /// That shader.
     Shader(usize),
-    /// The holder of the frame.
+    /// The node of the frame buffer.
     Holder,
 }
 
@@ -20,52 +20,52 @@ pub(super) enum Target {
 pub(super) struct Composition {
     pub turn: usize,
     pub target: Target,
-    /// Of each node that has some, its place on the way, and they; in the order of places.
+    /// For each node with words, its place on the way and the words, sorted by place.
     pub own: Vec<(usize, Words)>,
-    /// The place that gets what comes of them.
+    /// The place of the receiver.
     pub to: usize,
-    /// Whether it is to be known whose words they are.
+    /// Whether the node of each word is wanted.
     pub asks: bool,
 }
 
-/// What came of them.
+/// The composed words.
 pub(super) struct Composed {
     pub turn: usize,
     pub target: Target,
     pub words: Words,
-    /// Of each pixel, by chip and there by its number, who has the word that came: the first of them in the order of places; nothing if it is not asked for.
+    /// For each pixel, by chip and its number there, the place of the node with the received word, the first of several; empty if not wanted.
     pub winners: Vec<u16>,
 }
 
-/// A node to which words come.
+/// A node that receives words.
 pub(super) struct Worker {
     pub node: Node,
-    /// Turns whose words come in ticks that it knows.
+    /// Turns whose words arrive in known ticks.
     turns: VecDeque<usize>,
-    /// Turns whose words it does not know yet.
+    /// Turns whose words are not known yet.
     left: usize,
     is_done: bool,
 }
 
 impl Worker {
-    /// One that gets the words of so many turns.
+    /// A node that receives the words of that number of turns.
     pub fn new(node: Node, turns: usize) -> Worker {
         Worker { node, turns: VecDeque::new(), left: turns, is_done: false }
     }
 
-    /// Those of its next turn will come.
+    /// Announces the words of its next turn.
     pub fn gets(&mut self, turn: usize, access: Access) {
         self.node.access(access);
         self.turns.push_back(turn);
         self.left -= 1;
     }
 
-    /// Whether it has done all that it has to.
+    /// Whether it has finished.
     pub fn is_done(&self) -> bool {
         self.is_done
     }
 
-    /// Works on turns. Words may come while it works on those before, so it begins when it knows the next ones, too.
+    /// Works on turns. Words may arrive while it works on the turn before, so it begins only when the next turn is known, too.
     fn go_on(&mut self, work: impl Fn(&mut Node, usize) -> Result<(), Error>) -> Result<(), Error> {
         let knows = 1 + usize::from(self.left > 0);
         while self.turns.len() >= knows {
@@ -80,20 +80,20 @@ impl Worker {
     }
 }
 
-/// What one of them has to do.
+/// A job of a node or of the network.
 pub(super) enum Job<'a> {
-    /// The holder of the frame takes colours.
+    /// The node of the frame buffer takes colours.
     Holds(&'a mut Worker),
-    /// A shader makes some.
+    /// A shader makes colours.
     Shades(&'a mut Worker),
     /// The network composes words.
     Composes(&'a mut Way, Vec<Composition>, Vec<Composed>),
-    /// A rasterizer draws turns; its number.
+    /// A rasterizer of that number draws turns.
     Draws(&'a mut Node, usize, Range<usize>),
 }
 
 impl Job<'_> {
-    /// Does it.
+    /// Does the job.
     pub fn run(&mut self, works: &Works) -> Result<(), Error> {
         match self {
             Job::Holds(holder) => holder.go_on(|node, turn| node.run(&works.storing(turn), &[])),

@@ -1,4 +1,4 @@
-//! A frame on its way: what goes from whom to whom, in the ticks of the model.
+//! A frame in progress: the words between nodes, in the ticks of the model.
 
 use std::collections::{BTreeMap, VecDeque};
 
@@ -18,10 +18,10 @@ use crate::pixelflow::report::Report;
 use crate::pixelflow::works::Works;
 use crate::threads::{all_threads, each_mut};
 
-/// Turns that rasterizers draw before the network composes them: the words of so many are in memory, or twice as many.
+/// Turns that rasterizers draw before the network composes them. Memory has the words of up to twice this number.
 const TURNS: usize = 8;
 
-/// A frame on its way.
+/// A frame in progress.
 pub(super) struct Run<'a> {
     config: &'a Config,
     spare: &'a Spare,
@@ -31,24 +31,24 @@ pub(super) struct Run<'a> {
     shaders: Vec<Worker>,
     holder: Worker,
     ways: Vec<Way>,
-    /// How many turns rasterizers have drawn, and of how many the words have gone.
+    /// The numbers of turns that rasterizers have drawn, and whose words were sent.
     drawn: usize,
     gone: usize,
-    /// The turns whose colours each shader will send, in their order, and those whose colours the holder of the frame will get.
+    /// The turns whose colours each shader will send, and those whose colours the node of the frame buffer will get, in sequence.
     colours: Vec<VecDeque<usize>>,
     held: VecDeque<usize>,
-    /// What the network is to compose next.
+    /// The next work of the network.
     waiting: Vec<Composition>,
-    /// Colours that are there before those of an earlier turn.
+    /// Colours that are ready before those of an earlier turn.
     early: BTreeMap<usize, Words>,
-    /// What the holder of the frame got of each region, where words have depths.
+    /// The words of each region at the node of the frame buffer, if they have depths.
     came: Vec<Words>,
-    /// Who drew what, if that is to be known.
+    /// The recorded history, if there is one.
     recording: Option<Recording>,
 }
 
 impl<'a> Run<'a> {
-    /// One that begins.
+    /// A frame that begins.
     ///
     /// # Errors
     /// As [`Machine::render`](super::Machine::render).
@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         let (array, roles) = (config.pixels()?, config.roles()?);
         let shaders = if works.is_shaded() { roles.shaders as usize } else { 0 };
         let mut nodes = build(&array, (engine, spare), config.side_by_side, shaders, works)?;
-        // Any of them may send any word.
+        // Any rasterizer may send any word.
         let ways = (0..all_threads()).map(|_| Way::new(&array, config.nodes as usize, engine));
         let ways = ways.collect::<Result<_, _>>()?;
         let shading = nodes.split_off(1 + works.shares());
@@ -109,7 +109,7 @@ impl<'a> Run<'a> {
         Ok(run)
     }
 
-    /// Tells all nodes when the network reads their banks, and when they are to give them.
+    /// Tells all nodes the ticks in which the network accesses their banks, and in which they have to give them.
     fn schedule(&mut self) {
         let (works, timing) = (self.works, &self.timing);
         for (shader, tick) in self.shaders.iter_mut().zip(&timing.first_words) {
@@ -139,14 +139,14 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Simulated ticks until the last region is in the frame buffer that is.
+    /// Simulated ticks until the last region that is in the frame buffer now.
     pub fn time(&self) -> Ticks {
         let turns = self.held.front().map_or(self.works.turns(), |turn| *turn);
         turns.checked_sub(1).map_or(0, |turn| self.timing.turns[turn].loaded.end)
     }
 
-    /// Lets all nodes and the network go on side by side, each with what the others had for it before; gives how much of the frame is done, or none if it is
-    /// whole.
+    /// Advances all nodes and the network in parallel, each with the words that the others had for it before. Returns the part of the frame that is done, or
+    /// `None` if it is complete.
     ///
     /// # Errors
     /// [`Error::Simulation`]; [`Error::Differs`].
@@ -160,7 +160,7 @@ impl<'a> Run<'a> {
         let ways = words.len();
         self.waiting.drain(..).enumerate().for_each(|(number, word)| words[number % ways].push(word));
 
-        // What takes longest first.
+        // The longest jobs come first.
         let mut jobs: Vec<Job> = vec![Job::Holds(&mut self.holder)];
         jobs.extend(self.shaders.iter_mut().map(Job::Shades));
         jobs.extend(self.ways.iter_mut().zip(words).map(|(way, words)| Job::Composes(way, words, Vec::new())));
@@ -179,10 +179,10 @@ impl<'a> Run<'a> {
         Ok(Some(1.0 - self.held.len() as f64 / all as f64))
     }
 
-    /// What is composed comes to whom it is for, in the order of turns.
+    /// Brings composed words to their receivers, in the sequence of turns.
     fn deliver(&mut self, Composed { turn, target, words, winners }: Composed) {
         if let Some(recording) = self.recording.as_mut().filter(|_| !winners.is_empty()) {
-            // On the way to the holder of the frame the last rasterizer is the first.
+            // On the way to the frame buffer, the last rasterizer is the first.
             let is_back = target == Target::Holder;
             let last = self.rasterizers.len() as u16 - 1;
             let rasterizer = |winner: u16| if is_back { last - winner } else { winner };
@@ -219,10 +219,10 @@ impl<'a> Run<'a> {
         self.holder.gets(turn, access);
     }
 
-    /// Words and colours that have gone from their nodes are the network's.
+    /// Passes words and colours that left their nodes to the network.
     fn take_what_went(&mut self) {
         let asks = self.recording.is_some();
-        // Places count from the holder of the frame, or to it.
+        // Places are counted from the frame buffer's node, or to it.
         let (last, first_shader) = (self.config.nodes as usize - 1, 1 + self.rasterizers.len());
         while self.gone < self.drawn && self.rasterizers.iter().all(|node| node.has_sent(self.gone % 2)) {
             let turn = self.gone;
@@ -250,7 +250,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The frame that is shown, over that background, the report, and what happened if that is to be known.
+    /// The displayed frame over that background, the report, and the history if it is recorded.
     ///
     /// # Errors
     /// [`Error::Simulation`].
@@ -276,7 +276,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The holder of the frame, rasterizers and so many shaders, built on all processors of the computer.
+/// The node of the frame buffer, rasterizers and shaders, built on all processors of the computer.
 fn build(
     array: &PixelArray,
     (engine, spare): (EngineKind, &Spare),
@@ -294,7 +294,7 @@ fn build(
                 (format!("shader {}", shader + 1), Beside::Texture(TextureLookUp::new(array, textures, engine)?))
             }
             None if number == 0 => {
-                ("the holder of the frame".to_owned(), Beside::Store(FrameStore::new(works, engine)?))
+                ("the node of the frame buffer".to_owned(), Beside::Store(FrameStore::new(works, engine)?))
             }
             None => (format!("rasterizer {number}"), Beside::Nobody),
         };

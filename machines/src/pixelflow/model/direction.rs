@@ -1,4 +1,4 @@
-//! A direction of the network: who is ready for its next word when.
+//! A direction of the network: the times at which nodes are ready for the next word.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::pixelflow::costs::Ticks;
 pub(super) struct Direction {
     delays: Delays,
     nodes: usize,
-    /// Since when no node has anything to do there. The last one has its bytes last, and nothing comes to those before the one that loads.
+    /// The time since when all nodes are free. The last node gets its bytes last, and nodes before the loading one get none.
     free: Ticks,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Passing {
 }
 
 impl Passing {
-    /// So many nodes behind the one that loads.
+    /// The distance in nodes from the loading one.
     pub fn behind(&self, nodes: usize) -> Range<Ticks> {
         let later = self.hop * nodes as Ticks;
         self.at.start + later..self.at.end + later
@@ -34,13 +34,13 @@ impl Direction {
         Direction { delays, nodes, free: 0 }
     }
 
-    /// The first byte of a word would go then: all nodes are free and set up, and the last bank that one of them needs is given at that time.
+    /// The time at which the first byte of a word can go. All nodes are free and set up, and the last bank that they need is given at `given`.
     pub fn begin(&self, given: Ticks) -> Ticks {
         let Delays { job, set, go, .. } = self.delays;
         (self.free + job).max(given + self.delays.given) + set + go
     }
 
-    /// Sends it from a node, for so long.
+    /// Sends a word from a node, for that time.
     pub fn send(&mut self, from: usize, given: Ticks, takes: Ticks) -> Passing {
         let begin = self.begin(given);
         let passing = Passing { at: begin..begin + takes, hop: self.delays.hop };

@@ -1,7 +1,7 @@
-//! Nodes that do what their instructions say, and what they give when: the times of the hardware.
+//! Nodes that execute their instructions, with the times of the hardware.
 //!
-//! A frame begins with tick 0, in which each node is told where its instructions are, and each direction of the network shown its first job. The
-//! clock of the arrays has two ticks.
+//! A frame begins with tick 0, in which each node gets the address of its instructions, and each direction of the network its first job. The clock of
+//! the arrays has two ticks.
 
 use tilewright_rtl::pixel_planes::schedule::Schedule;
 use tilewright_rtl::pixelflow::array::PixelArray;
@@ -17,19 +17,19 @@ use crate::pixelflow::works::{Mark, Works};
 /// Ticks of the network in a clock of an array.
 const CLOCK: Ticks = 2;
 
-/// What the hardware does, and when.
+/// The times of the hardware.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::pixelflow) struct Timing {
     /// Each turn.
     pub turns: Vec<Done>,
-    /// When its banks were given.
+    /// The times at which its banks were given.
     pub given: Vec<Given>,
-    /// When each shader gave its bank for words first, and the holder of the frame its two.
+    /// The times at which each shader first gave its bank for words, and the node of the frame buffer its two banks.
     pub first_words: Vec<Ticks>,
     pub first_stores: [Ticks; 2],
 }
 
-/// What the model has to know of a machine.
+/// The parameters of a machine for the model.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::pixelflow) struct Built<'a> {
     pub array: &'a PixelArray,
@@ -37,19 +37,19 @@ pub(in crate::pixelflow) struct Built<'a> {
     pub side_by_side: bool,
     /// Ticks of the network's set-up before a word.
     pub set_up: Ticks,
-    /// Clocks of an array that a shader's texture unit takes for a region, and the frame buffer's memory.
+    /// Clocks of an array for a region in a shader's texture unit, and in the frame buffer's memory.
     pub looks_up: u64,
     pub loads: u64,
 }
 
 impl Timing {
-    /// From the frame's beginning in hardware to the first instruction at a node's controller: it is told, waits, is fetched.
+    /// From the frame's beginning in hardware to the first instruction at a node's controller, which has to be announced and fetched.
     pub const FETCH: Ticks = 3 * CLOCK;
-    /// From the tick behind that in which the network's last byte of a bank passes, to the end of the array's clock in which it is told so, when clocks and
-    /// ticks begin together. It is told at an edge of its own, which may be a tick later.
+    /// From the tick after the network's last byte of a bank to the end of the clock in which the array is told, if clocks and ticks begin together. The array
+    /// is told at an edge of its own clock, which may be a tick later.
     pub const TOLD: Ticks = 2 * CLOCK;
 
-    /// The tick with which the array's clock begins in which it is told that the network has done with a bank before that tick.
+    /// The first tick of the clock in which the array is told that the network finished with a bank before `tick`.
     pub fn told(end: Ticks) -> Ticks {
         (end - 1 + Timing::TOLD).next_multiple_of(CLOCK)
     }
@@ -73,7 +73,7 @@ impl Timing {
         let pixels = Ticks::from(built.array.pixels());
         let turn = |number: usize| {
             let sends = if works.comes_to_holder(number) { Works::COLOUR * pixels } else { 0 };
-            // How long it works its program says.
+            // Its program determines its time.
             let shading = |shader| Shading { shader, takes: 0, sends };
             Turn {
                 region: works.region(number) as u16,
@@ -126,7 +126,7 @@ impl Arrays for ByPrograms<'_> {
         array.bank_done(0, arrived);
         array.bank_done(1, sent);
         let ran = array.run(self.works.shading(number), &[]);
-        // Those of other samples are kept.
+        // Colours of other samples stay in the shader.
         let end = if self.works.comes_to_holder(number) { ran.given[1] } else { ran.given[0] };
         Shaded { at: ran.began..end, next_word: ran.given[0] }
     }
@@ -141,7 +141,7 @@ impl Arrays for ByPrograms<'_> {
     }
 }
 
-/// A node's array, and what it waits for.
+/// A node's array, and the units for which it waits.
 #[derive(Clone)]
 struct Array {
     schedule: Schedule,
@@ -149,29 +149,29 @@ struct Array {
     latency: u64,
     /// The clock of the first instruction.
     from: u64,
-    /// The clocks from which on each bank may be awaited, and what the texture port has.
+    /// The clocks from which on each bank, and the unit at the texture port, are ready.
     banks: [u64; 2],
-    /// The clocks that who is at the texture port takes, and the clock from which on that may be awaited.
+    /// The clocks of the unit at the texture port, and the clock from which on it is ready.
     port: u64,
     port_done: u64,
 }
 
-/// When a program did what.
+/// The times of a program.
 struct Ran {
-    /// Its first instruction was taken.
+    /// The time at which its first instruction was taken.
     began: Ticks,
-    /// Each bank was given last.
+    /// The time at which each bank was last given.
     given: [Ticks; 2],
 }
 
 impl Array {
-    /// The network has done with a bank before that tick; 0 if it never had it.
+    /// Notes that the network finished with a bank before that tick; 0 if it never had it.
     fn bank_done(&mut self, bank: usize, end: Ticks) {
-        // A flag crosses and is noted: it may be awaited in the clock behind.
+        // A flag crosses and is stored: the bank is ready in the next clock.
         self.banks[bank] = if end == 0 { 0 } else { Timing::told(end) / CLOCK + 1 };
     }
 
-    /// Takes the instructions of a program; those from a mark on are not there before.
+    /// Takes the instructions of a program. Those from a given place on are not available before a given time.
     fn run(&mut self, program: &[Instruction<u64>], marks: &[Mark]) -> Ran {
         let mut marks = marks.iter().peekable();
         let mut ran = Ran { began: 0, given: [0; 2] };

@@ -5,20 +5,20 @@ use crate::pixelflow::workload::Binned;
 
 /// A rasterizer.
 pub(super) struct Rasterizer {
-    /// What is in each region.
+    /// The primitives of each region.
     bins: Vec<Vec<Binned>>,
-    /// The front end's work on a primitive, when it is needed first.
+    /// The front end's time for a primitive, when it is first needed.
     generates: Ticks,
-    /// The front end has done what it did so far.
+    /// The time at which the front end has finished its work so far.
     made: Ticks,
-    /// The array has drawn what it drew so far.
+    /// The time at which the array has finished its work so far.
     time: Ticks,
     generated: Ticks,
     drawn: Ticks,
 }
 
 impl Rasterizer {
-    /// One whose front end goes on to make instructions at that time, where it does.
+    /// A rasterizer whose front end begins to make instructions at that time, if it makes them during rasterization.
     pub fn new(bins: Vec<Vec<Binned>>, generates: Ticks, time: Ticks) -> Rasterizer {
         Rasterizer { bins, generates, made: time, time, generated: 0, drawn: 0 }
     }
@@ -35,11 +35,11 @@ impl Rasterizer {
         self.drawn
     }
 
-    /// Draws a region, once there is a bank for it; gives the end of that.
+    /// Draws a region, once there is a bank for it. Returns the end of drawing.
     pub fn draw(&mut self, region: u16, free: Ticks) -> Ticks {
         self.time = self.time.max(free);
         for primitive in &mut self.bins[usize::from(region)] {
-            // Instructions are kept, for other samples and other regions.
+            // Instructions are stored for other samples and other regions.
             if std::mem::take(&mut primitive.is_first) {
                 self.made += self.generates;
                 self.generated += self.generates;

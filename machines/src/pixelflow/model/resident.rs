@@ -1,7 +1,7 @@
-//! All regions in the pixels' memory at once: nothing is sorted, and the frame is composed when all of it is drawn.
+//! All regions in the pixels' memory at once. Nothing is sorted, and the frame is composed when it is completely drawn.
 //!
-//! Several samples are drawn one after another. The node of the frame buffer adds them up in its own pixels, 6 bytes in each of 40 regions, and
-//! writes the frame's memory with the last of them.
+//! Several samples are drawn one after another. The node of the frame buffer adds them up in its own pixels, 6 bytes in each of 40 regions. With
+//! the last sample it writes the frame's memory.
 
 use serde::Serialize;
 use std::ops::Range;
@@ -13,33 +13,33 @@ use crate::pixelflow::workload::{Place, Workload};
 /// A frame of that system.
 #[derive(Clone, Debug)]
 pub struct Resident<'a> {
-    /// What is drawn.
+    /// The primitives.
     pub workload: &'a Workload,
-    /// Before a node's first primitive.
+    /// The time before a node's first primitive.
     pub overhead: Ticks,
-    /// The front end's work on a primitive, just before it is drawn for the first time.
+    /// The front end's time for a primitive, just before it is first drawn.
     pub transforms: Ticks,
     /// Samples of a pixel, one after another.
     pub samples: usize,
-    /// Words of a region on the network, with what is set up for them.
+    /// Words of a region on the network, with their set-up.
     pub composes: Ticks,
-    /// A region into the frame buffer's memory.
+    /// Loading a region into the frame buffer's memory.
     pub loads: Ticks,
 }
 
-/// When one sample of all pixels was drawn.
+/// The times of one sample of all pixels.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Pass {
-    /// By each rasterizer.
+    /// When each rasterizer had drawn it.
     pub rasterized: Vec<Ticks>,
-    /// On the network, all regions.
+    /// When all regions were on the network.
     pub composed: Range<Ticks>,
-    /// When the node of the frame buffer had the last region, and if it is the last pass, had written it.
+    /// When the node of the frame buffer had the last region, and for the last pass, had written it.
     pub loaded: Ticks,
 }
 
 impl Resident<'_> {
-    /// Lets the frame run; gives the passes.
+    /// Runs the frame. Returns the passes.
     ///
     /// ```
     /// use tilewright_machines::pixelflow::{Resident, Workload};

@@ -1,4 +1,4 @@
-//! A frame that runs, turn by turn: nodes wait for the network, and it for them, at their banks.
+//! A running frame, turn by turn. Nodes and network wait for each other at the nodes' banks.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -8,42 +8,42 @@ use super::direction::{Direction, Passing};
 use super::{Arrays, Done, Shading, Turn};
 use crate::pixelflow::costs::Ticks;
 
-/// What a shader did with a region.
+/// The times of a shader for a region.
 pub(super) struct Shaded {
-    /// From its first look at the words until its colours are given.
+    /// From its first access to the words until its colours are given.
     pub at: Range<Ticks>,
-    /// Its bank is the network's again, for the next words.
+    /// When the network gets its bank again, for the next words.
     pub next_word: Ticks,
 }
 
-/// What the holder of the frame did with a region.
+/// The times of the frame buffer's node for a region.
 pub(super) struct Stored {
-    /// While its memory is written.
+    /// When its memory is written.
     pub at: Range<Ticks>,
-    /// Its bank is the network's again.
+    /// When the network gets its bank again.
     pub given: Ticks,
 }
 
-/// When the nodes gave the banks of a turn.
+/// The times at which the nodes gave the banks of a turn.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::pixelflow) struct Given {
-    /// Each rasterizer its words.
+    /// Each rasterizer's bank with its words.
     pub words: Vec<Ticks>,
-    /// The shader its bank for the next ones.
+    /// The shader's bank for the next words.
     pub next_word: Ticks,
-    /// The holder of the frame its bank of this turn for another one.
+    /// The bank of the frame buffer's node of this turn, for another turn.
     pub stored: Ticks,
 }
 
-/// Who is busy until when.
+/// The times until which units are busy.
 #[derive(Clone, Copy, Default)]
 struct Banks {
-    /// The ends of the last two uses of what follows: a bank is free again when the one before the last has ended.
+    /// The ends of the last two uses of a pair of banks. A bank is free again when the use before the last has ended.
     ends: [Ticks; 2],
 }
 
 impl Banks {
-    /// When there is one.
+    /// The time at which a bank is free.
     fn free(&self) -> Ticks {
         self.ends[0]
     }
@@ -55,28 +55,28 @@ impl Banks {
 
 /// The banks of a shader.
 struct Shader {
-    /// When the network may bring words.
+    /// The time from which on the network may bring words.
     word: Ticks,
-    /// When colours were sent.
+    /// The time at which colours were sent.
     sent: Ticks,
 }
 
-/// A frame that runs. Its nodes are the holder of the frame, then rasterizers, then shaders.
+/// A running frame. Its nodes are that of the frame buffer, then rasterizers, then shaders.
 pub(super) struct Run<'a, A> {
     pub arrays: A,
     turns: &'a [Turn],
     nodes: usize,
     rasterizers: Vec<Banks>,
     shaders: Vec<Shader>,
-    /// From the holder of the frame to the last shader, and back; both are one if all words share the wires.
+    /// The directions from the frame buffer to the last shader, and back; both are one if all words share the wires.
     forth: Direction,
     back: Option<Direction>,
-    /// The banks of the holder of the frame.
+    /// The banks of the frame buffer's node.
     store: Banks,
-    /// When each turn was where, and when its banks were given.
+    /// The times of each turn, and those at which its banks were given.
     pub done: Vec<Done>,
     pub given: Vec<Given>,
-    /// Turns whose colours are not yet sent.
+    /// Turns whose colours are not sent yet.
     waiting: VecDeque<usize>,
 }
 
@@ -100,17 +100,17 @@ impl<'a, A: Arrays> Run<'a, A> {
         }
     }
 
-    /// When each shader gives its bank for words first.
+    /// The time at which each shader first gives its bank for words.
     pub fn first_words(&self) -> Vec<Ticks> {
         self.shaders.iter().map(|shader| shader.word).collect()
     }
 
-    /// When the holder of the frame gives each of its banks first.
+    /// The times at which the node of the frame buffer first gives each of its banks.
     pub fn first_stores(&self) -> [Ticks; 2] {
         self.store.ends
     }
 
-    /// Lets it run to its end.
+    /// Runs to the end.
     pub fn run(mut self) -> Self {
         for number in 0..self.turns.len() {
             self.turn(number);
@@ -132,10 +132,10 @@ impl<'a, A: Arrays> Run<'a, A> {
         }
     }
 
-    /// Words go forth, to a shader.
+    /// Sends words forth to a shader.
     fn compose_and_shade(&mut self, number: usize, shading: &Shading, rasterized: Ticks) {
         let ready = rasterized.max(self.shaders[shading.shader].word);
-        // Colours that are there go first.
+        // Colours that are ready go first.
         while self.send_first(Some(self.forth.begin(ready))) {}
         let (first, target) = (1, 1 + self.rasterizers.len() + shading.shader);
         let words = self.forth.send(first, ready, self.turns[number].composes);
@@ -154,7 +154,7 @@ impl<'a, A: Arrays> Run<'a, A> {
         }
     }
 
-    /// Words go back, to the holder of the frame.
+    /// Sends words back to the node of the frame buffer.
     fn compose_and_store(&mut self, number: usize, rasterized: Ticks) {
         let words = self.send_back(self.rasterizers.len(), rasterized, self.turns[number].composes);
         for (behind, banks) in self.rasterizers.iter_mut().rev().enumerate() {
@@ -166,13 +166,13 @@ impl<'a, A: Arrays> Run<'a, A> {
         self.load(number, arrived);
     }
 
-    /// A word goes back from a node to the first one, when that has a bank.
+    /// Sends a word back from a node to the first one, when that has a bank.
     fn send_back(&mut self, from: usize, given: Ticks, takes: Ticks) -> Passing {
         let (from, given) = (self.nodes - 1 - from, given.max(self.store.free()));
         self.back.as_mut().unwrap_or(&mut self.forth).send(from, given, takes)
     }
 
-    /// Sends the colours that wait first, if they are there by that time; tells whether they were.
+    /// Sends the first waiting colours, if they are ready by that time. Returns whether they were.
     fn send_first(&mut self, by: Option<Ticks>) -> bool {
         let is_there = |&number: &usize| by.is_none_or(|by| self.done[number].shaded.end <= by);
         let Some(number) = self.waiting.front().copied().filter(is_there) else { return false };

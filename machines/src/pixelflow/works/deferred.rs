@@ -12,20 +12,20 @@ use crate::pixelflow::constants::constants;
 use crate::pixelflow::costs::{Ticks, ticks};
 use crate::pixelflow::screen::Screen;
 
-/// Where a shader keeps the words of the region that it shades.
+/// The memory of a shader for the words of the region that it shades.
 const SHADED: u64 = 160;
 
 fn shading(shader: &Shader) -> Shading<'_> {
     Shading { shader, word: SHADED, colour: bank(1) }
 }
 
-/// Shades, with the parts before, beside and behind the texture unit, and gives the colours when there is a bank for them.
+/// Shades, in parts before, during and after the texture unit, and gives the colours when there is a bank for them.
 fn sent_colours([before, beside, behind]: [Program; 3]) -> Program {
     [before, beside, vec![programs::await_bank(1)], behind, vec![programs::give_bank(1)]].concat()
 }
 
 impl Works {
-    /// With deferred shading: appearance words of one pass, or of both of eight samples, region by region.
+    /// Deferred shading: appearance words of one pass, or of both passes of eight samples, region by region.
     pub fn deferred(config: &Config, passes: &[Pass], shader: &deferred::Shader) -> Result<Works, Error> {
         let samples = if passes.len() == 1 { Samples::One } else { Samples::SideBySide };
         let drawn = Config { size: passes[0].size, ..config.clone() };
@@ -45,7 +45,7 @@ impl Works {
         Ok(works)
     }
 
-    /// With deferred shading, once of eight samples: those of a region come one after another, of two passes at twice the width and height.
+    /// Deferred shading, once for eight samples. The samples of a region come one after another, from two passes at twice the width and height.
     pub fn deferred_once(config: &Config, passes: &[Pass], shader: &deferred::Shader) -> Result<Works, Error> {
         let samples: Vec<_> = samples_of_eight(config).collect();
         let mut works = Works::of_shader(config, shader, Samples::ShadedOnce)?;
@@ -77,7 +77,7 @@ impl Works {
         Ok(works)
     }
 
-    /// Draws a sample, which a screen has, of a pass.
+    /// Draws one sample of a pass on a screen.
     fn draw(&mut self, config: &Config, sample: usize, screen: &Screen, pass: &Pass) {
         let (hardware, together) = (self.hardware(config), self.together());
         let boxes = pass.packets.iter().map(|packet| packet.triangle.bounds);
@@ -94,7 +94,7 @@ impl Works {
         );
     }
 
-    /// In each turn words are cleared before, and marked and given behind. If primitives were sorted before, their instructions are made meanwhile.
+    /// Before each turn words are cleared; after it they are tagged and given. With pre-sorting, instructions are made at the same time.
     fn finish_words(&mut self, config: &Config) {
         let turns = self.turns();
         for (rasterizer, turn) in (0..self.shares()).flat_map(|it| (0..turns).map(move |turn| (it, turn))) {

@@ -1,15 +1,15 @@
-//! The picture, of what is shown.
+//! The picture on display.
 
 use tilewright_scenes::Frame;
 
 use super::Works;
 use crate::pixelflow::hardware::Words;
 
-/// The greatest depth, where none is known.
+/// The greatest depth, for pixels without a known depth.
 const FAR: u64 = 0xff_ffff;
 
 impl Works {
-    /// The frame: the colours that are shown, line by line, and the depths of the words that came of each region, if they had some.
+    /// The frame: the displayed colours, line by line, and the depths of each region's words, if they have depths.
     pub fn picture(&self, shown: &[[u8; 3]], came: &[Words]) -> Frame {
         let width = self.size().width();
         let word = |(number, colour): (usize, &[u8; 3])| {

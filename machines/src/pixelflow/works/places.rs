@@ -1,4 +1,4 @@
-//! Where the pixels of arrays are on the screen.
+//! The places of arrays' pixels on the screen.
 
 use super::Works;
 
@@ -13,13 +13,13 @@ impl Works {
         2 * self.array[0] as usize
     }
 
-    /// The chip of a pixel that is counted chip by chip, and its number there.
+    /// The chip of a pixel, counted chip by chip, and its number there.
     pub fn place_in_chip(&self, pixel: usize) -> (u32, usize) {
         let of_chip = self.pixels_of_chip();
         ((pixel / of_chip) as u32, pixel % of_chip)
     }
 
-    /// The pixel of the frame, in raster order, that a chip's pixel is, or is a sample of, in a region; none if it is beyond the screen.
+    /// The number, in raster order, of the frame's pixel for a chip's pixel in a region, which may be one of its samples; `None` beyond the screen.
     pub fn pixel(&self, region: usize, chip: u32, pixel: usize) -> Option<usize> {
         let ([left, top], columns) = (self.screen.place(region), self.array[0]);
         let (x, y) = (left + pixel as u32 % columns, top + 2 * chip + pixel as u32 / columns);

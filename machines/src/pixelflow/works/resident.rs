@@ -12,23 +12,23 @@ use crate::pixelflow::config::Config;
 use crate::pixelflow::costs::ticks;
 use crate::pixelflow::screen::{Pattern, Screen};
 
-/// Samples of a picture that are to be drawn.
+/// The samples of a picture to draw.
 pub(in crate::pixelflow) struct Drawing<'a, E> {
     pub packets: &'a [Packet<E>],
-    /// The picture, and which of its pixels.
+    /// The picture, and the pattern of its pixels.
     pub size: Size,
     pub pattern: Pattern,
 }
 
 impl<'a, E> Drawing<'a, E> {
-    /// All of a picture, or its field.
+    /// A whole picture, or its field.
     pub fn of(config: &Config, packets: &'a [Packet<E>]) -> Drawing<'a, E> {
         Drawing { packets, size: config.size, pattern: config.field.map_or(Pattern::ALL, Pattern::field) }
     }
 }
 
 impl<'a> Drawing<'a, [Edge; 3]> {
-    /// Each of eight samples, of two pictures at twice the width and height.
+    /// Each of eight samples, from two pictures at twice the width and height.
     pub fn eight(config: &Config, passes: &'a [Projection]) -> Vec<Drawing<'a, [Edge; 3]>> {
         let sample = |(pass, pattern): (usize, Pattern)| {
             let Projection { size, triangles, .. } = &passes[pass];
@@ -39,7 +39,7 @@ impl<'a> Drawing<'a, [Edge; 3]> {
 }
 
 impl Works {
-    /// With all regions in the pixels' memory, one sample, or eight after each other.
+    /// All regions in the pixels' memory, with one sample, or eight one after another.
     pub fn resident<E: AsRef<[Edge]> + Sync>(
         config: &Config,
         samples: &[Drawing<'_, E>],
@@ -62,7 +62,7 @@ impl Works {
         for (sample, Drawing { packets, size, pattern }) in samples.iter().enumerate() {
             let screen = Screen::sampled(*size, *pattern, config.array)?;
             let boxes = packets.iter().map(|packet| packet.bounds);
-            // All at once, in the order in which they come.
+            // All primitives at once, in the sequence of submission.
             works.deal(
                 sample,
                 &screen,
@@ -83,7 +83,7 @@ impl Works {
         Ok(works)
     }
 
-    /// A region is sent, after all have been cleared and drawn if it is the first of a sample.
+    /// Sends a region. Before the first one of a sample, all regions are cleared and drawn.
     fn send(&mut self, turn: usize, places: &[u64], background: [u8; 3]) {
         let (number, region) = (turn as u64 % 2, self.region(turn));
         let clear = |place: &u64| programs::clear_to(*place, background);
@@ -99,7 +99,7 @@ impl Works {
         }
     }
 
-    /// The instructions that add a colour to the sums of its region, and if that ends it, leave their mean where the frame buffer looks.
+    /// The instructions that add a colour to the sums of its region, and after the last one store the mean for the frame buffer.
     pub(super) fn adding(&self, turn: usize, colour: u64) -> Program {
         let sums = self.sums(turn % self.regions());
         let mut program = programs::add_sample(colour, sums);
@@ -109,12 +109,12 @@ impl Works {
         program
     }
 
-    /// The instructions that begin them, before the first.
+    /// The instructions that clear the sums before the first colour.
     pub(super) fn before_adding(&self, turn: usize) -> Program {
         if turn < self.regions() { programs::begin_sums(self.sums(turn)) } else { Vec::new() }
     }
 
-    /// Where a region's sums are: in memory, and in registers behind those at which the frame buffer looks.
+    /// The place of a region's sums: in memory, and in registers after those that the frame buffer reads.
     fn sums(&self, region: usize) -> u64 {
         let in_memory = u64::from(PixelProcessor::REGISTERS) / SUM_BYTES;
         match (region as u64).checked_sub(in_memory) {
@@ -124,7 +124,7 @@ impl Works {
     }
 }
 
-/// Where the words of each region are, as many as have room beside the network's banks; and room for a new one.
+/// The places of each region's words, as many as fit beside the network's banks, and the place for a new word.
 fn resident_words() -> (Vec<u64>, u64) {
     let (bytes, registers) = (gouraud::BYTES, u64::from(PixelProcessor::REGISTERS));
     let memory = (0..registers / bytes).map(|number| number * bytes);
@@ -141,7 +141,7 @@ fn there_is_room_for_as_many_regions_as_is_said() {
     let (places, scratch) = resident_words();
     assert_eq!(places.len(), Config::MOST_REGIONS);
     assert!(scratch + gouraud::BYTES <= PixelProcessor::BYTES.into());
-    // And for the sums of as many.
+    // The same for sums.
     let size = Size::new(8 * Config::MOST_REGIONS as u32, 8).expect("in range");
     let config = Config { array: [8, 8], ..Config::new(size) };
     let works = Works::empty(&config, 1, Samples::InMemory).expect("there is such a machine");

@@ -1,20 +1,20 @@
-//! How the samples of a pixel follow each other.
+//! The sequence of a pixel's samples.
 
-/// How the samples of a pixel follow each other, and who makes one colour of them.
+/// The sequence of a pixel's samples, and the unit that averages them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Samples {
-    /// There is one.
+    /// One sample.
     One,
-    /// Four are side by side, of each of two renderings. All are shaded, and the frame buffer averages them.
+    /// Two renderings with four samples side by side. All are shaded, and the frame buffer averages them.
     SideBySide,
-    /// Those of a region are one after another, and a shader averages what it shades.
+    /// The samples of a region one after another. A shader averages them after shading.
     ShadedOnce,
-    /// Those of all regions are one after another, and the frame's holder adds them up.
+    /// Each sample for all regions, one after another. The node of the frame buffer adds them up.
     InMemory,
 }
 
 impl Samples {
-    /// Turns that a region has one after another.
+    /// The number of consecutive turns of a region.
     pub fn together(self) -> usize {
         match self {
             Samples::One | Samples::InMemory => 1,
@@ -23,12 +23,12 @@ impl Samples {
         }
     }
 
-    /// How often all regions have them.
+    /// The number of passes over all regions.
     pub fn rounds(self) -> usize {
         if self == Samples::InMemory { 8 } else { 1 }
     }
 
-    /// How many a pixel has.
+    /// The number of samples of a pixel.
     pub fn count(self) -> u32 {
         if self == Samples::One { 1 } else { 8 }
     }

@@ -1,14 +1,14 @@
-//! A coverage-test unit in time: what the division of a window takes, and what a unit has counted (MPG-EQ5).
+//! The clocks of a coverage-test unit: those of a window's division, and the unit's counters (MPG-EQ5).
 //!
-//! A clock in which a unit takes a window, or sends one, is the last of what it did before. So a window taken at clock t has its first
-//! test at t + 1, and the next one is taken with the last clock of its last quarter.
+//! The clock in which a unit takes or sends a window is the last one of its step before. So a window taken at clock t has its first test at
+//! t + 1, and the next window is taken in the last clock of its last quarter.
 
 use super::record::{Counts, Visit};
 use crate::quadtree::windows::{Costs, Search, Window};
 use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::Polygon;
 
-/// What all units of a run look at.
+/// The common data of all units of a run.
 #[derive(Clone, Copy)]
 pub(super) struct Course<'a> {
     pub search: &'a Search,
@@ -45,14 +45,14 @@ pub(super) struct Division {
     number: usize,
     costs: Costs,
     taken: u64,
-    /// The clock that is reached: that from which on a quarter is offered, or the last of the division.
+    /// The current clock: the one from which on a quarter is offered, or the last of the division.
     clock: u64,
     sent: [u64; 4],
     counts: Counts,
 }
 
 impl Division {
-    /// Of a window that is taken in a clock.
+    /// The division of a window that is taken in a clock.
     pub fn new(course: &Course, work: Work, taken: u64) -> Division {
         Division {
             work,
@@ -66,7 +66,7 @@ impl Division {
         }
     }
 
-    /// The clock that is reached.
+    /// The current clock.
     pub fn clock(&self) -> u64 {
         self.clock
     }
@@ -76,7 +76,7 @@ impl Division {
         self.number
     }
 
-    /// Goes on to the next quarter that passes, which is offered from then on; `None` at the end.
+    /// Advances to the next quarter that passes, which is offered from then on; `None` at the end.
     pub fn next(&mut self) -> Option<Work> {
         while let Some(quarter) = self.quarters.get(self.number).copied() {
             self.works_for(self.costs.test);
@@ -89,7 +89,7 @@ impl Division {
         None
     }
 
-    /// The quarter that is offered goes in that clock.
+    /// Sends the offered quarter in that clock.
     pub fn send(&mut self, clock: u64) {
         self.counts.stalled += clock - self.clock;
         self.sent[self.counts.results as usize] = clock;
@@ -116,7 +116,7 @@ pub(super) struct Unit {
 }
 
 impl Unit {
-    /// A unit that sends windows of so many levels, `level` the first of them.
+    /// A unit that sends windows of several levels, the first of which is `level`.
     pub fn new(level: u32, levels: u32, keeps_visits: bool) -> Unit {
         Unit { level, counts: vec![Counts::default(); levels as usize], end: 0, visits: keeps_visits.then(Vec::new) }
     }
@@ -131,8 +131,8 @@ impl Unit {
         self.level + self.counts.len() as u32 - 1
     }
 
-    /// Divides a window that it takes in that clock. `send` gives a quarter away that is offered from a clock on, and returns
-    /// when it goes.
+    /// Divides a window that it takes in that clock. `send` takes a quarter that is offered from a clock on, and returns the clock in which
+    /// it goes.
     pub fn divide(&mut self, course: &Course, work: Work, taken: u64, mut send: impl FnMut(Work, u64) -> u64) {
         let mut division = Division::new(course, work, taken);
         while let Some(quarter) = division.next() {
@@ -153,7 +153,7 @@ impl Unit {
         }
     }
 
-    /// Adds what it has counted to that of all units of a video processor, and hands its visits over.
+    /// Adds its counters to those of all units of a video processor, and passes on its visits.
     pub fn hand_over(self, counts: &mut [Counts], visits: &mut Vec<Visit>) {
         let from = self.level as usize;
         counts[from..].iter_mut().zip(self.counts).for_each(|(sum, counts)| *sum += counts);

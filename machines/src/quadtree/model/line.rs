@@ -1,8 +1,8 @@
-//! The stages of a raster processor, one behind the other, and the pixel processor at their end.
+//! The stages of a raster processor, one after another, and the pixel processor at the end.
 //!
-//! A stage is asked when it takes a window that is offered from a clock on. Each hands windows on in the order in which it got them, so
-//! that the answer follows from those before: a queue of depth d takes its k-th window after window k - d has left it. So a stage does
-//! its work when its queue is full, or at the end, and no clocks are counted through: max and plus are all that there is.
+//! A stage answers the clock in which it takes a window that is offered from a clock on. Windows keep their sequence, so the answer follows from
+//! earlier windows: a queue of depth d takes its k-th window after window k - d has left it. So a stage works when its queue is full, or at the
+//! end. The model needs only maxima and sums, and does not step through clocks.
 
 use super::division::{Course, Unit, Work};
 use super::queue::Queue;
@@ -18,7 +18,7 @@ pub(super) enum Stage {
     Pixels(Pixels),
 }
 
-/// The clock in which the first stage takes a window that is offered to it from a clock on.
+/// The clock in which the first stage takes a window that is offered from a clock on.
 pub(super) fn take(stages: &mut [Stage], course: &Course, work: Work, offered: u64) -> u64 {
     match stages.split_first_mut() {
         Some((Stage::Unit(unit), behind)) => unit.take(behind, course, work, offered),
@@ -29,7 +29,7 @@ pub(super) fn take(stages: &mut [Stage], course: &Course, work: Work, offered: u
     }
 }
 
-/// Does what is left to do.
+/// Finishes the remaining work.
 pub(super) fn finish(stages: &mut [Stage], course: &Course) {
     if let Some((stage, behind)) = stages.split_first_mut() {
         match stage {
@@ -42,7 +42,7 @@ pub(super) fn finish(stages: &mut [Stage], course: &Course) {
 }
 
 impl Stage {
-    /// The first clock after all that it did.
+    /// The first clock after all its work.
     pub fn idle(&self) -> u64 {
         match self {
             Stage::Unit(Queued { unit, .. }) | Stage::Stack(Stack { unit, .. }) => unit.end() + 1,
@@ -51,7 +51,7 @@ impl Stage {
         }
     }
 
-    /// Hands over what it has counted.
+    /// Passes on its counters.
     pub fn hand_over(self, counts: &mut [Counts], visits: &mut Vec<Visit>) -> u64 {
         match self {
             Stage::Unit(Queued { unit, .. }) | Stage::Stack(Stack { unit, .. }) => unit.hand_over(counts, visits),
@@ -82,7 +82,7 @@ impl Queued {
         clock
     }
 
-    /// Divides the oldest window of the queue; the clock in which that left it.
+    /// Divides the oldest window of the queue. Returns the clock in which the window left it.
     fn divide_oldest(&mut self, behind: &mut [Stage], course: &Course) -> Option<u64> {
         let (work, since) = self.queue.pop()?;
         let taken = self.unit.end().max(since + 1);
@@ -91,7 +91,7 @@ impl Queued {
     }
 }
 
-/// A unit with a stack: it takes a window when it has none, and divides the newest first.
+/// A unit with a stack. It takes a window when it has none, and divides the newest window first.
 pub(super) struct Stack {
     unit: Unit,
     windows: Vec<Work>,

@@ -1,4 +1,4 @@
-//! The transaction-level model of a generator: its clocks without its circuit, for runs that the circuit is too slow for.
+//! The transaction-level model of a generator: its clocks without its circuit, for runs that take too long on the circuit.
 //!
 //! ```text
 //!                        .-> [queue][set-up] -> stages -> pixels        each stage, asked about a window,
@@ -6,21 +6,21 @@
 //!            broadcast   '-> ..
 //! ```
 //!
-//! [`Search`] says which windows pass; how long that takes follows from the clocks in which windows are offered, and from the queues
-//! between the stages. All numbers are those of the hardware, clock for clock: its counters, the clock in which it takes each packet,
-//! and the clock in which it is idle. [`Simulated`] has the same [`Run`] of the hardware itself.
+//! [`Search`] determines the windows that pass. Their times follow from the clocks in which windows are offered, and from the queues between
+//! the stages. All numbers are those of the hardware: its counters, the clock in which it takes each packet, and the clock in which it is
+//! idle. [`Simulated`] has the same [`Run`] for the hardware itself.
 //!
-//! | file | what is in it |
+//! | file | content |
 //! |---|---|
 //! | `division` | a coverage-test unit: the clocks of a window |
-//! | `queue`, `line`, `tree` | units of a pipe, a stack, a tree, one behind the other |
+//! | `queue`, `line`, `tree` | units of a pipe, a stack, a tree, one after another |
 //! | `processor` | a video processor |
-//! | `record` | what a run is in numbers |
-//! | `simulated` | the same of the hardware |
+//! | `record` | the numbers of a run |
+//! | `simulated` | the same for the hardware |
 //! | `square` | the paper's generators |
-//! | `trials` | the paper's figures from counters, of the model and of the hardware |
-//! | `window_sizes` | how wide windows are, from counters |
-//! | `sweep` | what queues of some depths lose |
+//! | `trials` | the paper's figures from counters of the model and of the hardware |
+//! | `window_sizes` | the widths of windows, from counters |
+//! | `sweep` | the loss with queues of some depths |
 
 mod division;
 mod line;
@@ -73,8 +73,8 @@ const PACKETS_AT_ONCE: usize = 256;
 ///
 /// let rectangles = Rectangles::new(Size::new(1024, 1024)?, 100.0, 5.0, 1)?;
 /// let polygons: Vec<_> = (0..50).map(|index| rectangles.polygon(index)).collect();
-/// let run = model.run(Packets::at_once(&polygons), &mut Watch::default()).expect("nobody breaks it off");
-/// // No polygon takes less than 4 tests of 4 clocks in a stage, and rectangles of 100 pixels have more windows than one.
+/// let run = model.run(Packets::at_once(&polygons), &mut Watch::default()).expect("not interrupted");
+/// // A polygon takes at least 4 tests of 4 clocks in a stage, and rectangles of 100 pixels have more than one window.
 /// assert!(run.clocks > 50 * 16);
 /// assert_eq!(run.processors[0].units[0].results, 50);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -91,19 +91,19 @@ impl Model {
     /// The model of that generator.
     ///
     /// # Errors
-    /// Its windows are too large to be counted, as in [`Rasters::check`].
+    /// Its windows are too large for counting, as in [`Rasters::check`].
     pub fn new(generator: &QuadtreeGenerator) -> Result<Model, ParameterError> {
         let processor = generator.processor();
         let search = Search::new(rasters_of(&generator.format()))?;
         Ok(Model { search, form: processor.form.clone(), test: processor.test, queues: processor.queues })
     }
 
-    /// What the generator does with packets, from its reset until it is idle. `None` if it was broken off.
+    /// The generator's run on packets, from its reset until it is idle. `None` if interrupted.
     pub fn run(&self, packets: Packets, watch: &mut Watch) -> Option<Run> {
         self.run_with_visits(packets, false, watch).map(|(run, _)| run)
     }
 
-    /// The same, and when each window was in each unit: by video processor, and there by unit.
+    /// The same, and the visits of all windows, by video processor and unit.
     ///
     /// ```
     /// use tilewright_machines::{Watch, quadtree::model::{Model, Packets}};
@@ -122,7 +122,7 @@ impl Model {
     /// let polygons = [set_up(&[at(0, 0), at(2, 0), at(0, 2)], Size::new(2, 2)?).unwrap().into()];
     /// let (_, visits) = model.visits(Packets::at_once(&polygons), &mut Watch::default()).unwrap();
     /// let [set_up, test] = &visits[0][..] else { panic!("two units") };
-    /// // Two queues take a clock each, the set-up 4; 3 for the first test, and 4 for its window.
+    /// // Two queues take a clock each, and the set-up 4. The first test takes 3, and its window 4.
     /// assert_eq!((set_up.sent[0], test.taken), (5, 5));
     /// assert_eq!(test.sent[0], 12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -131,8 +131,8 @@ impl Model {
         self.run_with_visits(packets, true, watch)
     }
 
-    /// Clocks until each video processor would be idle if it had to wait for no other: the coupling that the paper leaves out of its
-    /// estimates (MPG-LIM). `None` if it was broken off.
+    /// Clocks until each video processor would be idle if it never had to wait for another. The paper's estimates leave out that coupling
+    /// (MPG-LIM). `None` if interrupted.
     pub fn uncoupled(&self, packets: Packets, watch: &mut Watch) -> Option<Vec<u64>> {
         let mut processors = self.processors(packets, self.queues.packets as usize, false);
         let mut offered = 0;
@@ -172,10 +172,10 @@ impl Model {
     }
 }
 
-/// The queue of the broadcast, and what gives each of its packets to all.
+/// The queue of the broadcast, which gives each packet to all video processors.
 struct Broadcast {
     depth: usize,
-    /// The clocks in which the last packets went, as many as the queue holds.
+    /// The clocks in which the last packets were sent; their number is the size of the queue.
     gone: VecDeque<u64>,
     counts: Counts,
 }
@@ -185,8 +185,8 @@ impl Broadcast {
         Broadcast { depth, gone: VecDeque::new(), counts: Counts::default() }
     }
 
-    /// Takes a packet that is offered from a clock on, and returns when; `all` says when all have a packet that is shown to them from
-    /// a clock on.
+    /// Takes a packet that is offered from a clock on, and returns the clock of that. `all` returns the clock in which all video processors
+    /// have a packet that is offered to them from a clock on.
     fn send(&mut self, offered: u64, all: impl FnOnce(u64) -> u64) -> u64 {
         let room = if self.gone.len() == self.depth { self.gone.pop_front() } else { None };
         let taken = offered.max(room.map_or(0, |clock| clock + 1));
@@ -198,7 +198,7 @@ impl Broadcast {
     }
 }
 
-/// Reports, now and then, how far a run is; false if it is to be broken off.
+/// Reports the progress of a run from time to time; false if it has to stop.
 fn goes_on(packet: usize, packets: Packets, watch: &mut Watch) -> bool {
     if packet.is_multiple_of(PACKETS_AT_ONCE) {
         watch.report("counting clocks", packet as f64 / packets.polygons.len() as f64);

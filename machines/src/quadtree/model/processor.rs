@@ -1,4 +1,4 @@
-//! A video processor in time: its queue, its set-up, and its stages (MPG-ARCH).
+//! The clocks of a video processor: its queue, its set-up and its stages (MPG-ARCH).
 
 use super::division::{Course, Unit, Work};
 use super::line::{self, Pixels, Queued, Stack, Stage};
@@ -8,7 +8,7 @@ use super::tree::Tree;
 use crate::quadtree::windows::Window;
 use tilewright_rtl::quadtree::raster::{Form, Part};
 
-/// What the queues of a video processor hold.
+/// The sizes of a video processor's queues.
 #[derive(Clone, Copy)]
 pub(super) struct Depths {
     pub packets: usize,
@@ -49,7 +49,7 @@ impl<'a> VideoProcessor<'a> {
         }
     }
 
-    /// The clock in which it takes a packet that is offered to it from a clock on.
+    /// The clock in which it takes a packet that is offered from a clock on.
     pub fn take(&mut self, packet: u32, offered: u64) -> u64 {
         let mut clock = offered;
         if self.queue.is_full() {
@@ -59,19 +59,19 @@ impl<'a> VideoProcessor<'a> {
         clock
     }
 
-    /// Takes a packet that is offered in a clock and sets it up, as if the queue had room for any number.
+    /// Takes a packet that is offered in a clock and sets it up, as if the queue were unlimited.
     pub fn take_at_once(&mut self, packet: u32, offered: u64) {
         self.queue.push(packet, offered);
         self.set_up_oldest();
     }
 
-    /// Does what is left to do.
+    /// Finishes the remaining work.
     pub fn finish(&mut self) {
         while self.set_up_oldest().is_some() {}
         line::finish(&mut self.stages, &self.course);
     }
 
-    /// Sets the oldest packet of the queue up; the clock in which its root went, and it left the queue.
+    /// Sets up the oldest packet of the queue. Returns the clock in which its root was sent and it left the queue.
     fn set_up_oldest(&mut self) -> Option<u64> {
         let (packet, since) = self.queue.pop()?;
         let work = Work { packet, window: self.root };
@@ -87,12 +87,12 @@ impl<'a> VideoProcessor<'a> {
         Some(sent)
     }
 
-    /// The first clock after all that it did.
+    /// The first clock after all its work.
     pub fn idle(&self) -> u64 {
         self.stages.iter().map(Stage::idle).fold(self.end + 1, u64::max)
     }
 
-    /// What it did.
+    /// Its record.
     pub fn into_record(self) -> (record::Processor, Vec<Visit>) {
         let levels = self.course.search.matrix().levels as usize;
         let mut units = vec![Counts::default(); levels + 1];
@@ -113,7 +113,7 @@ fn stages(form: &Form, depth: usize, keeps_visits: bool) -> Vec<Stage> {
         let unit = |level, levels| Unit::new(level, levels, keeps_visits);
         match part {
             Part::Stack(_) => stages.push(Stage::Stack(Stack::new(unit(level, levels)))),
-            // A tree of one level is its unit alone.
+            // A tree of one level is just its unit.
             Part::Pipe(_) | Part::Tree(1) => {
                 stages.extend((level..level + levels).map(|level| Stage::Unit(Queued::new(depth, unit(level, 1)))));
             }

@@ -1,8 +1,8 @@
-//! A queue in time: what it holds, and since when.
+//! A queue in time: its words, each with its clock.
 
 use std::collections::VecDeque;
 
-/// A queue of so many words. A word that is put in at clock t can be taken at t + 1, and the room that it leaves be filled a clock later.
+/// A queue of limited size. A word that is put in at clock t can be taken at t + 1, and its space can be filled one clock later.
 pub(super) struct Queue<T> {
     depth: usize,
     words: VecDeque<(T, u64)>,

@@ -1,4 +1,4 @@
-//! What a generator did with packets: the same of the model and of the hardware, so that they can be compared.
+//! The record of a generator's run, the same for the model and for the hardware, so that they can be compared.
 
 use crate::quadtree::stages::Stages;
 use crate::quadtree::windows::Window;
@@ -6,22 +6,22 @@ use serde::Serialize;
 use std::ops::AddAssign;
 use tilewright_scenes::Polygon;
 
-/// Packets in the order in which a geometry processor sends them.
+/// Packets in the sequence in which a geometry processor sends them.
 ///
 /// ```
 /// use tilewright_machines::quadtree::model::Packets;
 ///
 /// let (polygons, pauses) = (Vec::new(), [0, 7]);
-/// // The second one is offered 8 clocks after the first was taken, the others as soon as they can be.
+/// // The second packet is offered 8 clocks after the first was taken, the others as soon as possible.
 /// let packets = Packets { polygons: &polygons, pauses: &pauses };
 /// assert_eq!(packets.pause(1), 7);
 /// assert_eq!(packets.pause(2), 0);
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Packets<'a> {
-    /// What is sent.
+    /// The packets.
     pub polygons: &'a [Polygon],
-    /// Clocks in which nothing is offered, before each of them; those that are missing are 0.
+    /// Clocks without an offer before each of them; missing pauses are 0.
     pub pauses: &'a [u64],
 }
 
@@ -31,13 +31,13 @@ impl<'a> Packets<'a> {
         Packets { polygons, pauses: &[] }
     }
 
-    /// Clocks in which nothing is offered before a packet.
+    /// Clocks without an offer before a packet.
     pub fn pause(&self, packet: usize) -> u64 {
         self.pauses.get(packet).copied().unwrap_or(0)
     }
 }
 
-/// What a unit did, in clocks.
+/// The counters of a unit, in clocks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// Clocks in which it worked.
@@ -56,59 +56,59 @@ impl AddAssign for Counts {
     }
 }
 
-/// What a video processor did.
+/// The record of a video processor.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Processor {
     /// The set-up, and then the raster processor by level, from 1 to n.
     pub units: Vec<Counts>,
-    /// Pixels that it drew, each as often as it did.
+    /// Pixels that it drew; a pixel counts each time.
     pub fragments: u64,
 }
 
-/// What a generator did with packets. Clocks are counted from the first on in which the first packet could be offered.
+/// The record of a generator's run. Clocks are counted from the first one in which the first packet could be offered.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Run {
     /// The clock in which each packet was taken from the geometry processor.
     pub taken: Vec<u64>,
     /// Clocks until the generator was idle.
     pub clocks: u64,
-    /// What the broadcast did: packets that all have, and clocks in which one waited until all had room.
+    /// The counters of the broadcast: packets that all have received, and clocks in which one waited for space in all queues.
     pub broadcast: Counts,
     /// The video processors, row by row of the matrix.
     pub processors: Vec<Processor>,
 }
 
 impl Run {
-    /// Packets in a clock, on the mean over the run: P of MPG-EQ8 and MPG-EQ9 as it came about.
+    /// Mean packets per clock over the run: the observed P of MPG-EQ8 and MPG-EQ9.
     pub fn rate(&self) -> f64 {
         self.taken.len() as f64 / self.clocks as f64
     }
 
-    /// The set-up's part of the clocks in which it worked, and that of each level, on the mean over all video processors. Of a tree it
-    /// is that of all its units together, and so may be above 1.
+    /// The mean share of the clocks in which the set-up worked, and that of each level, over all video processors. For a tree it is the sum
+    /// over all its units, which may be above 1.
     pub fn load(&self) -> Vec<f64> {
         self.mean(|counts| counts.busy)
     }
 
-    /// The same of the clocks in which a result waited.
+    /// The same for the clocks in which a result waited.
     pub fn stalled(&self) -> Vec<f64> {
         self.mean(|counts| counts.stalled)
     }
 
-    /// Windows of each level, from 0 to n, that a packet has in a video processor, on the mean.
+    /// Mean number of windows of a packet in a video processor, for each level from 0 to n.
     pub fn windows(&self) -> Vec<f64> {
         let all = (self.taken.len() * self.processors.len()) as f64;
         self.sums(|counts| counts.results).map(|sum| sum as f64 / all).collect()
     }
 
-    /// The time of work on a packet on each level, from 1 to n, in a video processor, on the mean: t_i of MPG-EQ5, in t_e of so many
+    /// The mean working time for a packet in a video processor, for each level from 1 to n: t_i of MPG-EQ5, in t_e of that number of
     /// clocks.
     pub fn stages(&self, test: u32) -> Stages {
         let all = self.taken.len() as f64 * (u64::from(test) * self.processors.len() as u64) as f64;
         Stages::new(self.sums(|counts| counts.busy).skip(1).map(|sum| sum as f64 / all).collect())
     }
 
-    /// How many numbers are not those of another run: the clocks, the clock of each packet, and all counters.
+    /// The number of differences from another run: in the clocks, the clock of each packet, and all counters.
     pub fn differences(&self, other: &Run) -> u64 {
         let (mut one, mut other) = (self.numbers(), other.numbers());
         std::iter::from_fn(|| match (one.next(), other.next()) {
@@ -118,7 +118,7 @@ impl Run {
         .sum()
     }
 
-    /// All of its numbers, packets last, so that one more or less of these is one difference.
+    /// All of its numbers. Packets come last, so that one packet more or less is one difference.
     pub(super) fn numbers(&self) -> impl Iterator<Item = u64> {
         let of = |Counts { busy, stalled, results }: &Counts| [*busy, *stalled, *results];
         let of_processor = move |it: &Processor| it.units.iter().flat_map(of).chain([it.fragments]).collect::<Vec<_>>();
@@ -131,7 +131,7 @@ impl Run {
         self.sums(of).map(|sum| sum as f64 / all).collect()
     }
 
-    /// Of each unit, over all video processors.
+    /// A mean for each unit over all video processors.
     fn sums(&self, of: fn(&Counts) -> u64) -> impl Iterator<Item = u64> {
         let units = self.processors.first().map_or(0, |processor| processor.units.len());
         (0..units).map(move |unit| self.processors.iter().map(|processor| of(&processor.units[unit])).sum())
@@ -141,15 +141,15 @@ impl Run {
 /// A window in a unit.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Visit {
-    /// 0 is the set-up; else the level of the window's quarters.
+    /// 0 for the set-up; otherwise the level of the window's quarters.
     pub unit: u32,
     /// The number of its packet.
     pub packet: u32,
-    /// The window that is divided; of the set-up, the one that it makes.
+    /// The window that is divided; for the set-up, the one that it makes.
     pub window: Window,
-    /// The clock in which it was taken; of the set-up, the one before its first.
+    /// The clock in which it was taken; for the set-up, the one before its first.
     pub taken: u64,
-    /// The clocks in which results went.
+    /// The clocks in which results were sent.
     pub sent: Vec<u64>,
     /// The last clock of the work on it.
     pub ended: u64,

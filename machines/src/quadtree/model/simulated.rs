@@ -1,4 +1,4 @@
-//! The hardware in simulation, for the same record as the model's.
+//! The simulated hardware, with the same record as the model.
 
 use super::record::{Packets, Run};
 use crate::error::Error;
@@ -8,7 +8,7 @@ use crate::run::{PROGRESS_CLOCKS, Watch};
 use tilewright_rtl::parameter::ParameterError;
 use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
 
-/// What progress and errors call the run.
+/// The name of the run in progress and errors.
 const PHASE: &str = "simulating";
 
 /// A generator in simulation.
@@ -38,20 +38,20 @@ impl Simulated {
     /// The simulation of a generator.
     ///
     /// # Errors
-    /// It could not be made.
+    /// The generator cannot be simulated.
     pub fn new(generator: &QuadtreeGenerator) -> Result<Simulated, Error> {
         Hardware::new(generator).map(Simulated)
     }
 
-    /// What the generator does with packets, from its reset until it is idle.
+    /// The generator's run on packets, from its reset until it is idle.
     ///
     /// # Errors
-    /// A packet has more edges than the generator is built for, the run was broken off, or an assertion of the hardware does not hold.
+    /// A packet has too many edges for the generator, the run was interrupted, or an assertion of the hardware failed.
     pub fn run(&mut self, packets: Packets, watch: &mut Watch) -> Result<Run, Error> {
         self.run_seen(packets, watch, |_, _| {})
     }
 
-    /// The same; `see` is called before each edge with the number of its clock.
+    /// The same; `see` gets the number of the clock before each edge.
     pub(super) fn run_seen(
         &mut self,
         packets: Packets,

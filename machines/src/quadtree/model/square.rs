@@ -7,9 +7,9 @@ use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
 use tilewright_rtl::quadtree::processor::Queues;
 use tilewright_rtl::quadtree::raster::Form;
 
-/// Edges of a rectangle, ke: a serial test takes as many clocks, which are the paper's t_e.
+/// Edges of a rectangle, ke. A serial test takes this number of clocks, the paper's t_e.
 pub(super) const EDGES: u32 = 4;
-/// Packets that the queue of the broadcast holds; it changes nothing where the geometry processor always has the next one.
+/// Size of the broadcast's queue in packets. It makes no difference if the geometry processor always has the next packet.
 pub(super) const BROADCAST: u32 = 2;
 
 /// 2^k x 2^k video processors for 2^m x 2^m pixels.

@@ -1,7 +1,7 @@
-//! What the coupling of video processors by the broadcast costs, by the depth of their queues, and how fast matrices are as they run.
+//! The cost of coupling video processors by the broadcast, by the depth of their queues, and the performance of running matrices.
 //!
-//! Source: MPG-LIM, the paper's assumption that processors work equally long and are coupled loosely by FIFOs; MPG-EQ8 to MPG-EQ10. Nothing
-//! here is from a formula for windows or for clocks: [`Model`] counts. Sums are integers, so that the same sweep has the same result with
+//! Source: MPG-LIM, the paper's assumption that processors work equally long and are coupled loosely by FIFOs; MPG-EQ8 to MPG-EQ10. No number
+//! here comes from a formula for windows or for clocks: [`Model`] counts. Sums are integers, so that the same sweep has the same result with
 //! any number of threads.
 
 use super::Model;
@@ -26,7 +26,7 @@ use tilewright_scenes::Polygon;
 ///
 /// let samples = vec![Sample { area: 20.0, polygons: 100 }];
 /// let sweep = Sweep { sizes: vec![2], packets: vec![1, 64], samples, ..Sweep::paper(1) };
-/// let points = sweep.run(&mut Watch::default())?.expect("nobody breaks it off");
+/// let points = sweep.run(&mut Watch::default())?.expect("not interrupted");
 /// assert_eq!(points.len(), 2, "of pipes, and of stacks");
 /// for point in points {
 ///     let [shallow, deep] = &point.by_depth[..] else { panic!("two depths") };
@@ -51,7 +51,7 @@ pub struct Sweep {
     pub windows: Vec<u32>,
     /// The areas.
     pub samples: Vec<Sample>,
-    /// What the rectangles follow from.
+    /// The seed of the rectangles.
     pub seed: u64,
 }
 
@@ -71,12 +71,12 @@ impl Sweep {
         }
     }
 
-    /// Counts, on all processors of the computer. The points are in the order of areas, then sizes, forms and depths of the window
-    /// queue. `None` if it was broken off.
+    /// Counts on all processors of the computer. The points are sorted by area, then size, form and depth of the window queue. `None` if
+    /// interrupted.
     ///
     /// # Errors
-    /// There is no such generator or no such rectangle, a sample is empty, or no packet queue is asked for; nothing has been counted
-    /// then.
+    /// A parameter of the generator or of the rectangles is out of range, a sample is empty, or there is no depth of packet queues. Then
+    /// nothing has been counted.
     pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<SweepPoint>>, ParameterError> {
         self.run_on(all_threads(), watch)
     }
@@ -116,7 +116,7 @@ impl Sweep {
     }
 }
 
-/// Runs of one matrix that differ by their packet queues.
+/// Runs of one matrix with different packet queues.
 struct Job {
     sample: Sample,
     form: String,
@@ -154,14 +154,14 @@ pub struct SweepPoint {
     pub matrix: Rasters,
     /// The form of the raster processors.
     pub form: String,
-    /// What the window queue before each of their units holds, if there is one.
+    /// Size of the window queue before each of their units, if there is one.
     pub windows: u32,
     /// The rectangles.
     pub sample: Sample,
-    /// Clocks until a video processor that waits for no other is idle, on the mean: what the matrix would take if all had equally
-    /// much to do at any time.
+    /// Mean clocks until a video processor is idle that never waits for another. The matrix would take them if all had equal work at all
+    /// times.
     pub mean_alone: f64,
-    /// The same of the one that takes longest: what the matrix takes with queues without an end.
+    /// The clocks of the slowest one, which the matrix takes with unlimited queues.
     pub slowest_alone: u64,
     /// The matrix, by depth of the packet queues.
     pub by_depth: Vec<Coupling>,
@@ -170,26 +170,26 @@ pub struct SweepPoint {
 /// A run of a matrix.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Coupling {
-    /// What the packet queue before each video processor holds.
+    /// Size of the packet queue before each video processor.
     pub packets: u32,
     /// Clocks until the matrix is idle.
     pub clocks: u64,
-    /// Of these, clocks in which a packet of the broadcast waits until all have room.
+    /// Of these, clocks in which a packet of the broadcast waits for space in all queues.
     pub waits: u64,
-    /// The part of the clocks by which it takes longer than its processors alone on the mean: what the paper's assumption leaves out.
+    /// The share of the clocks by which it takes longer than the mean of its processors alone, which the paper's assumption leaves out.
     pub loss: f64,
-    /// The part by which it takes longer than the slowest of its processors alone: what deeper queues would win back.
+    /// The share by which it takes longer than the slowest of its processors alone, which deeper queues would win back.
     pub loss_by_depth: f64,
-    /// Polygons in a t_e, in parts of P_max: p_p of a matrix of pipes, p_s of one of stacks (figures 5 and 6).
+    /// Polygons per t_e over P_max: p_p for a matrix of pipes, p_s for one of stacks (figures 5 and 6).
     pub performance: f64,
-    /// Busy clocks in parts of all, of the set-up and of each level.
+    /// The share of busy clocks, for the set-up and for each level.
     pub load: Vec<f64>,
-    /// Clocks in which a window waits to go on, in parts of all, of the set-up and of each level.
+    /// The share of clocks in which a window waits to be taken, for the set-up and for each level.
     pub stalled: Vec<f64>,
 }
 
 impl Coupling {
-    /// Of a run of serial units with such packet queues; processors that waited for no other would be idle after so many clocks, as in
+    /// The numbers of a run of serial units with such packet queues. `alone` has the clocks of processors that never wait for another, as in
     /// [`Model::uncoupled`].
     pub fn new(packets: u32, run: &Run, alone: &[u64]) -> Coupling {
         let loss = |ideal: f64| 1.0 - ideal / run.clocks as f64;

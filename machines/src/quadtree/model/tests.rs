@@ -121,7 +121,7 @@ fn before(visits: &[Visit], unit: u32, clock: u64) -> (u64, u64) {
 fn agrees(small: &Small) {
     let mut watch = Watch::default();
     let model = Model::new(&small.generator).expect("a small matrix");
-    let (run, visits) = model.visits(small.packets(), &mut watch).expect("nobody breaks it off");
+    let (run, visits) = model.visits(small.packets(), &mut watch).expect("not interrupted");
     let mut simulated = Simulated::new(&small.generator).expect("it is sound");
     let mut differs = None;
     let in_hardware = simulated.run_seen(small.packets(), &mut watch, |simulated, clock| {
@@ -171,7 +171,7 @@ fn rectangles_on_the_papers_screen_take_the_hardwares_clocks() {
         let rectangles = Rectangles::new(size, area, 5.0, 3).expect("they fit");
         let polygons: Vec<Polygon> = (0..12).map(|index| rectangles.polygon(index)).collect();
         let (packets, mut watch) = (Packets::at_once(&polygons), Watch::default());
-        let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("nobody breaks it off");
+        let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("not interrupted");
         let in_hardware =
             Simulated::new(&generator).expect("sound").run(packets, &mut watch).expect("its assertions hold");
         assert_eq!(in_hardware, run);
@@ -189,7 +189,7 @@ fn matrices_that_are_no_squares_take_the_hardwares_clocks() {
         let rectangles = Rectangles::new(size, 100.0, 5.0, 3).expect("they fit");
         let polygons: Vec<Polygon> = (0..6).map(|index| rectangles.polygon(index)).collect();
         let (packets, mut watch) = (Packets::at_once(&polygons), Watch::default());
-        let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("nobody breaks it off");
+        let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("not interrupted");
         let in_hardware =
             Simulated::new(&generator).expect("sound").run(packets, &mut watch).expect("its assertions hold");
         assert_eq!(in_hardware, run);
@@ -224,7 +224,7 @@ fn windows_are_those_of_the_search() {
         let generator = generator((64, 64), (2, 2), 5, 2, form, Queues { broadcast: 1, packets: 3, windows: 2 });
         let search = Search::new(rasters_of(&generator.format())).expect("possible");
         let model = Model::new(&generator).expect("possible");
-        let run = model.run(Packets::at_once(&polygons), &mut Watch::default()).expect("nobody breaks it off");
+        let run = model.run(Packets::at_once(&polygons), &mut Watch::default()).expect("not interrupted");
         for (place, processor) in search.processors().zip(&run.processors) {
             let (mut windows, mut busy) = (Windows::none(5), [0; 5]);
             for polygon in &polygons {
@@ -245,7 +245,7 @@ fn windows_are_those_of_the_search() {
 fn without_packets_nothing_happens() {
     let generator = generator((8, 8), (1, 1), 3, 0, "pipe", Queues { broadcast: 1, packets: 1, windows: 1 });
     let (packets, mut watch) = (Packets::at_once(&[]), Watch::default());
-    let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("nobody breaks it off");
+    let run = Model::new(&generator).expect("possible").run(packets, &mut watch).expect("not interrupted");
     assert_eq!((run.clocks, run.broadcast), (0, Counts::default()));
     assert_eq!(Simulated::new(&generator).expect("sound").run(packets, &mut watch).expect("it ends"), run);
 }

@@ -1,5 +1,4 @@
-//! A tree of units in time: as its arbiters take what comes first, it goes from clock to clock, but leaves out those in which nothing
-//! happens.
+//! A tree of units in time. Its arbiters take what comes first, so the model steps through clocks. It skips clocks in which nothing happens.
 
 use super::division::{Course, Division, Unit, Work};
 use super::line::{self, Stage};
@@ -10,20 +9,20 @@ use super::record::{Counts, Visit};
 pub(super) struct Tree {
     /// Level by level; the quarters of number v's windows go to numbers 4 v + 1 to 4 v + 4.
     nodes: Vec<Node>,
-    /// Those of all nodes but the last level's.
+    /// The arbiters of all nodes except the last level's.
     arbiters: Vec<Arbiter>,
-    /// The node of which a window goes out, and the clock in which it goes.
+    /// The node whose window leaves the tree, and the clock of that.
     going: Option<(usize, u64)>,
-    /// The clock after the last that was looked at.
+    /// The clock after the last simulated one.
     clock: u64,
-    /// In the last clock something went or ended, so that in the next one something may follow.
+    /// Whether something was sent or ended in the last clock, so that something may follow in the next one.
     has_moved: bool,
 }
 
 /// A unit of a tree, with its queue.
 struct Node {
     queue: Queue<Work>,
-    /// The clock in which a window left the queue last.
+    /// The clock in which a window last left the queue.
     left: Option<u64>,
     unit: Unit,
     held: Option<Held>,
@@ -36,17 +35,17 @@ struct Held {
     quarter: Option<Work>,
 }
 
-/// Takes turns between four.
+/// A round-robin arbiter of four.
 #[derive(Clone, Default)]
 struct Arbiter {
-    /// Who went last.
+    /// The one that was served last.
     last: Option<usize>,
-    /// Who is shown, until it goes.
+    /// The one that is shown until it is served.
     chosen: Option<usize>,
 }
 
 impl Tree {
-    /// A tree of so many levels, `level` the first of them, with queues of a depth.
+    /// A tree of several levels, the first of which is `level`, with queues of that depth.
     pub fn new(level: u32, levels: u32, depth: usize, keeps_visits: bool) -> Tree {
         let nodes = (0..levels).flat_map(|below| (0..1 << (2 * below)).map(move |_| level + below));
         let nodes: Vec<Node> = nodes.map(|level| Node::new(depth, Unit::new(level, 1, keeps_visits))).collect();
@@ -69,17 +68,17 @@ impl Tree {
         while self.step(behind, course) {}
     }
 
-    /// The first clock after all that it did.
+    /// The first clock after all its work.
     pub fn idle(&self) -> u64 {
         self.nodes.iter().map(|node| node.unit.end() + 1).max().unwrap_or(0)
     }
 
-    /// Hands over what it has counted.
+    /// Passes on its counters.
     pub fn hand_over(self, counts: &mut [Counts], visits: &mut Vec<Visit>) {
         self.nodes.into_iter().for_each(|node| node.unit.hand_over(counts, visits));
     }
 
-    /// Goes through the next clock in which something may happen; false if there is none.
+    /// Simulates the next clock in which something may happen; false if there is none.
     fn step(&mut self, behind: &mut [Stage], course: &Course) -> bool {
         let Some(clock) = self.next_clock() else { return false };
         self.clock = clock + 1;
@@ -87,7 +86,7 @@ impl Tree {
         if self.going.is_none() {
             self.going = self.chosen().map(|(node, work)| (node, line::take(behind, course, work, clock)));
         }
-        // Each sees whether those behind it had room before this clock.
+        // Each unit sees whether the next ones had space before this clock.
         self.has_moved = false;
         for node in (0..self.nodes.len()).rev() {
             let moves = self.send(node, clock);
@@ -105,7 +104,7 @@ impl Tree {
         self.nodes.iter().filter_map(Node::next_clock).chain(goes).filter(|clock| *clock >= self.clock).min()
     }
 
-    /// Arbiters that show nothing choose one of those that offer, the last level's first.
+    /// Arbiters that show nothing choose one of the offers, those of the last level first.
     fn choose(&mut self, clock: u64) {
         for number in (0..self.arbiters.len()).rev() {
             if self.arbiters[number].chosen.is_none() {
@@ -132,7 +131,7 @@ impl Tree {
         Some((node, self.nodes[node].held.as_ref()?.quarter?))
     }
 
-    /// Sends the quarter that a node offers, if it can go.
+    /// Sends the quarter that a node offers, if it is taken.
     fn send(&mut self, node: usize, clock: u64) -> bool {
         let Some((branch, work)) = self.nodes[node].offered(clock) else { return false };
         if node < self.arbiters.len() {
@@ -162,7 +161,7 @@ impl Node {
         Node { queue: Queue::new(depth), left: None, unit, held: None }
     }
 
-    /// The next clock in which it offers a quarter, ends or takes a window, if it waits for none of the others.
+    /// The next clock in which it offers a quarter, ends or takes a window, if it does not wait for the others.
     fn next_clock(&self) -> Option<u64> {
         match &self.held {
             Some(held) => Some(held.division.clock()),
@@ -176,12 +175,12 @@ impl Node {
         held.quarter.map(|quarter| (held.division.number(), quarter))
     }
 
-    /// Whether its queue had room before something left it in that clock.
+    /// Whether its queue had space before something left it in that clock.
     fn had_room(&self, clock: u64) -> bool {
         self.queue.len() + usize::from(self.left == Some(clock)) < self.queue.depth()
     }
 
-    /// The quarter that is offered goes.
+    /// Sends the offered quarter.
     fn sent(&mut self, clock: u64) {
         if let Some(Held { division, quarter }) = &mut self.held {
             division.send(clock);
@@ -189,7 +188,7 @@ impl Node {
         }
     }
 
-    /// Ends a division whose last clock this is, and takes the next window where there is none; whether it did anything.
+    /// Ends a division in its last clock, and takes the next window if the unit has none. Returns whether it did anything.
     fn end_and_take(&mut self, course: &Course, clock: u64) -> bool {
         let ended = self.held.take_if(|held| held.quarter.is_none() && held.division.clock() <= clock);
         if let Some(Held { division, .. }) = &ended {
@@ -210,7 +209,7 @@ impl Node {
 }
 
 impl Arbiter {
-    /// All four, beginning behind the one that went last.
+    /// All four, beginning after the one that was served last.
     fn turns(&self) -> impl Iterator<Item = usize> + use<> {
         let first = self.last.map_or(0, |last| last + 1);
         (first..4).chain(0..first)

@@ -1,6 +1,6 @@
-//! The paper's figures from machines that run: random rectangles on the transaction-level model, and the same ones on the hardware.
+//! The paper's figures from running machines: random rectangles on the transaction-level model, and the same rectangles on the hardware.
 //!
-//! Source: figures 3, 5 and 6 of the paper; facts A3. All is read from counters after a run: windows are a unit's results, times its busy
+//! Source: figures 3, 5 and 6 of the paper; facts A3. All numbers are counters after a run. Windows are a unit's results, and times are its busy
 //! clocks, from which MPG-EQ6 to MPG-EQ12 follow by definition ([`Stages`](crate::quadtree::Stages)).
 
 use super::record::{Packets, Run};
@@ -23,17 +23,17 @@ use tilewright_rtl::quadtree::generator::QuadtreeGenerator;
 use tilewright_rtl::quadtree::processor::Queues;
 use tilewright_scenes::Polygon;
 
-/// The forms whose runs make a point, in the order in which they are kept.
+/// The forms whose runs make a point, in the sequence in which they are stored.
 const FORMS: [&str; 2] = ["stack", "pipe"];
 /// Parameters of a surface, kp: depth and three colours.
 const PARAMETERS: u64 = 4;
 
-/// Rectangles of one area, and what they run on.
+/// Rectangles of one area, and the programs on which they run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Trial {
     /// The rectangles.
     pub sample: Sample,
-    /// Whether the hardware gets them too; the model always does.
+    /// Whether the hardware also gets them; the model always does.
     pub on_hardware: bool,
 }
 
@@ -45,7 +45,7 @@ pub struct Trial {
 ///
 /// let trial = Trial { sample: Sample { area: 20.0, polygons: 4 }, on_hardware: true };
 /// let trials = Trials { m: 6, largest: 1, trials: vec![trial], ..Trials::paper(1) };
-/// let outcomes = trials.run(&mut Watch::default())?.expect("nobody breaks it off");
+/// let outcomes = trials.run(&mut Watch::default())?.expect("not interrupted");
 /// assert_eq!(outcomes.len(), 2, "k = 0 and 1");
 /// for outcome in outcomes {
 ///     let hardware = outcome.hardware.expect("it ran");
@@ -62,11 +62,11 @@ pub struct Trials {
     pub largest: u32,
     /// Width and height of the aperture in pixels, even.
     pub aperture: u32,
-    /// What the queues hold.
+    /// The sizes of the queues.
     pub queues: Queues,
     /// The areas.
     pub trials: Vec<Trial>,
-    /// What the rectangles follow from.
+    /// The seed of the rectangles.
     pub seed: u64,
 }
 
@@ -83,19 +83,19 @@ impl Trials {
         Trials { m: 10, largest: 4, aperture: 2, queues, trials, seed }
     }
 
-    /// Runs all on all processors of the computer: the outcomes of the first area by matrix, then those of the next. `None` if it was
-    /// broken off.
+    /// Runs everything on all processors of the computer. The outcomes are those of the first area by matrix, then those of the next. `None` if
+    /// interrupted.
     ///
     /// # Errors
-    /// There is no such generator or no such rectangle, or a sample is empty; nothing has been run then. An assertion of the hardware does
-    /// not hold.
+    /// A parameter of the generator or of the rectangles is out of range, or a sample is empty; then nothing has been run. Or an assertion of the
+    /// hardware failed.
     pub fn run(&self, watch: &mut Watch) -> Result<Option<Vec<Outcome>>, Error> {
         self.run_on(all_threads(), watch)
     }
 
     fn run_on(&self, threads: usize, watch: &mut Watch) -> Result<Option<Vec<Outcome>>, Error> {
         let jobs = self.jobs()?;
-        // The last ones, whose areas are large, take longest and come first, so that no thread is left alone with one.
+        // The last ones have large areas and take longest. They come first, so that no thread runs one alone at the end.
         let order: Vec<usize> = (0..jobs.len()).rev().collect();
         let mut results: Vec<Option<Result<Both, Error>>> = jobs.iter().map(|_| None).collect();
         let (cancel, mut done) = (watch.cancel, 0);
@@ -160,7 +160,7 @@ struct Both {
     hardware: Option<Checked>,
 }
 
-/// A run of the hardware, with how many of its numbers the model has otherwise, and how many the count.
+/// A run of the hardware, with the numbers of differences from the model and from the count.
 struct Checked {
     run: Run,
     differs_from_model: u64,
@@ -187,8 +187,8 @@ impl Job {
     }
 }
 
-/// How many of a run's numbers are not those of the plain count: of each video processor the windows of each level, the busy clocks of each
-/// level, and the pixels drawn.
+/// The number of a run's differences from the plain count: in the windows of each level, the busy clocks of each level, and the drawn pixels of
+/// each video processor.
 fn differences_from_count(run: &Run, search: &Search, polygons: &[Polygon]) -> u64 {
     let costs = Costs::new(Test::Serial, EDGES.into(), PARAMETERS);
     let of_processor = |(place, processor): ((u32, u32), &super::Processor)| {
@@ -202,47 +202,47 @@ fn differences_from_count(run: &Run, search: &Search, polygons: &[Polygon]) -> u
     search.processors().zip(&run.processors).map(of_processor).sum()
 }
 
-/// One matrix and one area, as it ran.
+/// The runs of one matrix and one area.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Outcome {
     /// The matrix.
     pub matrix: Rasters,
     /// The rectangles.
     pub sample: Sample,
-    /// What the transaction-level model's counters say.
+    /// The results from the transaction-level model's counters.
     pub model: Measured,
-    /// What the hardware's say, if it ran.
+    /// Those from the hardware's counters, if it ran.
     pub hardware: Option<OnHardware>,
 }
 
-/// What the hardware's counters say.
+/// The results from the hardware's counters.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OnHardware {
-    /// What follows of them.
+    /// The results.
     pub measured: Measured,
-    /// How many numbers there are: all counters, and the clock in which each packet was taken.
+    /// The number of compared values: all counters, and the clock in which each packet was taken.
     pub numbers: u64,
-    /// How many of them the model has otherwise.
+    /// The number of those that differ from the model.
     pub differs_from_model: u64,
-    /// How many windows, busy clocks and pixels of a video processor the plain count of [`Search`] has otherwise.
+    /// The number of windows, busy clocks and pixels of a video processor that differ from the plain count of [`Search`].
     pub differs_from_count: u64,
 }
 
-/// What counters say of matrices of stacks and of pipes.
+/// The results from counters of matrices of stacks and of pipes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Measured {
-    /// Windows that a polygon has in a processor, by level from 0 to n, on the mean.
+    /// Mean windows of a polygon in a processor, by level from 0 to n.
     pub windows: Vec<f64>,
-    /// What follows of the busy clocks of the levels: p_s and Q_a of the stacks', p_p, R_p and Q_p of the pipes'.
+    /// The figures from the busy clocks of the levels: p_s and Q_a from stacks, and p_p, R_p and Q_p from pipes.
     pub figures: Figures,
-    /// Polygons in a t_e of a matrix of stacks as it ran, with its waits, in parts of P_max.
+    /// Polygons per t_e of a running matrix of stacks, with its waits, over P_max.
     pub stacks_ran: f64,
-    /// The same of pipes.
+    /// The same for pipes.
     pub pipes_ran: f64,
 }
 
 impl Outcome {
-    /// Of the runs of each form; `mono` is that of one processor with a stack.
+    /// The results of the runs of each form; `mono` is the run of one processor with a stack.
     fn new(sample: Sample, forms: &[Both], mono: &Both) -> Outcome {
         let matrix = forms[0].matrix;
         let checked = || forms.iter().map(|both| both.hardware.as_ref()).collect::<Option<Vec<&Checked>>>();

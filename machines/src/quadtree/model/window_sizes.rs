@@ -1,7 +1,7 @@
-//! How wide windows are, found out from outside: small squares walk along the first line of the screen, and the counters say how many
-//! windows each is in.
+//! The widths of windows, measured from outside. Small squares move along the first line of the screen, and counters tell the number of windows
+//! of each.
 //!
-//! Source: MPG-WIN, MPG-EQ2, figure 4. A window is met by the squares on its first pixel to its last, which is one more than it is wide.
+//! Source: MPG-WIN, MPG-EQ2, figure 4. A window meets the squares on its first pixel to its last, one more than its width.
 
 use super::record::{Packets, Run};
 use super::simulated::Simulated;
@@ -20,13 +20,13 @@ use tilewright_scenes::{Polygon, ScreenVertex, Size, set_up_polygon_of_any_size}
 /// The paper's aperture.
 const APERTURE: u32 = 2;
 
-/// Widths of windows in parts of their spacing, by level from 1 to n.
+/// Widths of windows over their spacing, by level from 1 to n.
 ///
 /// ```
 /// use tilewright_machines::{Watch, quadtree::model::WindowSizes};
 ///
-/// let all = WindowSizes::measure(5, &[1, 2], &mut Watch::default())?.expect("nobody breaks it off");
-/// // Two by two processors have windows as wide as their spacing; of four by four the last ones are half as wide.
+/// let all = WindowSizes::measure(5, &[1, 2], &mut Watch::default())?.expect("not interrupted");
+/// // With two by two processors windows are as wide as their spacing. With four by four the last ones are half as wide.
 /// assert_eq!(all[0].hardware, [1.0; 4]);
 /// assert_eq!((&all[1].model, &all[1].hardware), (&vec![0.875, 0.75, 0.5], &vec![0.875, 0.75, 0.5]));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -35,18 +35,18 @@ const APERTURE: u32 = 2;
 pub struct WindowSizes {
     /// The matrix.
     pub matrix: Rasters,
-    /// As the transaction-level model's counters have it.
+    /// From the transaction-level model's counters.
     pub model: Vec<f64>,
-    /// As the hardware's have it.
+    /// From the hardware's counters.
     pub hardware: Vec<f64>,
 }
 
 impl WindowSizes {
-    /// Those of matrices of 2^k x 2^k processors, k from 1 on, on screens of 2^m x 2^m pixels, with an aperture of 2, on all processors of
-    /// the computer. `None` if it was broken off.
+    /// The widths for matrices of 2^k x 2^k processors, k from 1 on, on screens of 2^m x 2^m pixels with an aperture of 2. They are measured on
+    /// all processors of the computer. `None` if interrupted.
     ///
     /// # Errors
-    /// There is no such generator, or k is 0; an assertion of the hardware does not hold.
+    /// A parameter of the generator is out of range, k is 0, or an assertion of the hardware failed.
     pub fn measure(m: u32, sizes: &[u32], watch: &mut Watch) -> Result<Option<Vec<WindowSizes>>, Error> {
         let cancel = watch.cancel;
         let results = watch.each("measuring windows", sizes, |k| WindowSizes::of(m, *k, cancel));
@@ -58,7 +58,7 @@ impl WindowSizes {
 
     fn of(m: u32, k: u32, cancel: Option<&AtomicBool>) -> Result<WindowSizes, Error> {
         if k == 0 {
-            let problem = "windows of one processor lap over each other: measure those of 2^k x 2^k, k from 1 on";
+            let problem = "windows of one processor overlap: measure matrices of 2^k x 2^k processors, k from 1 on";
             return Err(ParameterError(problem.to_owned()).into());
         }
         let queues = Queues { broadcast: BROADCAST, packets: 1, windows: 1 };
@@ -73,8 +73,8 @@ impl WindowSizes {
     }
 }
 
-/// A square in the middle of each pixel of the first line, from a quarter of it to three quarters: half the line is a whole number of
-/// spacings on every level.
+/// A square in the middle of each pixel from a quarter to three quarters of the first line. Half the line is a whole number of spacings on
+/// every level.
 fn squares(side: u32) -> Result<Vec<Polygon>, ParameterError> {
     let size = Size::new(side, side).map_err(|error| ParameterError(error.to_string()))?;
     let squares = (side / 4..side / 4 * 3).flat_map(|column| {
@@ -85,7 +85,7 @@ fn squares(side: u32) -> Result<Vec<Polygon>, ParameterError> {
     Ok(squares.collect())
 }
 
-/// What the first processor's counters say, whose windows of the first line alone are met.
+/// The widths from the first processor's counters. Only its windows on the first line meet squares.
 fn widths(matrix: &Rasters, run: &Run) -> Vec<f64> {
     let of_level = |level: u32| {
         let spacing = f64::from(matrix.spacing(level).0);
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use std::sync::atomic::AtomicBool;
 
-    /// Exactly those of the definition: all numbers are small, and divided by powers of two alone.
+    /// The widths are exactly those of the definition, because all numbers are small and divided only by powers of two.
     #[test]
     fn they_are_those_of_the_paper() {
         let all = WindowSizes::measure(6, &[1, 2, 3], &mut Watch::default()).expect("possible").expect("done");
@@ -117,6 +117,6 @@ mod tests {
         let mut watch = Watch { progress: None, cancel: Some(&cancel) };
         assert!(WindowSizes::measure(6, &[1], &mut watch).expect("possible").is_none());
         let problem = WindowSizes::measure(6, &[0], &mut Watch::default()).expect_err("impossible");
-        assert!(problem.to_string().starts_with("windows of one processor lap over each other"), "{problem}");
+        assert!(problem.to_string().starts_with("windows of one processor overlap"), "{problem}");
     }
 }

@@ -1,4 +1,4 @@
-//! Sums over the rectangles of a sample, in integers, and the means that follow.
+//! Sums over the rectangles of a sample, in integers, and their means.
 
 use super::super::rasters::Rasters;
 use super::super::stages::Stages;
@@ -9,7 +9,7 @@ use tilewright_rtl::quadtree::coverage_test::Test;
 use tilewright_scenes::Polygon;
 use tilewright_scenes::packet::SUBPIXELS;
 
-/// What a matrix' processors together have counted.
+/// The sums over all processors of a matrix.
 pub(super) struct Tally {
     polygons: u64,
     doubled_areas: u64,
@@ -27,7 +27,7 @@ impl Tally {
         Tally { polygons: 0, doubled_areas: 0, windows, fragments: Sum::default(), busy: vec![0; levels] }
     }
 
-    /// Counts what the processors do with a rectangle.
+    /// Counts the processors' work on a rectangle.
     pub(super) fn count(&mut self, search: &Search, packet: &Polygon) {
         let windows = search.all_windows(packet);
         self.polygons += 1;
@@ -38,7 +38,7 @@ impl Tally {
         self.busy.iter_mut().zip(busy).for_each(|(sum, clocks)| *sum += clocks);
     }
 
-    /// Adds what another thread has counted.
+    /// Adds the sums of another thread.
     pub(super) fn add(&mut self, other: &Tally) {
         self.polygons += other.polygons;
         self.doubled_areas += other.doubled_areas;

@@ -10,25 +10,25 @@ use crate::vc1::words::{POLYGON_WORDS, Word};
 pub(super) struct Bus {
     word_clocks: u64,
     queue: u64,
-    /// By sender, the host behind the processing elements: what it offers.
+    /// By sender, its offer; the host comes after the processing elements.
     offers: Vec<Option<Word>>,
-    /// Those who do.
+    /// The senders with an offer.
     offering: Senders,
-    /// A packet is begun and unfinished.
+    /// Whether a packet has begun and not ended.
     is_open: bool,
     sender: usize,
-    /// The word on the bus, and the edge at which it goes to the queues if they have room.
+    /// The word on the bus, and the edge at which it goes to the queues if they have space.
     word: Option<(Word, u64)>,
-    /// The last words that went to the queues, as many as one has room for; the first of them is of that number.
+    /// The last words that went to the queues, at most the size of a queue, and the number of the first of them.
     delivered: VecDeque<Delivered>,
     first: u64,
-    /// The number behind the last word that ended a packet.
+    /// The number after the last word that ended a packet.
     complete: u64,
-    /// By processing element: words that it has taken.
+    /// By processing element, the number of words that it has taken.
     received: Vec<u64>,
-    /// The last edge at which it did something.
+    /// The last edge at which the bus did something.
     at: u64,
-    /// The next edge at which it does something, if nothing else happens before.
+    /// The next edge at which the bus does something, unless something else happens before.
     pub next: u64,
 }
 
@@ -37,7 +37,7 @@ pub(super) struct Bus {
 struct Delivered {
     word: Word,
     came: u64,
-    /// How many have taken it, and the last edge at which one did.
+    /// The number of processing elements that have taken it, and the last edge of that.
     takers: usize,
     taken: u64,
 }
@@ -49,12 +49,12 @@ impl Delivered {
     }
 }
 
-/// What the bus does at an edge.
+/// The action of the bus at an edge.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Carried {
     /// A word goes to all queues.
     pub delivers: bool,
-    /// It takes a word from that sender.
+    /// The bus takes a word from that sender.
     pub takes: Option<(usize, Word)>,
 }
 
@@ -77,7 +77,7 @@ impl Bus {
         }
     }
 
-    /// What a sender offers from the clock behind that edge on.
+    /// Notes a sender's offer from the clock after that edge on.
     pub fn offer(&mut self, sender: usize, word: Word, edge: u64) {
         self.offers[sender] = Some(word);
         self.offering.insert(sender);
@@ -86,7 +86,7 @@ impl Bus {
         }
     }
 
-    /// The sender whose word it takes next.
+    /// The sender whose word the bus takes next.
     fn chosen(&self) -> Option<usize> {
         if self.is_open || self.offering.is_empty() {
             return Some(self.sender).filter(|sender| self.offering.contains(*sender));
@@ -94,8 +94,8 @@ impl Bus {
         self.offering.next_behind(self.sender)
     }
 
-    /// It takes no word from that processing element before that edge, or none at all as far as nothing is offered: whole polygons of
-    /// others come before.
+    /// The edge before which the bus takes no word from that processing element, because whole polygons of others come first; `u64::MAX` if
+    /// nothing is offered.
     pub fn takes_from(&self, k: usize) -> u64 {
         if !self.offering.contains(k) {
             return u64::MAX;
@@ -110,7 +110,7 @@ impl Bus {
         self.first + self.delivered.len() as u64
     }
 
-    /// The edge behind which no queue is full, if all that makes room is known.
+    /// The edge after which no queue is full, if all reads before it are known.
     fn room(&self) -> Option<u64> {
         if (self.delivered.len() as u64) < self.queue {
             return Some(0);
@@ -119,12 +119,12 @@ impl Bus {
         (oldest.takers == self.received.len()).then_some(oldest.taken)
     }
 
-    /// Whether it is known when there is room in all queues.
+    /// Whether the time at which all queues have space is known.
     pub fn knows_room(&self) -> bool {
         self.room().is_some()
     }
 
-    /// Does what it does at the edge [`Bus::next`].
+    /// Does the action at the edge [`Bus::next`].
     pub fn go(&mut self) -> Carried {
         let edge = self.next;
         self.at = edge;
@@ -151,7 +151,7 @@ impl Bus {
         carried
     }
 
-    /// Says when it does something next, if nothing else happens before.
+    /// Finds the next edge of the bus, unless something else happens before.
     fn look(&mut self) {
         self.next = match (self.word, self.room()) {
             (Some((_, arrives)), Some(room)) => arrives.max(room + 1),
@@ -159,12 +159,12 @@ impl Bus {
         };
     }
 
-    /// The words at the front of a queue and behind that, behind that edge.
+    /// The first two words of a queue after that edge.
     pub fn queue(&self, processor: usize, edge: u64) -> [Option<Word>; 2] {
         [0, 1].map(|place| self.coming(processor, place).filter(|(_, came)| *came <= edge).map(|(word, _)| word))
     }
 
-    /// The so many-th of the words that a processing element has still to take, and when it came to its queue.
+    /// The n-th of the words that a processing element still has to take, and the edge at which it arrived in its queue.
     pub fn coming(&self, processor: usize, place: u64) -> Option<(Word, u64)> {
         let at = self.received[processor] - self.first + place;
         self.delivered.get(at as usize).map(|it| (it.word, it.came))
@@ -175,12 +175,12 @@ impl Bus {
         self.received[processor]
     }
 
-    /// Whether the word of that number is kept.
+    /// Whether the word of that number is still stored.
     pub fn keeps(&self, number: u64) -> bool {
         number >= self.first
     }
 
-    /// The packet of which the last word has just come, if it has so many words and they are kept; and the number of the first.
+    /// The packet whose last word has just arrived, if it has this number of words and they are stored; and the number of the first word.
     pub fn last_packet(&self, words: usize) -> Option<(u64, Vec<u32>)> {
         let first = self.delivered.len().checked_sub(words).filter(|_| self.was_last())?;
         let packet = self.delivered.range(first..).map(|it| it.word);
@@ -188,7 +188,7 @@ impl Bus {
         is_one.then(|| (self.first + first as u64, packet.map(|it| it.word).collect()))
     }
 
-    /// Whether the packet that a processing element receives next, or is receiving, is in its queue as a whole.
+    /// Whether the packet that a processing element receives next, or is receiving, is completely in its queue.
     pub fn is_complete(&self, processor: usize) -> bool {
         self.received[processor] < self.complete
     }
@@ -203,7 +203,7 @@ impl Bus {
         self.received[processor] + 1 == self.end()
     }
 
-    /// A processing element takes the word at the front at that edge.
+    /// A processing element takes the first word at that edge.
     pub fn receive(&mut self, processor: usize, edge: u64) {
         self.delivered[(self.received[processor] - self.first) as usize].take(edge);
         self.received[processor] += 1;
@@ -212,8 +212,8 @@ impl Bus {
         }
     }
 
-    /// A processing element takes words of a packet, but not the last one. It takes the first from that clock on, each other one `every` clocks
-    /// after the one before at the earliest, and none after the edge `until`. `took` gets each, and the edge.
+    /// A processing element takes words of a packet, except the last one. It takes the first from that clock on, each following one at least `every`
+    /// clocks after the one before, and none after the edge `until`. `took` gets each word and its edge.
     pub fn receive_ahead(&mut self, k: usize, mut clock: u64, every: u64, until: u64, mut took: impl FnMut(u32, u64)) {
         let first = (self.received[k] - self.first) as usize;
         for it in self.delivered.range_mut(first..) {
@@ -231,7 +231,7 @@ impl Bus {
         }
     }
 
-    /// A processing element takes a packet, all of which has come, as [`Bus::receive_ahead`] says; the edge of the last word.
+    /// A processing element takes a packet that has arrived completely, as in [`Bus::receive_ahead`]. Returns the edge of the last word.
     pub fn receive_packet(&mut self, k: usize, clock: u64, every: u64, mut took: impl FnMut(u32, u64)) -> u64 {
         let mut last = clock;
         self.receive_ahead(k, clock, every, u64::MAX, |word, edge| {
@@ -245,7 +245,7 @@ impl Bus {
         edge
     }
 
-    /// No word is offered or on the bus, no packet is unfinished, and all queues are empty.
+    /// Whether no word is offered or on the bus, no packet is unfinished, and all queues are empty.
     pub fn is_idle(&self) -> bool {
         self.word.is_none()
             && self.offering.is_empty()

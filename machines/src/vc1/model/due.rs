@@ -1,21 +1,21 @@
-//! Whose turn it is: the next edge of each of several, and the least of them.
+//! A schedule: the next edge of each of several units, and the least of them.
 
-/// The next edges of as many, in a tree of which each node has the least of those below.
+/// The next edges in a tree, of which each node has the least of those below.
 #[derive(Clone, Debug)]
 pub(super) struct Due {
     leaves: usize,
-    /// Node `k` has those below nodes `2 k` and `2 k + 1`; the root is 1.
+    /// Node `k` covers nodes `2 k` and `2 k + 1`; the root is 1.
     least: Vec<u64>,
 }
 
 impl Due {
-    /// Of so many, of which none has one.
+    /// A schedule of that number of units without edges.
     pub fn new(count: usize) -> Due {
         let leaves = count.next_power_of_two();
         Due { leaves, least: vec![u64::MAX; 2 * leaves] }
     }
 
-    /// The next edge of that one; `u64::MAX` for none.
+    /// Sets the next edge of that unit; `u64::MAX` for none.
     pub fn set(&mut self, which: usize, edge: u64) {
         let mut node = self.leaves + which;
         self.least[node] = edge;
@@ -28,12 +28,12 @@ impl Due {
         }
     }
 
-    /// The next of all.
+    /// The least of all next edges.
     pub fn edge(&self) -> u64 {
         self.least[1]
     }
 
-    /// Whose it is; of several the first one's.
+    /// The unit of that edge, the first of several.
     pub fn first(&self) -> usize {
         let mut node = 1;
         while node < self.leaves {

@@ -1,8 +1,8 @@
 //! The paper's estimate beyond 16 processing elements (VC1-EST): each alone, first without broadcast polygons, then with all of them.
 //!
-//! A logical processing element runs its own polygons against its own local frame buffer and the merger of the whole machine, and waits for
-//! nobody. In the second pass it sends its own polygons above the threshold, and the host sends those of all others, behind its command. The
-//! slowest counts.
+//! A logical processing element runs its own polygons with its own local frame buffer and the merger of the whole machine, and waits for no other.
+//! In the second pass it sends its own polygons above the threshold, and the host sends those of all others after its command. The slowest one
+//! counts.
 
 use std::sync::Arc;
 
@@ -15,17 +15,17 @@ use crate::vc1::program::Settings;
 use crate::vc1::report::Report;
 use crate::vc1::words::Message;
 
-/// What the paper's two passes give for a still view. A report has one processing element.
+/// The results of the paper's two passes for a still view. A report has one processing element.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
-    /// By processing element: without the polygons that all draw.
+    /// By processing element, without the polygons that all draw.
     pub own: Vec<Report>,
-    /// By processing element: with all of them.
+    /// By processing element, with all of them.
     pub with_broadcast: Vec<Report>,
 }
 
 impl Estimate {
-    /// The second pass of the processing element that is the last one to have its last frame shown; of equals, of the one that drew longest.
+    /// The second pass of the processing element whose last frame is shown last; between equals, of the one that drew longest.
     ///
     /// # Panics
     /// There was no frame.
@@ -39,7 +39,7 @@ impl Estimate {
 }
 
 impl Model {
-    /// The paper's estimate for so many frames of a still view.
+    /// The paper's estimate for frames of a still view.
     pub fn estimate(&self, view: &Dealt, frames: usize) -> Estimate {
         let numbers = || 0..self.config.processors;
         let own = Model { config: Config { apr: None, ..self.config }, ..self.clone() };
@@ -52,7 +52,7 @@ impl Model {
         }
     }
 
-    /// A processing element alone, to which the host sends those packets behind each command.
+    /// A processing element alone, to which the host sends those packets after each command.
     fn alone(&self, view: &Dealt, scene: Loaded, processor: u32, packets: &[Message], frames: usize) -> Report {
         let run = Run::of(self, processor..processor + 1, packets, Some(scene), |_| {});
         self.report(run, std::iter::repeat_n(view.clone(), frames))
@@ -60,7 +60,7 @@ impl Model {
 }
 
 impl Dealt {
-    /// The polygons above the threshold of all but that processing element, as they are sent.
+    /// The polygons above the threshold of all other processing elements, as packets.
     fn broadcast(&self, model: &Model, processor: u32) -> Vec<Message> {
         let Dealt(view) = self;
         let others = (0..model.config.processors).filter(|it| *it != processor);
@@ -72,7 +72,7 @@ impl Dealt {
         large.map(|(sender, at)| Message::Polygon { sender, vertices: view.projection.vertices[at] }).collect()
     }
 
-    /// The same view, in which polygons above the threshold have their geometry and nothing to draw.
+    /// The same view, in which polygons above the threshold have geometry but nothing to draw.
     fn without_broadcast(&self, model: &Model) -> Dealt {
         let Dealt(view) = self;
         let mut assignment = view.assignment.clone();

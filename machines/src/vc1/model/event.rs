@@ -1,16 +1,16 @@
-//! What happens in a machine, and where: the events of which circuit and model have to have the same.
+//! The events of a machine, which have to be equal in circuit and model.
 
 use super::timing::{MERGE_PERIOD, PE_PERIOD};
 
-/// Something that happened.
+/// An event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Event {
-    /// The edge at which it happened, counted from 1 at power-on: of the merger's clock for what the merger does, else of the
-    /// processing elements'. [`Event::picoseconds`] is when that was.
+    /// The edge at which it happened, counted from 1 at power-on. Events of the merger have edges of its clock, all others those of the
+    /// processing elements' clock. [`Event::picoseconds`] gives the time.
     pub clock: u64,
-    /// Where it happened.
+    /// The place.
     pub place: Place,
-    /// What happened.
+    /// The kind, with its data.
     pub what: What,
 }
 
@@ -18,7 +18,7 @@ impl Event {
     /// Picoseconds of a clock of the processing elements.
     pub const PE_PERIOD: u64 = PE_PERIOD;
 
-    /// When it happened, in simulated picoseconds.
+    /// The time in simulated picoseconds.
     pub fn picoseconds(&self) -> u64 {
         match self.place {
             Place::Processor(_) | Place::Bus => self.clock * PE_PERIOD,
@@ -38,7 +38,7 @@ pub enum Place {
     Merger,
 }
 
-/// What happens at a place.
+/// A kind of event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
     /// A local frame buffer takes a pixel, of that number in raster order.
@@ -47,7 +47,7 @@ pub enum What {
     Clears(u32),
     /// A processing element takes that word from its queue.
     Receives(u32),
-    /// The program has drawn its frame, and says so to the sync line.
+    /// The program has drawn its frame, and releases the sync line.
     Ends,
     /// The sync line is high: the swap at the end of the frame is due.
     Due,
@@ -55,12 +55,12 @@ pub enum What {
     Overflows,
     /// A local frame buffer swaps.
     Swaps,
-    /// The patch table is cleared: drawing begins, or goes on with the pixel that waits.
+    /// The patch table is cleared: drawing begins, or continues with the waiting pixel.
     Resumes,
-    /// The bus takes a word of that sender; the host's number is that of the processing elements.
+    /// The bus takes a word of that sender; the host's number is the count of processing elements.
     Carries(u32, u32),
-    /// The scan of the merger begins again with the first pixel, for another frame.
+    /// The scan of the merger restarts with the first pixel, for another frame.
     Restarts,
-    /// The banks of the global frame buffer change, for the so many-th time.
+    /// The banks of the global frame buffer change; this is the ordinal of the change.
     Shows(u32),
 }

@@ -1,6 +1,6 @@
-//! The host's program, and the order of all that happens: from event to event, and none before what it follows from.
+//! The host's program, and the sequence of all events. No event comes before its causes.
 //!
-//! At an edge of several, the bus comes first, as it sees what processing elements offered before that edge.
+//! At an edge with several events, the bus comes first, because it sees the processing elements' offers before that edge.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -30,33 +30,33 @@ pub(crate) struct Run<'a, S> {
     model: &'a Model,
     views: Views,
     elements: Vec<Element>,
-    /// The next edges of processing elements, but of those that lag.
+    /// The next edges of processing elements, except of those that lag.
     due: Due,
-    /// How many have drawn their frame.
+    /// The number that have drawn their frame.
     ready: usize,
     bus: Bus,
     merger: Merger,
     /// T_m in clocks of the processing elements.
     merge_clocks: u64,
-    /// Words that follow each command.
+    /// Words after each command.
     packets: Vec<Word>,
-    /// Words of the command that the host sends, behind the one that it offers.
+    /// Words of the current command, after the one that the host offers.
     words: VecDeque<Word>,
     /// The last edge at which the bus did something.
     carried: u64,
     /// The polygons that are in the queues.
     polygons: VecDeque<Shared>,
     scene: Option<Loaded>,
-    /// Frames that are commanded and not yet shown.
+    /// Frames that are commanded and not shown yet.
     frames: VecDeque<Frame>,
     commanded: u32,
-    /// When the host may command the next frame.
+    /// The edge at which the host may command the next frame.
     may_command: Option<u64>,
     /// The frame that is shown next.
     showing: Option<Showing>,
     /// The refresh of the last frame that was shown.
     refresh: u64,
-    /// The last edge that it goes through for now.
+    /// The last edge of the current part of the run.
     until: u64,
     pub shown: VecDeque<FrameReport>,
     seen: S,
@@ -72,13 +72,13 @@ struct Frame {
 }
 
 impl<'a, S: FnMut(Event)> Run<'a, S> {
-    /// One that begins behind the reset.
+    /// A run that begins after the reset.
     pub fn new(model: &'a Model, seen: S) -> Run<'a, S> {
         Run::of(model, 0..model.config.processors, &[], None, seen)
     }
 
-    /// One of these processing elements alone, in a machine in which nobody waits for the others; the host sends those packets behind each
-    /// command. `scene` is that of the views, if it has been counted.
+    /// A run of these processing elements, in a machine without waits for others. The host sends those packets after each command. `scene` is
+    /// that of the views, if it has been counted.
     pub(super) fn of(
         model: &'a Model,
         numbers: Range<u32>,
@@ -134,7 +134,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         let number = self.commanded;
         let packets = Message::begin(number, self.model.config.immediate.then_some(scene.words));
         self.words = packets.iter().flat_map(Message::words).chain(self.packets.iter().copied()).collect();
-        // The first one comes while the display's clock may have an edge later than the last of the processing elements.
+        // At the first command the display's clock may have an edge after the last one of the processing elements.
         let time = if number == 0 { self.model.reset } else { edge * PE_PERIOD };
         let times = Times { command: time, ..Times::default() };
         self.views.insert(number, view.clone());
@@ -149,17 +149,17 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         }
     }
 
-    /// Whether the host waits for nothing but another view.
+    /// Whether the host waits only for another view.
     pub fn may_command(&self) -> bool {
         self.may_command.is_some()
     }
 
-    /// The edge at which a blanking is about to end, not before that one; and that of the first pixel behind it.
+    /// The edge just before the end of a blanking, not before that one; and that of the first pixel after it.
     pub fn refresh_from(&self, edge: u64) -> (u64, u64) {
         self.merger.display.dawn_from(edge)
     }
 
-    /// Goes through all that happens until that edge, or until the host may command a frame, if `pauses`.
+    /// Runs all events until that edge, or with `pauses` until the host may command a frame.
     pub fn advance(&mut self, until: u64, pauses: bool) {
         self.until = until;
         while !(pauses && self.may_command()) {
@@ -189,7 +189,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         }
     }
 
-    /// The edge at which all see the sync line, as far as nothing happens before.
+    /// The edge at which all see the sync line, unless something happens before.
     fn line(&self) -> u64 {
         if self.ready < self.elements.len() || !self.bus.is_idle() {
             return u64::MAX;
@@ -240,13 +240,13 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         self.due.set(k, if element.lags { u64::MAX } else { element.due });
     }
 
-    /// An edge of a processing element, with all that follows from it.
+    /// An edge of a processing element, with all its effects.
     fn go(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
         self.pass(k, edge, is_due, sent);
         self.plan(k);
     }
 
-    /// An edge of a processing element, with all that follows from it but its next one.
+    /// An edge of a processing element, with all its effects except its next edge.
     fn pass(&mut self, k: usize, edge: u64, is_due: bool, sent: bool) {
         let element = &mut self.elements[k];
         let was_ready = element.is_ready();
@@ -289,7 +289,7 @@ impl<'a, S: FnMut(Event)> Run<'a, S> {
         }
     }
 
-    /// Says when a processing element that waits swaps, if all that it waits for is known; from that clock on at the earliest.
+    /// Finds the swap of a waiting processing element, from that clock on, if all its conditions are known.
     fn allow_swap(&mut self, k: usize, clock: u64) {
         let element = &mut self.elements[k];
         if element.is_halted() && element.swap.is_none() && element.frames == self.merger.shown {

@@ -1,11 +1,11 @@
-//! A local frame buffer unit: when it takes an access, gives a page, overflows (VC1-ACC, VC1-PT, VC1-PIG).
+//! The times of a local frame buffer unit: accesses, pages, overflows (VC1-ACC, VC1-PT, VC1-PIG).
 //!
-//! A look-up is read and examined, which are two clocks, and found in the third one; a page is given in a clock of its own before that.
-//! From the clock in which it is found on the next one is accepted. The image memory takes three clocks more, and has no say in it.
+//! A look-up takes two clocks, for reading and examining, and is found in the third one. A new page takes an additional clock before that. The
+//! next look-up is accepted from the clock on in which this one is found. The image memory takes three clocks more, without influence on this.
 
 use super::timing::{MERGE_PERIOD, PE_PERIOD, crossed};
 
-/// Clocks in which the image memory draws a pixel that is found.
+/// Clocks of the image memory for a found pixel.
 const DRAW_CLOCKS: u64 = 3;
 /// Clocks from a clear until another access to the table.
 pub(super) const CLEAR_CLOCKS: u64 = 3;
@@ -13,17 +13,17 @@ pub(super) const CLEAR_CLOCKS: u64 = 3;
 /// A local frame buffer unit.
 #[derive(Clone, Debug)]
 pub(super) struct Lfb {
-    /// By patch, a bit: it has a page.
+    /// A bit for each patch with a page.
     resident: Vec<u64>,
     pages: u32,
     pub used: u32,
-    /// The first clock in which the next look-up is accepted, if none is held.
+    /// The first clock in which the next look-up is accepted, if no pixel waits for a page.
     ready: u64,
-    /// The first clock in which the table is not being cleared, and the scan has left the buffer.
+    /// The first clock in which the table is cleared, and the scan has left the buffer.
     free: u64,
-    /// The patch of a look-up that finds no page.
+    /// The patch of a look-up without a page.
     held: Option<u32>,
-    /// The edge at which the swap control takes notice of that.
+    /// The edge at which the swap control sees that.
     pub overflows: Option<u64>,
 }
 
@@ -33,12 +33,12 @@ impl Lfb {
         Lfb { resident, pages, used: 0, ready: 0, free: 0, held: None, overflows: None }
     }
 
-    /// The edge at which it takes a pixel that stands at its port from that clock on; never, while one is held.
+    /// The edge at which it takes a pixel that is at its port from that clock on; never while another one waits for a page.
     pub fn takes_draw(&self, clock: u64) -> u64 {
         if self.held.is_some() { u64::MAX } else { clock.max(self.ready) }
     }
 
-    /// The edge at which it takes a clear that stands at its port from that clock on.
+    /// The edge at which it takes a clear that is at its port from that clock on.
     pub fn takes_clear(&self, clock: u64) -> u64 {
         clock.max(self.free)
     }
@@ -69,14 +69,14 @@ impl Lfb {
         self.free = edge + CLEAR_CLOCKS;
     }
 
-    /// With the last clear: what is held is tried again.
+    /// After the last clear the waiting pixel is tried again.
     pub fn resume(&mut self, edge: u64) {
         if let Some(patch) = self.held.take() {
             self.look_up(edge + 1, patch);
         }
     }
 
-    /// The buffers are swapped. The merger follows, and then the processor's side knows that it has.
+    /// Swaps the buffers. The merger follows, and then the processor's side knows it.
     pub fn swap(&mut self, edge: u64) {
         self.resident.fill(0);
         (self.used, self.overflows) = (0, None);
@@ -84,7 +84,7 @@ impl Lfb {
         self.free = self.free.max(crossed(merger * MERGE_PERIOD, PE_PERIOD) + 1);
     }
 
-    /// The first clock in which nothing is under way; what is held is not looked at.
+    /// The first clock in which no access is in progress; a waiting pixel does not count.
     pub fn idle_from(&self) -> u64 {
         self.ready + 1 + DRAW_CLOCKS
     }

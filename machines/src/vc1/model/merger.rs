@@ -1,7 +1,7 @@
-//! The merger and the global frame buffer: what is sent when, and when the banks change (VC1-TM, VC1-SW2, VC1-SW3, VC1-ACB).
+//! The times of the merger and the global frame buffer: sent pixels and changes of the banks (VC1-TM, VC1-SW2, VC1-SW3, VC1-ACB).
 //!
-//! After a restart the scan advances for two clocks, and then line by line: a clock a pixel, and an overhead without. So any number of
-//! clocks with an advance is a formula, and nothing here goes through a frame.
+//! After a restart the scan advances for two clocks, and then line by line: one clock a pixel, then an overhead without advances. So a formula gives
+//! the number of advances, and the model does not step through a frame.
 
 use tilewright_rtl::gfb::{Passes, SCAN_LATENCY};
 use tilewright_rtl::merger::STAGES;
@@ -17,18 +17,18 @@ pub(super) struct Merger {
     pixels: u64,
     /// T_m in its clocks.
     merge_clocks: u64,
-    /// Advances until all is stored.
+    /// Advances until all pixels are stored.
     way: u64,
-    /// Those that end a frame.
+    /// Advances at the end of a frame.
     processors: u32,
     pub display: Display,
     /// The edge of the last restart.
     restart: u64,
-    /// How often the banks have changed, or will have as soon as all that is known comes to pass.
+    /// The number of changes of the banks, including known future ones.
     pub shown: u32,
-    /// The clock of the processing elements from which on they know of the last change.
+    /// The clock from which on the processing elements know of the last change.
     pub shown_from: u64,
-    /// Processing elements that have ended the frame, and the first clock in which all that have are known.
+    /// The number of processing elements that have ended the frame, and the first clock in which all these are known.
     ended: u32,
     all_ended: u64,
     multipass: Option<Multipass>,
@@ -38,13 +38,13 @@ pub(super) struct Merger {
 #[derive(Clone, Debug)]
 struct Multipass {
     passes: u32,
-    /// Of the next frame.
+    /// The pass of the next frame.
     number: u32,
     /// The first clock in which the banks may change again.
     free: u64,
 }
 
-/// When a frame is shown, in edges of the processing elements' clock at which it is seen.
+/// The times at which a frame is shown, in edges of the processing elements' clock.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Showing {
     pub merged: u64,
@@ -77,7 +77,7 @@ impl Merger {
         }
     }
 
-    /// The clocks with an advance from the restart until that clock, which is one of them.
+    /// The number of advances from the restart to that clock, including it.
     fn advances(&self, clock: u64) -> u64 {
         let first = u64::from(SCAN_LATENCY);
         let clocks = clock.saturating_sub(self.restart);
@@ -86,7 +86,7 @@ impl Merger {
         clocks.min(first) + lines / period * self.width + (lines % period).min(self.width)
     }
 
-    /// The clock of the so many-th advance since the restart.
+    /// The clock of the n-th advance since the restart.
     fn clock_of(&self, advance: u64) -> u64 {
         let first = u64::from(SCAN_LATENCY);
         match advance.checked_sub(first + 1) {
@@ -100,14 +100,14 @@ impl Merger {
     /// The first clock in which a processing element that swaps at that edge knows that its back buffer is sent.
     pub fn sent(&self, processor: u32, swap: u64) -> u64 {
         let merger = crossed(swap * PE_PERIOD, MERGE_PERIOD);
-        // The scan counter passes over the rest of a frame first.
+        // The scan counter first skips the rest of a frame.
         let armed = u64::from(STAGES * processor);
         let last = self.advances(merger).max(armed) + self.pixels + u64::from(SCAN_LATENCY);
         let sent = self.clock_of(last) + 1;
         crossed(sent * MERGE_PERIOD, PE_PERIOD) + 1
     }
 
-    /// A processing element ends its frame with a swap at that edge; if it is the last one, that says when the frame is shown.
+    /// A processing element ends its frame with a swap at that edge. After the last one, returns the times at which the frame is shown.
     pub fn end(&mut self, swap: u64) -> Option<Showing> {
         let known = crossed(swap * PE_PERIOD, MERGE_PERIOD) + 2;
         self.all_ended = self.all_ended.max(known);
@@ -139,10 +139,10 @@ impl Merger {
 }
 
 impl Multipass {
-    /// The banks change; if they bring the last pass, that is the edge at which its average comes on display.
+    /// Changes the banks. For the last pass, returns the edge at which its average is displayed.
     fn swap(&mut self, edge: u64, pixels: u64, display: &Display) -> Option<u64> {
         self.number += 1;
-        // A sum is busy for a clock more than there are pixels.
+        // A sum takes one clock more than the number of pixels.
         let summed = edge + pixels + 2;
         if self.number < self.passes {
             self.free = summed;

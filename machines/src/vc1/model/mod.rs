@@ -1,4 +1,4 @@
-//! The model of the machine that goes from event to event: its clocks without its circuit, for runs that the circuit is too slow for.
+//! The event-driven model of the machine: its clocks without its circuit, for runs that take too long on the circuit.
 //!
 //! ```text
 //!  views --> host --command--> [ bus ] ==words==> processor ==accesses==> [ LFB ]
@@ -9,28 +9,28 @@
 //!                       shown <---- banks change <---- [ merger, global frame buffer ]
 //! ```
 //!
-//! The program of a processing element is the machine's own. What stands behind its ports is not simulated clock by clock: when an access is taken, a
-//! page given, a word carried and a buffer swapped follows from the last events by formulas. A processing element runs ahead of the others
-//! as long as all is known that it looks at, and stays behind while what comes to it is of account to nobody.
+//! The program of a processing element is the machine's own. The hardware behind its ports is not simulated clock by clock. Formulas give the times of
+//! accesses, pages, words and swaps from the last events. A processing element runs ahead of the others while all its inputs are known, and stays
+//! behind while its inputs do not matter to others.
 //!
-//! All clocks are those of the hardware ([`Vc1`]), one for one. [`Machine::render`](super::Machine::render) compares in every run:
+//! All clocks are those of the hardware ([`Vc1`]). [`Machine::render`](super::Machine::render) compares in every run:
 //!
-//! - of each processing element each access taken, word received, overflow, swap, resumption and end of its program;
+//! - each access, received word, overflow, swap, resumption and program end of each processing element;
 //! - each word on the bus;
-//! - each change of the banks and restart of the scan, and each refresh that is looked at;
+//! - each change of the banks and restart of the scan, and each refresh that is checked;
 //! - each number of a [`FrameReport`](super::FrameReport).
 //!
-//! | file | what is in it |
+//! | file | content |
 //! |---|---|
-//! | `host` | commands, and the order of all that happens |
-//! | `due` | whose turn it is |
-//! | `senders` | whose turn it is on the bus |
+//! | `host` | commands, and the sequence of all events |
+//! | `due` | the schedule of processing elements |
+//! | `senders` | the rotation of senders on the bus |
 //! | `processor` | a program, run from event to event |
-//! | `lfb` | when a local frame buffer takes an access, gives a page and overflows |
-//! | `bus` | whose turn it is, and what is in the receive queues |
-//! | `merger` | what is sent when, and when the banks change |
+//! | `lfb` | the times of a local frame buffer's accesses, pages and overflows |
+//! | `bus` | the words on the bus and in the receive queues |
+//! | `merger` | the times of sent pixels and of changes of the banks |
 //! | `timing` | the clocks, their crossings, and the blankings of the display |
-//! | `event` | what happens, and where |
+//! | `event` | the events and their places |
 //! | `regions` | the region-based machine of Table 1 |
 //! | `estimate` | the paper's two passes beyond 16 processing elements |
 //!
@@ -87,11 +87,11 @@ pub struct Model {
     config: Config,
     built: Built,
     vc1: Vc1,
-    /// When its reset ends.
+    /// The end of its reset.
     reset: u64,
 }
 
-/// A view whose polygons are dealt to the processing elements of a machine. A clone shares it.
+/// A view whose polygons are assigned to the processing elements of a machine. Clones share it.
 #[derive(Clone, Debug)]
 pub struct Dealt(Arc<View>);
 
@@ -112,12 +112,12 @@ impl Model {
         Ok(Model { config, built: config.built()?, reset: timing::reset_time(&vc1), vc1 })
     }
 
-    /// How many processing elements there are.
+    /// The number of processing elements.
     pub(crate) fn processors(&self) -> u32 {
         self.config.processors
     }
 
-    /// Deals the polygons of a view as [`Config::assign`] says; `first` is what came of the first view, unless this is it.
+    /// Assigns the polygons of a view by [`Config::assign`]; `first` is the result for the first view, unless this is it.
     ///
     /// # Errors
     /// The view is for another screen, or of another scene than the first one.
@@ -127,12 +127,12 @@ impl Model {
     }
 
     /// Renders a frame of each of those views, all of one scene; the report is that of
-    /// [`Machine::render_frames`](super::Machine::render_frames), with no refresh judged.
+    /// [`Machine::render_frames`](super::Machine::render_frames), without judged refreshes.
     pub fn render(&self, views: impl IntoIterator<Item = Dealt>) -> Report {
         self.observe(views, |_| {})
     }
 
-    /// Renders as many frames of one view.
+    /// Renders a number of frames of one view.
     ///
     /// # Errors
     /// As [`Model::deal`].
@@ -141,7 +141,7 @@ impl Model {
         Ok(self.render(std::iter::repeat_n(dealt, frames)))
     }
 
-    /// As [`Model::render`]; `seen` gets all that happens. What happens at one place comes in order.
+    /// As [`Model::render`]; `seen` gets all events. Those at one place are sorted by time.
     pub fn observe(&self, views: impl IntoIterator<Item = Dealt>, seen: impl FnMut(Event)) -> Report {
         self.report(Run::new(self, seen), views)
     }

@@ -1,4 +1,4 @@
-//! A processing element: the machine's own program, run from event to event against a local frame buffer of the model.
+//! A processing element: the machine's own program, event-driven, with a local frame buffer of the model.
 
 use std::collections::VecDeque;
 
@@ -18,43 +18,43 @@ pub(super) struct Element {
     pub program: Processor,
     pub lfb: Lfb,
     patches: Patches,
-    /// The binary logarithm of a patch's edge, and the patches side by side.
+    /// The binary logarithm of a patch's side, and the patches in a row.
     edge: u32,
     columns: u32,
     /// Clocks of a cleared entry.
     clear_clocks: u64,
-    /// The last edge that it has gone through.
+    /// Its last edge so far.
     at: u64,
-    /// Its next edges are of account to nobody until all of a packet has come, so that it may be behind the others.
+    /// Whether its next edges do not matter to others until a packet has arrived completely, so that it may be behind.
     pub lags: bool,
-    /// The next edge at which more happens to it than that a clock goes by.
+    /// The next edge at which more happens than the passing of a clock.
     pub due: u64,
-    /// The edge at which it swaps, once that is known.
+    /// The edge of its swap, once that is known.
     pub swap: Option<u64>,
-    /// The first clocks in which T_m has passed since its last swap, and in which it knows that its back buffer is sent.
+    /// The first clock in which T_m has passed since its last swap, and the first in which it knows that its back buffer is sent.
     pub waited: u64,
     pub sent: u64,
-    /// Frames that it has ended.
+    /// The number of frames that it has ended.
     pub frames: u32,
-    /// Since which edge it says that it has drawn its frame.
+    /// The edge since which it says that it has drawn its frame.
     pub ended: Option<u64>,
 }
 
-/// What a processing element did at an edge.
+/// The actions of a processing element at an edge.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Done {
     /// It took a word from its queue.
     pub received: bool,
     /// It offers another word to the bus.
     pub offers: Option<Word>,
-    /// It cleared an entry, and not the last one.
+    /// It cleared an entry, except the last one.
     pub cleared: bool,
     /// It swapped, at the end of a frame or in an overflow.
     pub swapped: Option<SwapState>,
 }
 
 impl Element {
-    /// One that has gone through the reset until that edge.
+    /// A processing element after a reset until that edge.
     pub fn new(number: u32, program: Processor, lfb: Lfb, patches: Patches, clear_clocks: u64, at: u64) -> Element {
         let mut element = Element {
             number,
@@ -82,33 +82,33 @@ impl Element {
         self.program.is_halted()
     }
 
-    /// Whether it has drawn its frame, and nothing holds that back.
+    /// Whether it has drawn its frame, and nothing delays that.
     pub fn is_ready(&self) -> bool {
         self.ended.is_some() && self.lfb.overflows.is_none()
     }
 
-    /// The first clock in which it lets the sync line go.
+    /// The first clock in which it releases the sync line.
     pub fn lets_go(&self) -> u64 {
         self.ended.map_or(u64::MAX, |edge| (edge + 1).max(self.lfb.idle_from()))
     }
 
-    /// Whether a word that comes to its empty queue changes what it does.
+    /// Whether a word in its empty queue changes its actions.
     pub fn looks_at_queue(&self) -> bool {
         let looks = matches!(self.program.now(), Now::Waiting | Now::Accessing(Access::Send(_) | Access::Receive));
         looks && !self.is_halted()
     }
 
-    /// Whether it would do something about a word that the bus takes from it, at once.
+    /// Whether it reacts at once when the bus takes its word.
     pub fn waits_for_bus(&self) -> bool {
         matches!(self.program.now(), Now::Waiting | Now::Accessing(Access::Send(_))) && !self.is_halted()
     }
 
-    /// Whether its next edge is of account to nobody else, and nothing that others do to it.
+    /// Whether its next edge does not matter to others, nor the actions of others to it.
     pub fn is_by_itself(&self) -> bool {
         !self.is_halted() && self.lfb.overflows.is_none() && self.program.is_by_itself()
     }
 
-    /// How many words of its queue have to be known for its next edge, if nothing else has to be, and nobody looks at what it does there.
+    /// The number of words of its queue that have to be known for its next edge, if that edge needs nothing else and does not matter to others.
     pub fn looks_ahead(&self) -> Option<u64> {
         let words = match self.program.now() {
             Now::Waiting | Now::Computing(_, _, None) => 1,
@@ -120,7 +120,7 @@ impl Element {
         (!is_seen).then_some(words)
     }
 
-    /// Finds its next edge. `came`: when the first word that it has not taken came to its queue, if it did.
+    /// Finds its next edge. `came` is the edge at which its next word arrived in the queue, if it has.
     pub fn plan(&mut self, came: Option<u64>) {
         let next = self.at + 1;
         let word = came.map_or(u64::MAX, |edge| edge.max(next));
@@ -140,8 +140,8 @@ impl Element {
         self.due = due.min(self.lfb.overflows.unwrap_or(u64::MAX));
     }
 
-    /// Goes through an edge. `is_due`: the line is high. `sent`: the bus takes the word that it offers. `queue`: the two words at the front of
-    /// its queue, behind what the bus does at this edge.
+    /// Runs an edge. `is_due`: the sync line is high. `sent`: the bus takes its word. `queue`: the first two words of its queue, after the action of
+    /// the bus at this edge.
     pub fn go(
         &mut self,
         edge: u64,
@@ -207,7 +207,7 @@ impl Element {
         done
     }
 
-    /// Whether nobody sees what it does before it has received a packet.
+    /// Whether its actions do not matter to others before it has received a packet.
     pub fn may_lag(&self) -> bool {
         let receives = match self.program.now() {
             Now::Waiting | Now::Accessing(Access::Receive) | Now::Computing(_, _, Some(Access::Receive)) => true,
@@ -227,7 +227,7 @@ impl Element {
         }
     }
 
-    /// Receives at once the words of a packet that are in its queue, the `k`-th one, but the last; none after that edge.
+    /// Receives at once the words of a packet in the queue of processing element `k`, except the last one, and none after that edge.
     pub fn receive_ahead(&mut self, bus: &mut Bus, k: usize, until: u64, seen: &mut impl FnMut(Event)) {
         let Some(clock) = self.receives_from() else { return };
         let (begin, place) = (self.at, Place::Processor(self.number));
@@ -245,7 +245,7 @@ impl Element {
         }
     }
 
-    /// Receives at once what is left of a polygon that has come as a whole, if it has no row of it; nothing after that edge.
+    /// Receives at once the rest of a polygon that has arrived completely and in which it has no row; nothing after that edge.
     pub fn skip_ahead(
         &mut self,
         bus: &mut Bus,
@@ -272,7 +272,7 @@ impl Element {
         }
     }
 
-    /// Goes at once through the clears that are ahead of it behind one that it has just done, but the last, none after that edge.
+    /// Runs at once the clears after the one that it has just done, except the last one, and none after that edge.
     pub fn clear_ahead(&mut self, until: u64, seen: &mut impl FnMut(Event)) {
         let (Now::Computing(.., Some(Access::Clear(patch))) | Now::Accessing(Access::Clear(patch))) =
             self.program.now()

@@ -4,11 +4,11 @@
 //! polygon by regions. Then it draws region after region into one of its b buffers. It may begin region r when region r - b is merged. A
 //! region is merged T_m / (m n) after all have drawn it and the one before is merged.
 //!
-//! A packet is in the regions that the bounding box of its vertices touches, as a processing element classifies before set-up. Its area,
-//! clipping and set-up are charged in the first of them, and each row in the first of its line. What regions cost beside that are the
-//! constants of [`Regions`] alone.
+//! A packet is in the regions that the bounding box of its vertices touches, because a processing element classifies before set-up. Its area,
+//! clipping and set-up count in the first of them, and each row in the first region of its line. The only other costs of regions are the
+//! constants of [`Regions`].
 //!
-//! Frames of a still view follow each other: who has drawn its last region begins with the geometry of the next frame.
+//! Frames of a still view follow each other: a processing element that has drawn its last region begins with the geometry of the next frame.
 
 use std::ops::RangeInclusive;
 
@@ -24,9 +24,9 @@ use crate::vc1::scan_conversion::{Pixels, Rows};
 /// A region-based machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Regions {
-    /// Regions side by side: m.
+    /// Regions in a row: m.
     pub columns: u32,
-    /// Regions one below another: n.
+    /// Regions in a column: n.
     pub rows: u32,
     /// Buffers of a region in each processing element: b, at least 1.
     pub buffers: u32,
@@ -38,21 +38,21 @@ pub struct Regions {
     pub further: u64,
 }
 
-/// What a frame of a still view takes on a region-based machine, as a mean over the intervals from frame 3 to frame 15.
+/// The times of a frame of a still view on a region-based machine, as means over the intervals from frame 3 to frame 15.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RegionFrame {
-    /// By processing element: its clocks of geometry and of rasterization, and the rest, in which it waits for a buffer (`sync`).
+    /// By processing element, its clocks of geometry and of rasterization. In the remaining clocks it waits for a buffer (`sync`).
     pub processors: Vec<Clocks>,
     /// Simulated picoseconds from frame to frame.
     pub interval: u64,
 }
 
-/// The frames between which intervals are counted; frames before the first fill the buffers.
+/// The frames between which intervals are counted. Frames before the first one fill the buffers.
 const FRAMES: RangeInclusive<usize> = 3..=15;
 
 impl Model {
-    /// A frame of a still view on a region-based machine of the same processing elements, costs, screen and T_m; no polygon is sent to all.
-    /// Frames follow each other: who has drawn its last region begins with the geometry of the next frame.
+    /// The times of a still view on a region-based machine with the same processing elements, costs, screen and T_m. No polygon is sent to all.
+    /// A processing element that has drawn its last region begins with the geometry of the next frame.
     ///
     /// # Panics
     /// There is no region, or no buffer.
@@ -84,7 +84,7 @@ impl Model {
         RegionFrame { processors: work.into_iter().map(clocks).collect(), interval }
     }
 
-    /// What a processing element has to do.
+    /// The work of a processing element.
     fn work_of(&self, machine: &Regions, Dealt(view): &Dealt, processor: u32) -> Work {
         let (size, costs) = (self.config.size, &self.config.costs);
         let place = |at: u32, side: u32, parts: u32| at * parts / side;
@@ -93,7 +93,7 @@ impl Model {
         let mut work = Work { geometry: 0, regions: vec![0; number(0, machine.rows)] };
         for polygon in view.polygons(processor) {
             work.geometry += costs.geometry(polygon) + machine.classify;
-            // What is off the screen is looked at before the first region.
+            // Polygons off the screen count before the first region.
             let mut preparation = Some(costs.preparation(polygon));
             for index in polygon.packets.clone() {
                 let (packet, b) = (&view.projection.triangles[index], box_of(&view.projection.vertices[index], size));

@@ -1,14 +1,14 @@
-//! Who offers something to the bus: a set of numbers, in the order in which it goes round.
+//! The senders with an offer to the bus: a set of numbers in the sequence of the bus's rotation.
 
 /// A set of numbers below a limit.
 #[derive(Clone, Debug)]
 pub(super) struct Senders {
-    /// A bit each.
+    /// A bit for each number.
     bits: Vec<u64>,
 }
 
 impl Senders {
-    /// None of so many.
+    /// An empty set of numbers below that limit.
     pub fn new(count: usize) -> Senders {
         Senders { bits: vec![0; count.div_ceil(64)] }
     }
@@ -29,7 +29,7 @@ impl Senders {
         self.bits.iter().all(|bits| *bits == 0)
     }
 
-    /// The next one behind that, going round; itself at last.
+    /// The next number after that one in the rotation; the number itself comes last.
     pub fn next_behind(&self, sender: usize) -> Option<usize> {
         self.first_from(sender + 1).or_else(|| self.first_from(0))
     }
@@ -41,7 +41,7 @@ impl Senders {
         })
     }
 
-    /// How many come behind the first one and before the other, going round.
+    /// The count of numbers after the first one and before the other in the rotation.
     pub fn between(&self, first: usize, other: usize) -> u64 {
         let [behind, before] = [first + 1, other].map(|end| self.below(end));
         if first < other { before - behind } else { self.below(64 * self.bits.len()) - behind + before }
@@ -53,7 +53,7 @@ impl Senders {
     }
 }
 
-/// The bits of that word of 64 that stand for numbers from that one on.
+/// The bits of that word of 64 for numbers from that one on.
 fn mask_from(from: usize, place: usize) -> u64 {
     let below = from.saturating_sub(64 * place);
     u64::MAX.checked_shl(below as u32).unwrap_or_default()

@@ -1,7 +1,7 @@
-//! The three clocks of the machine, and what crosses between them.
+//! The three clocks of the machine, and the crossings between them.
 //!
-//! An edge `k` of a clock of period `p` is at `k p`, and clock `k` is the time that it ends. A register that changes at an edge has its new
-//! value from the clock after it. At an edge of several clocks each sees what was before it.
+//! Edge `k` of a clock of period `p` is at `k p`, and ends clock `k`. A register that changes at an edge has its new value in the next clock. At
+//! an edge of several clocks, each sees the values before it.
 
 use tilewright_rtl::clocks::{MERGE, PE};
 use tilewright_rtl::gfb::{BLANK_LINES, Blanking};
@@ -11,17 +11,17 @@ use tilewright_rtl::vc1::Vc1;
 pub(super) const PE_PERIOD: u64 = PE.period.picoseconds();
 pub(super) const MERGE_PERIOD: u64 = MERGE.period.picoseconds();
 
-/// The edge after which a synchronizer shows what changed at that time: the second one behind it.
+/// The edge after which a synchronizer shows a change at that time: the second one after it.
 pub(super) fn crossed(time: u64, period: u64) -> u64 {
     time / period + 2
 }
 
-/// The edge of the processing elements' clock at which somebody outside sees what changed at that time.
+/// The edge of the processing elements' clock at which an outside observer sees a change at that time.
 pub(super) fn seen(time: u64) -> u64 {
     time.div_ceil(PE_PERIOD)
 }
 
-/// The display: when its blankings are.
+/// The display, with the times of its blankings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Display {
     period: u64,
@@ -29,7 +29,7 @@ pub(super) struct Display {
     reset: u64,
     line: u64,
     refresh: u64,
-    /// Clocks of a blanking in which the banks may change, from its beginning on.
+    /// Clocks in which the banks may change, from the beginning of a blanking on.
     window: u64,
 }
 
@@ -50,12 +50,12 @@ impl Display {
         Display { period, reset: reset_time(vc1) / period, line, refresh: read_out.refresh_clocks(), window }
     }
 
-    /// The refresh that is under way at that time; each begins with its blanking.
+    /// The refresh at that time; each begins with its blanking.
     pub fn refresh_at(&self, time: u64) -> u64 {
         time / self.period / self.refresh
     }
 
-    /// The clocks of the merger, from the first to the last, in which it knows that the banks may change in that refresh.
+    /// The first and the last clock in which the merger knows that the banks may change in that refresh.
     fn window(&self, refresh: u64) -> (u64, u64) {
         let opens = self.reset + 1 + refresh * self.refresh;
         let known = |edge: u64| crossed(edge * self.period, MERGE_PERIOD);
@@ -79,14 +79,14 @@ impl Display {
         }
     }
 
-    /// The first clock of the merger from that one on in which they may not.
+    /// The first clock of the merger from that one on in which the banks may not change.
     pub fn closed_from(&self, clock: u64) -> u64 {
         let windows = (self.before(clock)..).map(|refresh| self.window(refresh));
         let ends = windows.take_while(|(first, _)| *first <= clock).map(|(_, last)| last + 1);
         ends.last().map_or(clock, |end| end.max(clock))
     }
 
-    /// The edge of the processing elements' clock at which a blanking ends soon, not before that one; and that of the first pixel behind it.
+    /// The edge of the processing elements' clock just before the end of a blanking, not before that one; and that of the first pixel after it.
     pub fn dawn_from(&self, edge: u64) -> (u64, u64) {
         let mut refresh = self.before(edge * PE_PERIOD / MERGE_PERIOD);
         loop {

@@ -1,8 +1,8 @@
-//! What a processing element does at once for many clocks, as its model does it: nothing here is of account to the bus, or to others.
+//! Steps of many clocks at once, for the model of a processing element. None of them matters to the bus or to others.
 
 use super::{Access, Class, Now, Phase, Processor, Task};
 
-/// A polygon that all draw, as it comes in the queues.
+/// A polygon that all draw, in the queues.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shared {
     /// The number of its first word on the bus.
@@ -11,27 +11,27 @@ pub(crate) struct Shared {
     /// Its rows.
     pub top: u32,
     pub bottom: u32,
-    /// When its last word came to the queues.
+    /// The edge at which its last word arrived in the queues.
     pub came: u64,
 }
 
 impl Processor {
-    /// Whether nobody sees what it does next: a word of it waits for the bus, or nothing is left of its frame but what others send.
+    /// Whether its next actions do not matter to others: its word waits for the bus, or only polygons of others remain in its frame.
     pub fn is_unseen(&self) -> bool {
         let receives =
             matches!(self.tasks[..], [Task::Frames(Phase::Drawn)] | [Task::Frames(Phase::Drawn), Task::Receive { .. }]);
         self.offered.is_some() || receives
     }
 
-    /// Whether it does nothing about a polygon that it receives but to set it up: it has no row of it, and did not send it.
+    /// Whether it only sets up a received polygon, because it has no row of it and did not send it.
     pub fn skips(&self, polygon: &Shared) -> bool {
         let rows = self.settings.rows().count(polygon.top, polygon.bottom);
         // Without clocks for that it would look at its queue at once.
         polygon.sender != self.settings.number && rows == 0 && self.settings.costs.set_up > 0
     }
 
-    /// Receives at once the rest of a polygon that it [skips](Processor::skips), in so many clocks, and waits in those that it does not spend
-    /// on it.
+    /// Receives at once the rest of a polygon that it [skips](Processor::skips), in this number of clocks. It waits in the clocks that it does not
+    /// need.
     pub fn skip_ahead(&mut self, receives: u64, clocks: u64) {
         self.tally.clocks.receiving += receives;
         self.tally.clocks.bus += clocks - receives;
@@ -40,7 +40,7 @@ impl Processor {
         self.go_on();
     }
 
-    /// Whether the end of what it does leads to another pixel or entry of the same task, so that the bus is of no account to it.
+    /// Whether another pixel or entry of the same task follows, so that the bus does not matter to it.
     pub fn is_by_itself(&self) -> bool {
         match self.now {
             Now::Computing(_, _, None | Some(Access::Clear(_) | Access::Draw(_)))
@@ -53,8 +53,8 @@ impl Processor {
         }
     }
 
-    /// Clears so many entries at once, before one that is still to be cleared, and waits for each as long as the local frame buffer
-    /// takes one in `every` clocks.
+    /// Clears this number of entries at once, before one that is cleared later. The local frame buffer takes an entry every `every` clocks, and
+    /// the processing element waits for it.
     pub fn clear_ahead(&mut self, entries: u32, every: u64) {
         let (Now::Computing(_, _, Some(Access::Clear(next))) | Now::Accessing(Access::Clear(next))) = &mut self.now
         else {
@@ -68,13 +68,13 @@ impl Processor {
         self.tally.clocks.stalled += entries * (every - cost);
     }
 
-    /// Clocks from a word to the next one, if that has come.
+    /// Clocks from a word to the next one, if that has arrived.
     pub fn receive_clocks(&self) -> u64 {
         self.settings.costs.receive
     }
 
-    /// Receives at once so many words that are not the last of their packet, and have been put to it; the clocks go until the last of these
-    /// is taken.
+    /// Receives at once this number of words, which are available and not the last of their packet. The clocks count until the last of these is
+    /// taken.
     pub fn receive_ahead(&mut self, words: u64, clocks: u64) {
         let left = if let Now::Computing(left, ..) = self.now { left } else { 0 };
         let every = self.settings.costs.receive;

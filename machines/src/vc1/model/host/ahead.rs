@@ -1,18 +1,18 @@
-//! Processing elements that are ahead of the others, or behind.
+//! Processing elements ahead of the others, or behind.
 //!
-//! One goes ahead as long as all is known that it looks at, and nobody looks at what it does: it draws, or receives and sets up what has
-//! come to its queue. One that waits for a word stays behind until the word is of account to others. That is so if
+//! A processing element goes ahead while all its inputs are known, and its actions do not matter to others. Then it draws, or receives and sets up
+//! packets in its queue. A processing element that waits for a word stays behind until the word matters to others. That is so if
 //!
-//! - the bus has to know whether there is room in its queue,
+//! - the bus has to know whether its queue has space,
 //! - the bus takes the word that it offers,
-//! - or a packet has come as a whole, and it has more to do in its frame.
+//! - or a packet has arrived completely, and the processing element has more work in its frame.
 
 use super::{Event, Run};
 use crate::vc1::processor::Shared;
 use crate::vc1::words::{Message, POLYGON_WORDS};
 
 impl<S: FnMut(Event)> Run<'_, S> {
-    /// Notes the polygon that has come to the queues as a whole, if one has.
+    /// Notes the polygon that has completely arrived in the queues, if there is one.
     pub(super) fn share(&mut self) {
         while self.polygons.front().is_some_and(|it| !self.bus.keeps(it.first)) {
             self.polygons.pop_front();
@@ -26,7 +26,7 @@ impl<S: FnMut(Event)> Run<'_, S> {
         }
     }
 
-    /// A word has come to all queues: those go on to which that is of account.
+    /// A word has arrived in all queues: processing elements to which it matters go on.
     pub(super) fn wake(&mut self) {
         let (knows_room, is_packet) = (self.bus.knows_room(), self.bus.was_last());
         for k in 0..self.elements.len() {
@@ -49,7 +49,7 @@ impl<S: FnMut(Event)> Run<'_, S> {
         }
     }
 
-    /// Lets a processing element that is behind the others go on, as far as all do; says whether it did.
+    /// Advances a processing element that is behind, to the time of the others. Returns whether it did.
     pub(super) fn catch_up(&mut self, k: usize) -> bool {
         let mut goes_on = false;
         if self.elements[k].lags {
@@ -62,7 +62,7 @@ impl<S: FnMut(Event)> Run<'_, S> {
         goes_on
     }
 
-    /// What a processing element does at its next edge, and then as long as that follows from what is known, until that edge at most.
+    /// Runs the next edge of a processing element, and then all edges that follow from known data, until that edge at most.
     pub(super) fn process(&mut self, k: usize) {
         loop {
             if !self.receive_ahead(k) {
@@ -81,7 +81,7 @@ impl<S: FnMut(Event)> Run<'_, S> {
         self.plan(k);
     }
 
-    /// A processing element goes on as long as it is by itself.
+    /// Advances a processing element while it is independent of others.
     fn go_ahead(&mut self, k: usize) {
         let element = &mut self.elements[k];
         element.plan(None);
@@ -95,7 +95,7 @@ impl<S: FnMut(Event)> Run<'_, S> {
         }
     }
 
-    /// A processing element receives what has come to its queue; says whether it does.
+    /// A processing element receives the words in its queue. Returns whether it does.
     fn receive_ahead(&mut self, k: usize) -> bool {
         let (element, before) = (&mut self.elements[k], self.bus.next_of(k));
         element.skip_ahead(&mut self.bus, k, &self.polygons, self.until, &mut self.seen);
