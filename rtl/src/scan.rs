@@ -7,7 +7,7 @@ bundle! {
     pub struct ScanControl<T> {
         /// For one clock: every scan counter takes its preset.
         pub restart: T,
-        /// The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+        /// The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
         pub enable: T,
     }
 

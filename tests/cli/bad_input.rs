@@ -196,8 +196,14 @@ const CASES: &[(&str, &[&str])] = &[
     ("wave image-merger -o some.gtkw", &["name the waveform itself, such as wave.vcd"]),
     ("wave image-merger -o some.vcd --to 5", &["'5'", "such as 250ns"]),
     ("verilog gfb-unit -o out --set width=1", &["width = 1", "from 2 to 2048"]),
-    ("verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench", &["a testbench can have 200000 at most"]),
-    ("wave gfb-unit --ascii --set width=2048 --set height=2048", &["a wave in text can have 200000 at most: --set smaller"]),
+    (
+        "verilog gfb-unit -o out --set width=2048 --set height=2048 --testbench",
+        &["a testbench can have 200000 at most"],
+    ),
+    (
+        "wave gfb-unit --ascii --set width=2048 --set height=2048",
+        &["a wave in text can have 200000 at most: --set smaller"],
+    ),
     ("verilog nothing -o out", &["error: there is no block `nothing`: ", "`tilewright list blocks` shows all names\n"]),
     (
         "bench pin16",

@@ -62,13 +62,13 @@ block! {
     latency(self) = format!("a word every {} clocks, shown 1 clock later", self.word_clocks);
     source = "VC-1, section 3.1, broadcast bus (VC1-NET, VC1-APR)";
     in(self) BroadcastBusIn {
-        /// The packets of each processor, and behind them those of the host.
+        /// The packets of each processor, then those of the host.
         senders: [stream(BusWord = BusWord::widths()); self.processors + 1],
     }
     out(self) BroadcastBusOut {
         /// All packets, to each processor.
         received: [stream(BusWord = BusWord::widths()); self.processors],
-        /// No word is on the bus, and no packet is begun and unfinished.
+        /// No word is on the bus, and every packet that has begun is complete.
         idle: bit(),
         /// The processors that have taken all words that left the bus.
         empty: bit().of(row(self.processors)),
@@ -153,10 +153,10 @@ impl BroadcastBus {
         others.when(taken.taken, 0).when(offered.valid & takes & !open, others + 1);
         m.assert(others.le(processors), "a packet waits for one packet of each other sender at most");
 
-        m.cover("a full queue holds the bus", arrived & !room);
+        m.cover("a full queue stalls the bus", arrived & !room);
         m.cover("a sender pauses within its packet", *open & free & !takes);
         m.cover("a sender waits for the packet of another", (offered.valid & *open & number.ne(*sender)).or_all());
-        m.cover("all senders wait for their turn", !open & !free & offered.valid.and_all());
+        m.cover("all senders wait", !open & !free & offered.valid.and_all());
         m.cover("a packet follows another without a pause", *delivers & takes & !open);
         BroadcastBusOut { received, idle: !on_bus & !open, empty }
     }

@@ -27,7 +27,7 @@ pub(super) const VC1_SWAP: Entry = Entry {
 
 pub(super) const SYNC_LINE: Entry = Entry {
     name: "sync-line",
-    summary: "one bit that is high when no processing element holds it low",
+    summary: "one bit that is high unless a processing element pulls it low",
     parameters: &[PROCESSORS],
     design: |values| Ok(elaborate_at(&sync_line(values)?, PE.period)?),
     scenario: |values| Ok(one_after_another(&sync_line(values)?)),

@@ -54,7 +54,7 @@ impl Multipass<u64> {
 }
 
 codes! {
-    /// What is on display, and what comes next.
+    /// The state of the display.
     enum Stage {
         /// A pass, or a frame without accumulation.
         Pass,

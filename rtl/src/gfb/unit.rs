@@ -114,7 +114,7 @@ block! {
     latency(self) = format!("rounds with a period of {} clocks", self.sequencer().period());
     source = "VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-FREE, VC1-CLR3)";
     in(self) GfbUnitIn {
-        /// For one clock: exchange the banks.
+        /// For one clock: swap the banks.
         swap: bit().on(MERGE),
         /// The inputs from the host.
         host: Host = self.host(),
@@ -221,7 +221,7 @@ impl GfbUnit {
         def!(word = crt.wire(WORD));
         let read_out = crt.instance("u_crt", &self.read_out(), CrtReadOutIn { word: *word });
         crt.assert(crt.stable(shown_bank) | read_out.dark, "no refresh shows two frames");
-        crt.cover("the display turns to the other bank", shown_bank.ne(crt.past(shown_bank)));
+        crt.cover("the display changes to the other bank", shown_bank.ne(crt.past(shown_bank)));
         let shown = banks.on(self.display.clock()).read(read_out.address).pick(shown_bank);
         def!(window = merge.synchronize(read_out.window));
         let (word_shown, blanking) = match (adds, multipass.first()) {

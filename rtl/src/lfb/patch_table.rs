@@ -60,7 +60,7 @@ block! {
         settled: bit().on(PE),
         /// All pages are free again.
         restart: bit().on(PE),
-        /// The held look-up is tried again.
+        /// The waiting look-up is tried again.
         resume: bit().on(PE),
         /// A patch whose page the scan needs.
         scan: pub struct ScanLookUp {
@@ -73,7 +73,7 @@ block! {
         }.on(MERGE),
     }
     out(self) PatchTableOut {
-        /// A look-up is held, because all pages are taken.
+        /// A look-up waits, because all pages are taken.
         overflow: bit(),
         /// No look-up is under way.
         idle: bit(),

@@ -59,9 +59,9 @@ block! {
         }).on(PE),
         /// A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
         clear: stream(Wanted { patch: self.patches.patch_width() }).on(PE),
-        /// For one clock, when idle or in overflow: exchange the buffers.
+        /// For one clock, when idle or in overflow: swap the buffers.
         swap: bit().on(PE),
-        /// For one clock: try the held request again.
+        /// For one clock: try the waiting request again.
         resume: bit().on(PE),
         /// From the global frame buffer unit.
         scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE),
@@ -69,7 +69,7 @@ block! {
         preset: Position = ScanCounter::position(self.patches.screen()).on(MERGE),
     }
     out(self) LfbUnitOut {
-        /// A request is held, because its patch has no page and all pages are taken.
+        /// A request waits, because its patch has no page and all pages are taken.
         overflow: bit(),
         /// How many pages of the front buffer are taken.
         pages_used: up_to(self.pages),
@@ -81,7 +81,7 @@ block! {
         clears: bit(),
         /// The pixel sent to the merging unit.
         word: bits(WORD),
-        /// Some of the back buffer is still to be sent since the last swap.
+        /// A part of the back buffer is not sent yet since the last swap.
         sending: bit(),
         /// The pixel that the scan counter shows, of which the word is sent 2 clocks later.
         scanned: Position = ScanCounter::position(self.patches.screen()),

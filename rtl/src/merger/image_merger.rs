@@ -23,7 +23,7 @@ block! {
     latency(self) = format!("{} clocks with `enable`", STAGES * self.units);
     source = "VC-1, section 3.3, pipelined image merger (VC1-PIM)";
     in(self) ImageMergerIn {
-        /// What enters the chain at its left end.
+        /// The pixel that enters the chain at its left end.
         left: bits(WORD),
         /// The pixel of each local frame buffer.
         samples: [bits(WORD); self.units],
@@ -31,7 +31,7 @@ block! {
         enable: bit(),
     }
     out ImageMergerOut {
-        /// The nearest of what met in the chain.
+        /// The nearest pixel of those that met in the chain.
         merged: bits(WORD),
     }
 }

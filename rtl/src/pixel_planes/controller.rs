@@ -143,13 +143,16 @@ impl ImageGenerationController {
         first.next(tree_begins & decoded.source.is(Source::Expression));
 
         // Both slots control the pixels; one of them controls their memory.
-        m.assert(!(tree.on_memory() & tree.is_word & memory.is_word), "of two instructions one has the memory");
+        m.assert(
+            !(tree.on_memory() & tree.is_word & memory.is_word),
+            "at most one of two instructions uses the memory",
+        );
         let of_tree = tree.control();
         let of_memory = mux(memory.is_word, memory.control(), of_tree);
         let control = Control { enabling: of_tree.enabling, captures: of_tree.captures, ..of_memory };
         let sent = Sent { control, plane: memory.is_word & memory.saves() };
         let Sent { control, plane } = self.later(m, sent);
-        m.assert(control.source.is_code() & control.enabling.is_code(), "what pixels choose by is a code");
+        m.assert(control.source.is_code() & control.enabling.is_code(), "the controls of pixels are valid codes");
 
         self.state_what_instructions_are(m, &next, &decoded);
         let save = Save { claim: next.taken & decoded.saves, region: c.bits().trunc(REGION_BITS), plane };

@@ -4,7 +4,7 @@
 
 use super::instruction::Instruction;
 
-/// An instruction without what it computes: which parts of a renderer it uses, and for how long.
+/// The timing of an instruction: the parts of a renderer that it uses, and for how long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
     /// It uses the tree, or changes `enable`.

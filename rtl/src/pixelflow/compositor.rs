@@ -26,7 +26,7 @@
 use crate::prelude::*;
 
 codes! {
-    /// The mode of a node: what it does with the words that pass.
+    /// The mode of a node: its action on the words that pass.
     pub enum Mode {
         /// The words pass unchanged.
         Forward,

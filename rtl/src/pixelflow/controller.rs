@@ -167,7 +167,7 @@ impl ArrayController {
         // Both slots control the pixels; one of them controls ALU and memory.
         m.assert(
             !(evaluator.on_memory() & evaluator.is_word & memory.is_word),
-            "of two instructions one has the memory",
+            "at most one of two instructions uses the memory",
         );
         let of_evaluator = evaluator.control();
         let of_memory = mux(memory.is_word, memory.control(), of_evaluator);
@@ -178,7 +178,7 @@ impl ArrayController {
         let Control { source, function, begin, condition, enabling, flagging, .. } = control;
         m.assert(
             are_codes(&[source, function, begin, condition, enabling, flagging]),
-            "what pixels choose by is a code",
+            "the controls of pixels are valid codes",
         );
 
         state_what_instructions_are(m, &next, &needs);

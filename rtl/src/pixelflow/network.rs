@@ -46,13 +46,13 @@ bundle! {
         pub sends: T,
         /// The byte is the first of a word.
         pub first: T,
-        /// The node's own bytes of the pixels whose turn it is.
+        /// The node's own bytes of the current pixels.
         pub own: T,
     }
 
     /// A node's outputs from the network.
     pub struct NodeOut<T> {
-        /// The pixel of each chip whose turn it is.
+        /// The current pixel of each chip.
         pub pixel: T,
         /// A byte of the pixel goes.
         pub advances: T,

@@ -47,7 +47,7 @@ block! {
         own: bits(self.width).of(row(self.chips)),
     }
     out(self) NetworkPortOut {
-        /// The pixel of each chip whose turn it is.
+        /// The current pixel of each chip.
         pixel: below(self.pixels),
         /// A byte of the pixel goes.
         advances: bit(),

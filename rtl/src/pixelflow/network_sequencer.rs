@@ -43,7 +43,7 @@ block! {
         given: bits(BANKS),
         /// All nodes are ready.
         go: bit(),
-        /// The pixel of each chip whose turn it is.
+        /// The current pixel of each chip.
         pixel: below(self.pixels),
         /// A byte of the pixel goes.
         advances: bit(),
@@ -69,7 +69,7 @@ block! {
 }
 
 bundle! {
-    /// A job: what a node does with the words of a region.
+    /// A job of a node for the words of a region.
     pub struct Job<T> {
         /// The mode of the node for the word: a [`Mode`].
         pub mode: T,

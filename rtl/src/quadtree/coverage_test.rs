@@ -123,20 +123,20 @@ impl CoverageTest {
     /// The edge functions of a quarter, while `tests` is high.
     fn edges(&self, m: Module, tests: Signal, step: Signal, number: Signal, size: Signal, work: &Work) -> Tested {
         let Work { polygon, window } = *work;
-        let all = [window.edges, polygon.fall_x, polygon.fall_y, polygon.right, polygon.lower];
+        let all = [window.edges, polygon.step_x, polygon.step_y, polygon.right, polygon.lower];
         match self.test {
             Test::Parallel => {
                 let edges = greatest(all, number, size);
                 Tested { edges, is_outside: edges.is_negative().or_all(), is_last: lit(1, 1) }
             }
             Test::Serial => {
-                let [edge, fall_x, fall_y, right, lower] = all.map(|row| row.pick(step));
+                let [edge, step_x, step_y, right, lower] = all.map(|row| row.pick(step));
                 def!(edge_of_window = edge);
-                def!(fall_x = fall_x);
-                def!(fall_y = fall_y);
+                def!(step_x = step_x);
+                def!(step_y = step_y);
                 def!(right = right);
                 def!(lower = lower);
-                def!(value = greatest([edge_of_window, fall_x, fall_y, right, lower], number, size));
+                def!(value = greatest([edge_of_window, step_x, step_y, right, lower], number, size));
                 let edges = lane_by_lane(m, "edges", self.format.edges(), tests, step, value.bits()).kept.signed();
                 def!(is_last = step.eq(polygon.last_edge));
                 def!(outside = m.reg(bit()).reset(0));
@@ -160,11 +160,11 @@ struct Tested {
 
 /// The greatest value of each edge function in a quarter, from its greatest value in the window: less the loss, unless
 /// the quarter has the same corner.
-fn greatest([value, fall_x, fall_y, right, lower]: [Signal; 5], number: Signal, size: Signal) -> Signal {
-    let fall = |fall: Signal, is_greatest_there: Signal, is_there: Signal| {
-        mux(is_greatest_there.eq(is_there), 0, fall.zext(value.width()) << size).signed()
+fn greatest([value, step_x, step_y, right, lower]: [Signal; 5], number: Signal, size: Signal) -> Signal {
+    let decrease = |decrease: Signal, is_greatest_there: Signal, is_there: Signal| {
+        mux(is_greatest_there.eq(is_there), 0, decrease.zext(value.width()) << size).signed()
     };
-    value - fall(fall_x, right, number.bit(0)) - fall(fall_y, lower, number.bit(1))
+    value - decrease(step_x, right, number.bit(0)) - decrease(step_y, lower, number.bit(1))
 }
 
 #[cfg(test)]

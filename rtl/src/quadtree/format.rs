@@ -186,13 +186,13 @@ impl Format {
     /// The widths of a window with its polygon.
     pub fn work(&self) -> Work<Width> {
         let edges = row(self.edges());
-        let fall = |spacing: u32| bits(SLOPE - 1 + spacing.trailing_zeros()).of(edges);
+        let decrease = |spacing: u32| bits(SLOPE - 1 + spacing.trailing_zeros()).of(edges);
         let planes = || bits(PLANE).of(row(PLANES));
         Work {
             polygon: Polygon {
                 last_edge: below(Format::MAX_EDGES),
-                fall_x: fall(self.matrix.columns),
-                fall_y: fall(self.matrix.rows),
+                step_x: decrease(self.matrix.columns),
+                step_y: decrease(self.matrix.rows),
                 right: bit().of(edges),
                 lower: bit().of(edges),
                 plane_x: planes(),
@@ -268,10 +268,10 @@ bundle! {
     pub struct Polygon<T> {
         /// The number of the polygon's edges, less one.
         pub last_edge: T,
-        /// What each edge function loses over a sample along x, on the way from where it is greatest.
-        pub fall_x: T,
-        /// What each edge function loses over a sample along y, on the way from where it is greatest.
-        pub fall_y: T,
+        /// The step of each edge function per sample along x, as a decrease from its greatest value.
+        pub step_x: T,
+        /// The step of each edge function per sample along y, as a decrease from its greatest value.
+        pub step_y: T,
         /// Whether each edge function is greatest at the right side of a window.
         pub right: T,
         /// Whether each edge function is greatest at the lower side of a window.

@@ -42,9 +42,9 @@ block! {
     in(self) QuadtreeGeneratorIn {
         /// Polygons.
         packets: stream(Packet = self.format().packet()),
-        /// Depth alone decides, and of equal depths the first drawn stays; constant while a picture is drawn.
+        /// Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is drawn.
         strict: bit(),
-        /// For one clock, when idle and while no picture is read: exchange the banks.
+        /// For one clock, when idle and while no picture is read: swap the banks.
         swap: bit(),
         /// The settings of the read-out.
         show: Show = VideoController { format: self.format() }.inputs().show,

@@ -122,8 +122,8 @@ impl Raster {
         Work {
             polygon: Polygon {
                 last_edge: Bits::new(widths.polygon.last_edge.bits(), polygon.edges.len() as u64 - 1),
-                fall_x: edge(widths.polygon.fall_x, &|[a, ..]| a.abs() * i64::from(p)),
-                fall_y: edge(widths.polygon.fall_y, &|[_, b, _]| b.abs() * i64::from(q)),
+                step_x: edge(widths.polygon.step_x, &|[a, ..]| a.abs() * i64::from(p)),
+                step_y: edge(widths.polygon.step_y, &|[_, b, _]| b.abs() * i64::from(q)),
                 right: edge(widths.polygon.right, &|[a, ..]| (a >= 0).into()),
                 lower: edge(widths.polygon.lower, &|[_, b, _]| (b >= 0).into()),
                 plane_x: plane(&|[x, ..]| x.wrapping_mul(p.into())),

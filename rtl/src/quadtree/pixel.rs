@@ -74,12 +74,12 @@ impl PixelProcessor {
         }
         // The spacing of samples no longer matters, only what an edge function loses over a pixel.
         let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
-        let fall = |fall: Signal, spacing: u32| {
+        let decrease = |decrease: Signal, spacing: u32| {
             let bits = self.format.edge_bits();
-            let over_aperture = (fall.zext(bits) * half).trunc(bits);
+            let over_aperture = (decrease.zext(bits) * half).trunc(bits);
             (over_aperture >> spacing.trailing_zeros()).signed()
         };
-        let margin = fall(polygon.fall_x, matrix.columns()) + fall(polygon.fall_y, matrix.rows());
+        let margin = decrease(polygon.step_x, matrix.columns()) + decrease(polygon.step_y, matrix.rows());
         def!(is_edge = numbers(polygon.last_edge.width(), self.format.edges()).le(polygon.last_edge));
         def!(outside = (is_edge & (window.edges - margin).is_negative()).or_all());
         def!(beyond = window.bounds.map(|reach| *reach - half).is_beyond());

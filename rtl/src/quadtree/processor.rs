@@ -54,7 +54,7 @@ block! {
         packets: stream(Packet = self.format.packet()),
         /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
         place: Bounds = self.format.place(),
-        /// Depth alone decides, and of equal depths the first drawn stays.
+        /// Depth alone is compared, and the first drawn of equal depths stays.
         strict: bit(),
         /// The bank that is drawn.
         back: bit(),

@@ -67,7 +67,7 @@ impl SetUp {
             let row = lane_by_lane(m, name, self.format.edges(), works, *step, value).row;
             mux(is_edge, row, 0)
         };
-        let fall = |slope: Signal, spacing: u32| {
+        let decrease = |slope: Signal, spacing: u32| {
             let size = mux(slope.is_negative(), -slope, slope).bits().trunc(SLOPE - 1);
             times_power_of_two(size.zext(SLOPE - 1 + spacing.trailing_zeros()), spacing)
         };
@@ -85,8 +85,8 @@ impl SetUp {
         let root = Work {
             polygon: Polygon {
                 last_edge,
-                fall_x: edge("fall_x", fall(a, matrix.columns())),
-                fall_y: edge("fall_y", fall(b, matrix.rows())),
+                step_x: edge("step_x", decrease(a, matrix.columns())),
+                step_y: edge("step_y", decrease(b, matrix.rows())),
                 right: edge("rights", right),
                 lower: edge("lowers", lower),
                 plane_x: plane_row("plane_xs", times_power_of_two(plane_x, matrix.columns())),

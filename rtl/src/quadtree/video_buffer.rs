@@ -37,7 +37,7 @@ block! {
             y: below(self.format.rows()),
             word: bits(WORD),
         },
-        /// Depth alone decides, and of equal depths the first drawn stays.
+        /// Depth alone is compared, and the first drawn of equal depths stays.
         strict: bit(),
         /// The bank that is drawn.
         back: bit(),

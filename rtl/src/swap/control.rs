@@ -40,11 +40,11 @@ block! {
     latency = "0 clocks from the last guard to a swap";
     source = "VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)";
     in(self) SwapControlIn {
-        /// Of each processing element, as all of these: the program has drawn its frame, as [`LfbSwapIn`] says.
+        /// For each processing element, as all inputs here: the program has drawn its frame, see [`LfbSwapIn`].
         done: bit().of(self.lanes()).on(PE),
         /// No pixel is under way, and no word waits in the receive queue.
         idle: bit().of(self.lanes()).on(PE),
-        /// A pixel is held, because all pages are taken.
+        /// A pixel waits, because all pages are taken.
         overflow: bit().of(self.lanes()).on(PE),
         /// A pixel is accepted.
         draws: bit().of(self.lanes()).on(PE),
@@ -54,9 +54,9 @@ block! {
         patch: below(self.local.patches).of(self.lanes()).on(PE),
         /// The broadcast bus is idle.
         bus: bit().on(PE),
-        /// The host lets the sync line go.
+        /// The host releases the sync line.
         host: bit().on(PE),
-        /// Of each local frame buffer: some of its back buffer is still to be sent.
+        /// For each local frame buffer: a part of its back buffer is not sent yet.
         sending: bit().of(self.lanes()).on(MERGE),
         /// The chain advances.
         enable: bit().on(MERGE),
@@ -66,13 +66,13 @@ block! {
     out(self) SwapControlOut {
         /// The sync line: all have drawn the frame.
         line: bit(),
-        /// Of each local frame buffer, for one clock: exchange the buffers.
+        /// For each local frame buffer, for one clock: swap the buffers.
         swap: bit().of(self.lanes()),
-        /// Of each local frame buffer, for one clock: try the request again that waits.
+        /// For each local frame buffer, for one clock: try the waiting request again.
         resume: bit().of(self.lanes()),
         /// What the program of each processing element may do.
         state: one_of::<SwapState>().of(self.lanes()),
-        /// For one clock: exchange the banks of the global frame buffer.
+        /// For one clock: swap the banks of the global frame buffer.
         gfb_swap: bit(),
         /// A frame is stored, and waits for the blanking.
         merged: bit(),

@@ -33,9 +33,9 @@ block! {
     latency = "0 clocks, if all guards are open";
     source = "VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)";
     in(self) GfbSwapIn {
-        /// Of each processing element: toggles with its swap at the end of a frame.
+        /// For each processing element: toggles with its swap at the end of a frame.
         frames: [bit(); self.processors],
-        /// Of each processing element: some of its back buffer is still to be sent.
+        /// For each processing element: a part of its back buffer is not sent yet.
         sending: [bit(); self.processors],
         /// The chain advances.
         enable: bit(),
@@ -43,7 +43,7 @@ block! {
         blanking: bit(),
     }
     out GfbSwapOut {
-        /// For one clock: exchange the banks.
+        /// For one clock: swap the banks.
         swap: bit(),
         /// A frame is stored, and waits for the blanking.
         merged: bit(),

@@ -79,7 +79,7 @@ block! {
         done: bit().on(PE),
         /// No pixel is under way in the local frame buffer, and no word waits in the receive queue.
         idle: bit().on(PE),
-        /// A pixel is held, because all pages are taken.
+        /// A pixel waits, because all pages are taken.
         overflow: bit().on(PE),
         /// A pixel is accepted.
         draws: bit().on(PE),
@@ -91,17 +91,17 @@ block! {
         line: bit().on(PE),
         /// Toggles with each swap of the global frame buffer.
         shown: bit().on(MERGE),
-        /// Some of the back buffer is still to be sent.
+        /// A part of the back buffer is not sent yet.
         sending: bit().on(MERGE),
     }
     out LfbSwapOut {
-        /// What the processing element says to the sync line.
+        /// The processing element's contribution to the sync line.
         ready: bit(),
-        /// For one clock: exchange the buffers.
+        /// For one clock: swap the buffers.
         swap: bit(),
-        /// For one clock: try the held request again.
+        /// For one clock: try the waiting request again.
         resume: bit(),
-        /// What the program may do.
+        /// The program's permissions.
         state: one_of::<SwapState>(),
         /// Toggles with each swap at the end of a frame, as the merger knows it.
         frame: bit(),
@@ -145,7 +145,7 @@ impl LfbSwap {
 
         pe.assume(
             i.clears.implies(clear & i.patch.eq(entry)),
-            "after a swap the entries are cleared in order, each once",
+            "after a swap the entries are cleared in sequence, each once",
         );
         pe.assume(i.draws.implies(draw), "no pixel is drawn between a swap and the last entry cleared");
         pe.assume(i.line.implies(ready), "the line is high only while this processing element lets it go");

@@ -13,7 +13,7 @@
 use crate::prelude::*;
 
 block! {
-    /// One bit that is high when no processing element holds it low.
+    /// One bit that is high unless a processing element pulls it low.
     pub struct SyncLine {
         /// The number of processing elements.
         pub processors: u32,
@@ -22,15 +22,15 @@ block! {
     latency = "0 clocks";
     source = "VC-1, sections 3.1 and 4, sync line (VC1-NET, VC1-SW1)";
     in(self) SyncLineIn {
-        /// Of each processing element: its frame is drawn, and its last swap is over.
+        /// For each processing element: its frame is drawn, and its last swap is over.
         ready: [bit(); self.processors],
         /// The broadcast bus is idle.
         bus: bit(),
-        /// The host lets the sync line go.
+        /// The host releases the sync line.
         host: bit(),
     }
     out SyncLineOut {
-        /// The sync line: high if nobody pulls it low.
+        /// The sync line: high unless a unit pulls it low.
         line: bit(),
     }
 }
@@ -84,7 +84,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Compared with the number of parties that hold it low (VC1-SW1).
+        /// Compared with the number of units that pull it low (VC1-SW1).
         #[test]
         fn nobody_holds_it_low(
             ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40),

@@ -28,7 +28,7 @@
 //! | processor | asserts `done` | it has drawn its frame and sent everything; it deasserts `done` when its state is `Due` |
 //! | processor | waits | its state is `Due` (its frame ends) or `Overflow` (all pages are taken); the hardware retries the held request |
 //! | host | sends commands over the bus | at any time |
-//! | host | holds the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
+//! | host | keeps the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
 //! | host | reads and writes the picture on display | at any time |
 //! | host | sets whether a picture is the average of several frames, and their number | before the picture's first frame is shown; it needs an accumulation buffer |
 //!
@@ -109,7 +109,7 @@ block! {
         processors: [ProcessorIn = self.processor(); self.processors],
         /// A word of the host for the bus.
         command: stream(BusWord = BusWord::widths()).on(PE),
-        /// The host lets the sync line go.
+        /// The host releases the sync line.
         ready: bit().on(PE),
         /// The inputs from the host.
         host: Host = self.gfb().inputs().host,
@@ -235,7 +235,7 @@ impl Vc1 {
             control.line.implies(brought & idle.and_all()),
             "the line is high only with the bus and all queues empty and all local frame buffers idle",
         );
-        pe.cover("a word on the bus or in a queue holds the line low", (done & idle).and_all() & i.ready & !brought);
+        pe.cover("a word on the bus or in a queue keeps the line low", (done & idle).and_all() & i.ready & !brought);
 
         let chain = ImageMerger { units: self.processors };
         let inputs = ImageMergerIn { left: gfb.left, samples: word.to_vec(), enable: gfb.scan.enable };

@@ -751,11 +751,11 @@ module array_controller_width8_height4 (
             stop;
         end
         if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:168
-            $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
+            $display("FAIL: time %0t: %m: at most one of two instructions uses the memory", $time);
             stop;
         end
         if (!rst && !(asserted_and_2 & (sent5_control_flagging <= FLAGGING_ENABLED_CONDITION))) begin // rtl/src/pixelflow/controller.rs:179
-            $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
+            $display("FAIL: time %0t: %m: the controls of pixels are valid codes", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixelflow/controller.rs:244

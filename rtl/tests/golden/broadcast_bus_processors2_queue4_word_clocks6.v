@@ -11,7 +11,7 @@
 module broadcast_bus_processors2_queue4_word_clocks6 (
     input  wire        clk,
     input  wire        rst,
-    // The packets of each processor, and behind them those of the host.
+    // The packets of each processor, then those of the host.
     input  wire        senders_0_valid,
     input  wire [31:0] senders_0_word,   // A word of the packet.
     input  wire        senders_0_last,   // The last word of a packet.
@@ -30,7 +30,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     output wire        received_1_valid,
     output wire [31:0] received_1_word,
     output wire        received_1_last,
-    output wire        idle,             // No word is on the bus, and no packet is begun and unfinished.
+    output wire        idle,             // No word is on the bus, and every packet that has begun is complete.
     output wire [1:0]  empty,            // The processors that have taken all words that left the bus.
     output wire        senders_0_ready,
     output wire        senders_1_ready,
@@ -369,7 +369,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
         end
         if (!rst && (arrived & !room) && !is_covered) begin          // rtl/src/bus/broadcast_bus.rs:156
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a full queue holds the bus", $time);
+            $display("COVER: time %0t: %m: a full queue stalls the bus", $time);
             `endif
             is_covered <= 1'b1;
         end
@@ -387,7 +387,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
         end
         if (!rst && (!open & !free & covered_and_2) && !is_covered_4) begin // rtl/src/bus/broadcast_bus.rs:159
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: all senders wait for their turn", $time);
+            $display("COVER: time %0t: %m: all senders wait", $time);
             `endif
             is_covered_4 <= 1'b1;
         end

@@ -15,10 +15,10 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     input  wire         works_valid,
     // The polygon.
     input  wire [2:0]   works_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -43,10 +43,10 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -93,16 +93,16 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
 
     wire [31:0] edge_of_window;                                  // rtl/src/quadtree/coverage_test.rs:134
     wire right;                                                  // rtl/src/quadtree/coverage_test.rs:137
-    wire [16:0] fall_x;                                          // rtl/src/quadtree/coverage_test.rs:135
+    wire [16:0] step_x;                                          // rtl/src/quadtree/coverage_test.rs:135
     wire lower;                                                  // rtl/src/quadtree/coverage_test.rs:138
-    wire [16:0] fall_y;                                          // rtl/src/quadtree/coverage_test.rs:136
+    wire [16:0] step_y;                                          // rtl/src/quadtree/coverage_test.rs:136
     wire [39:0] plane_of_window;                                 // rtl/src/quadtree/coverage_test.rs:94
     wire [39:0] plane_x;                                         // rtl/src/quadtree/coverage_test.rs:95
     wire [39:0] plane_y;                                         // rtl/src/quadtree/coverage_test.rs:96
     wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:85
     wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:141
-    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {14'd0, fall_x, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
-    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {14'd0, fall_y, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
+    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {14'd0, step_x, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
+    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {14'd0, step_y, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
     wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:139
     wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:143
     assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:314
@@ -156,21 +156,21 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     endgenerate
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : held_polygon_fall_x_row
-            reg [16:0] held_polygon_fall_x;
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_step_x_row
+            reg [16:0] held_polygon_step_x;
 
             always @(posedge clk) begin
-                if (works_taken) held_polygon_fall_x <= works_polygon_fall_x[i * 17 +: 17];
+                if (works_taken) held_polygon_step_x <= works_polygon_step_x[i * 17 +: 17];
             end
         end
     endgenerate
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : held_polygon_fall_y_row
-            reg [16:0] held_polygon_fall_y;
+        for (i = 0; i < 3; i = i + 1) begin : held_polygon_step_y_row
+            reg [16:0] held_polygon_step_y;
 
             always @(posedge clk) begin
-                if (works_taken) held_polygon_fall_y <= works_polygon_fall_y[i * 17 +: 17];
+                if (works_taken) held_polygon_step_y <= works_polygon_step_y[i * 17 +: 17];
             end
         end
     endgenerate
@@ -253,13 +253,13 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
         end
     endgenerate
     assign right = (step < 3'd3) ? right_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:137
-    wire [16:0] fall_x_lanes [0:2];
+    wire [16:0] step_x_lanes [0:2];
     generate
-        for (i = 0; i < 3; i = i + 1) begin : fall_x_of
-            assign fall_x_lanes[i] = held_polygon_fall_x_row[i].held_polygon_fall_x;
+        for (i = 0; i < 3; i = i + 1) begin : step_x_of
+            assign step_x_lanes[i] = held_polygon_step_x_row[i].held_polygon_step_x;
         end
     endgenerate
-    assign fall_x = (step < 3'd3) ? fall_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:135
+    assign step_x = (step < 3'd3) ? step_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:135
     wire [2:0] lower_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : lower_of
@@ -267,13 +267,13 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
         end
     endgenerate
     assign lower = (step < 3'd3) ? lower_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:138
-    wire [16:0] fall_y_lanes [0:2];
+    wire [16:0] step_y_lanes [0:2];
     generate
-        for (i = 0; i < 3; i = i + 1) begin : fall_y_of
-            assign fall_y_lanes[i] = held_polygon_fall_y_row[i].held_polygon_fall_y;
+        for (i = 0; i < 3; i = i + 1) begin : step_y_of
+            assign step_y_lanes[i] = held_polygon_step_y_row[i].held_polygon_step_y;
         end
     endgenerate
-    assign fall_y = (step < 3'd3) ? fall_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:136
+    assign step_y = (step < 3'd3) ? step_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:136
     wire [39:0] plane_of_window_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_of_window_of
@@ -296,13 +296,13 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     endgenerate
     assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:96
     generate
-        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_x_of
-            assign parts_polygon_fall_x[i * 17 +: 17] = held_polygon_fall_x_row[i].held_polygon_fall_x;
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_step_x_of
+            assign parts_polygon_step_x[i * 17 +: 17] = held_polygon_step_x_row[i].held_polygon_step_x;
         end
     endgenerate
     generate
-        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_fall_y_of
-            assign parts_polygon_fall_y[i * 17 +: 17] = held_polygon_fall_y_row[i].held_polygon_fall_y;
+        for (i = 0; i < 3; i = i + 1) begin : parts_polygon_step_y_of
+            assign parts_polygon_step_y[i * 17 +: 17] = held_polygon_step_y_row[i].held_polygon_step_y;
         end
     endgenerate
     generate

@@ -14,7 +14,7 @@ module gfb_sequencer_width16_height8_units4_overhead20 (
     input  wire       restart,      // For one clock: the scan begins again with the first pixel.
     // To every unit of the chain.
     output wire       scan_restart, // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
     output wire       scan_enable,
     // The pixel to read, which enters the chain `SCAN_LATENCY` clocks with `enable` later.
     output reg  [6:0] feed,

@@ -11,15 +11,15 @@
 module gfb_swap_processors2_merge_clocks4_way4_late8 (
     input  wire clk,
     input  wire rst,
-    // Of each processing element: toggles with its swap at the end of a frame.
+    // For each processing element: toggles with its swap at the end of a frame.
     input  wire frames_0,
     input  wire frames_1,
-    // Of each processing element: some of its back buffer is still to be sent.
+    // For each processing element: a part of its back buffer is not sent yet.
     input  wire sending_0,
     input  wire sending_1,
     input  wire enable,    // The chain advances.
     input  wire blanking,  // The banks may change.
-    output wire swap,      // For one clock: exchange the banks.
+    output wire swap,      // For one clock: swap the banks.
     output wire merged,    // A frame is stored, and waits for the blanking.
     output reg  shown      // Toggles with each swap of the global frame buffer.
 );

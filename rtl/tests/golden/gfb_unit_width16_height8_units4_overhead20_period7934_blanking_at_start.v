@@ -14,7 +14,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     input  wire        merge_rst,
     input  wire        crt_clk,
     input  wire        crt_rst,
-    input  wire        swap,                  // For one clock: exchange the banks.
+    input  wire        swap,                  // For one clock: swap the banks.
     // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
@@ -31,7 +31,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     output wire        view_first_round,
     // To every unit of the chain.
     output wire        scan_restart,          // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
     output wire        scan_enable,
     output reg  [47:0] left,                  // The pixel to the left end of the chain.
     output wire        blanking,              // The banks may change: the display is in its vertical blanking.
@@ -290,7 +290,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         end
         if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:224
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: the display turns to the other bank", $time);
+            $display("COVER: time %0t: %m: the display changes to the other bank", $time);
             `endif
             is_covered_3 <= 1'b1;
         end

@@ -125,107 +125,107 @@ module image_generation_controller_side4_quadratic (
     reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:115
     reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:112
     reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:112
-    reg curve_waits;                                             // rtl/src/pixel_planes/controller.rs:175
-    reg curve_goes;                                              // rtl/src/pixel_planes/controller.rs:177
-    reg [39:0] d;                                                // rtl/src/pixel_planes/controller.rs:181
-    reg [39:0] e;                                                // rtl/src/pixel_planes/controller.rs:181
-    reg [39:0] f;                                                // rtl/src/pixel_planes/controller.rs:181
-    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent7_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent7_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent7_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent7_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent7_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent7_plane;                                             // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent8_control_source;                              // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_constant;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_adds;                                      // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_first;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [1:0] sent8_control_mask;                                // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_compares;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_gates;                                     // rtl/src/pixel_planes/controller.rs:191
-    reg [2:0] sent8_control_enabling;                            // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_control_captures;                                  // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent8_control_read;                                // rtl/src/pixel_planes/controller.rs:191
-    reg [7:0] sent8_control_write;                               // rtl/src/pixel_planes/controller.rs:191
-    reg sent8_plane;                                             // rtl/src/pixel_planes/controller.rs:191
+    reg curve_waits;                                             // rtl/src/pixel_planes/controller.rs:178
+    reg curve_goes;                                              // rtl/src/pixel_planes/controller.rs:180
+    reg [39:0] d;                                                // rtl/src/pixel_planes/controller.rs:184
+    reg [39:0] e;                                                // rtl/src/pixel_planes/controller.rs:184
+    reg [39:0] f;                                                // rtl/src/pixel_planes/controller.rs:184
+    reg [1:0] sent1_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent1_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent1_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent1_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent1_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent1_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent2_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent2_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent2_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent2_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent2_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent2_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent3_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent3_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent3_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent3_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent3_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent3_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent4_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent4_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent4_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent4_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent4_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent4_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent5_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent5_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent5_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent5_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent5_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent5_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent6_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent6_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent6_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent6_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent6_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent6_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent7_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent7_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent7_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent7_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent7_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent7_plane;                                             // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent8_control_source;                              // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_constant;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_adds;                                      // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_first;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [1:0] sent8_control_mask;                                // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_compares;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_gates;                                     // rtl/src/pixel_planes/controller.rs:194
+    reg [2:0] sent8_control_enabling;                            // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_control_captures;                                  // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent8_control_read;                                // rtl/src/pixel_planes/controller.rs:194
+    reg [7:0] sent8_control_write;                               // rtl/src/pixel_planes/controller.rs:194
+    reg sent8_plane;                                             // rtl/src/pixel_planes/controller.rs:194
 
     (* no_rw_check *)
     reg [14:0] microcode [0:18];                                 // rtl/src/pixel_planes/controller.rs:111
@@ -287,23 +287,23 @@ module image_generation_controller_side4_quadratic (
     wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
     assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
     assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
-    wire curve_waits_and = instructions_taken & (instructions_operation == OPERATION_CURVE); // rtl/src/pixel_planes/controller.rs:173
-    wire curve_waits_and_2 = instructions_taken & (decoded_source == SOURCE_EXPRESSION); // rtl/src/pixel_planes/controller.rs:174
-    assign curve_0_d = d[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:183
-    assign curve_0_e = e[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:183
-    assign curve_0_f = f[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:183
-    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:146
+    wire curve_waits_and = instructions_taken & (instructions_operation == OPERATION_CURVE); // rtl/src/pixel_planes/controller.rs:176
+    wire curve_waits_and_2 = instructions_taken & (decoded_source == SOURCE_EXPRESSION); // rtl/src/pixel_planes/controller.rs:177
+    assign curve_0_d = d[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
+    assign curve_0_e = e[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
+    assign curve_0_f = f[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
+    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:147
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
-    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:202
-    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:203
-    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:206
-    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:206
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd2; // rtl/src/pixel_planes/controller.rs:209
-    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:210
-    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:155
-    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:155
-    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:162
-    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:162
+    wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:205
+    wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:206
+    wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:209
+    wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:209
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd2; // rtl/src/pixel_planes/controller.rs:212
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:213
+    assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:158
+    assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:158
+    wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:165
+    assign idle = idle_and & (memory_left == 8'd0);              // rtl/src/pixel_planes/controller.rs:165
 
     always @(posedge clk) begin
         if (tree_begins) tree_bits <= instructions_coefficients_c;
@@ -715,45 +715,45 @@ module image_generation_controller_side4_quadratic (
 `ifdef FORMAL
     always @(posedge clk) begin
         if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:146
-        if (!rst) assert ((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:152
-        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:200
-        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:200
-        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:200
-        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:200
-        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:200
-        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:200
+        if (!rst) assert ((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:155
+        if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:203
+        if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:203
+        if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:203
+        if (!rst) assume (!instructions_taken | (assumed_at_most & assumed_at_most_2)); // rtl/src/pixel_planes/controller.rs:203
+        if (!rst) assume (!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least)); // rtl/src/pixel_planes/controller.rs:203
+        if (!rst) assume (!instructions_taken | assumed_or);         // rtl/src/pixel_planes/controller.rs:203
     end
 `else
     always @(posedge clk) begin
         if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:146
-            $display("FAIL: time %0t: %m: of two instructions one has the memory", $time);
+            $display("FAIL: time %0t: %m: at most one of two instructions uses the memory", $time);
             stop;
         end
-        if (!rst && !((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:152
-            $display("FAIL: time %0t: %m: what pixels choose by is a code", $time);
+        if (!rst && !((sent8_control_source <= SOURCE_CONSTANT) & (sent8_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:155
+            $display("FAIL: time %0t: %m: the controls of pixels are valid codes", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: what comes is an operation", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has 1 to 64 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | (!decoded_saves | assumed_and_2))) begin // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a whole word is saved, as planes 0 to 47", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | (assumed_at_most & assumed_at_most_2))) begin // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 208 bits", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
             stop;
         end
-        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:200
+        if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:203
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
             stop;
         end

@@ -10,14 +10,14 @@
 
 module image_merger_units4 (
     input  wire        clk,
-    input  wire [47:0] left,      // What enters the chain at its left end.
+    input  wire [47:0] left,      // The pixel that enters the chain at its left end.
     // The pixel of each local frame buffer.
     input  wire [47:0] samples_0,
     input  wire [47:0] samples_1,
     input  wire [47:0] samples_2,
     input  wire [47:0] samples_3,
     input  wire        enable,    // The chain advances.
-    output wire [47:0] merged     // The nearest of what met in the chain.
+    output wire [47:0] merged     // The nearest pixel of those that met in the chain.
 );
 
     genvar i;

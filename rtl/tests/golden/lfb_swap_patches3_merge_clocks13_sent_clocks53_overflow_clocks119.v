@@ -19,17 +19,17 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
     input  wire       done,
     // No pixel is under way in the local frame buffer, and no word waits in the receive queue.
     input  wire       idle,
-    input  wire       overflow,  // A pixel is held, because all pages are taken.
+    input  wire       overflow,  // A pixel waits, because all pages are taken.
     input  wire       draws,     // A pixel is accepted.
     input  wire       clears,    // An entry of the patch table is cleared.
     input  wire [1:0] patch,     // The patch whose entry is cleared.
     input  wire       line,      // The sync line.
     input  wire       shown,     // Toggles with each swap of the global frame buffer.
-    input  wire       sending,   // Some of the back buffer is still to be sent.
-    output wire       ready,     // What the processing element says to the sync line.
-    output wire       swap,      // For one clock: exchange the buffers.
-    output wire       resume,    // For one clock: try the held request again.
-    output reg  [1:0] state,     // What the program may do.
+    input  wire       sending,   // A part of the back buffer is not sent yet.
+    output wire       ready,     // The processing element's contribution to the sync line.
+    output wire       swap,      // For one clock: swap the buffers.
+    output wire       resume,    // For one clock: try the waiting request again.
+    output reg  [1:0] state,     // The program's permissions.
     output wire       frame      // Toggles with each swap at the end of a frame, as the merger knows it.
 );
 
@@ -176,7 +176,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
     initial is_covered_7 = 1'b0;
     always @(posedge pe_clk) begin
         if (!pe_rst && !(!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry)))) begin // rtl/src/swap/lfb_swap.rs:146
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: after a swap the entries are cleared in order, each once", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: after a swap the entries are cleared in sequence, each once", $time);
             stop;
         end
         if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:150

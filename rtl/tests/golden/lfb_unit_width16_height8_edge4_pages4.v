@@ -21,22 +21,22 @@ module lfb_unit_width16_height8_edge4_pages4 (
     // A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
     input  wire        clear_valid,
     input  wire [2:0]  clear_patch,   // The number of the patch.
-    input  wire        swap,          // For one clock, when idle or in overflow: exchange the buffers.
-    input  wire        resume,        // For one clock: try the held request again.
+    input  wire        swap,          // For one clock, when idle or in overflow: swap the buffers.
+    input  wire        resume,        // For one clock: try the waiting request again.
     // From the global frame buffer unit.
     input  wire        scan_restart,  // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
     input  wire        scan_enable,
     // Where a restart puts the scan counter; a constant, `ScanCounter::preset`.
     input  wire [3:0]  preset_x,      // The column of the pixel, counted from the left.
     input  wire [2:0]  preset_y,      // The line of the pixel, counted from the top.
-    output wire        overflow,      // A request is held, because its patch has no page and all pages are taken.
+    output wire        overflow,      // A request waits, because its patch has no page and all pages are taken.
     output wire [2:0]  pages_used,    // How many pages of the front buffer are taken.
     output wire        idle,          // No request is under way.
     output wire        draws,         // A request is accepted.
     output wire        clears,        // An entry of the patch table is cleared.
     output wire [47:0] word,          // The pixel sent to the merging unit.
-    output reg         sending,       // Some of the back buffer is still to be sent since the last swap.
+    output reg         sending,       // A part of the back buffer is not sent yet since the last swap.
     // The pixel that the scan counter shows, of which the word is sent 2 clocks later.
     output wire [3:0]  scanned_x,     // The column of the pixel, counted from the left.
     output wire [2:0]  scanned_y,     // The line of the pixel, counted from the top.

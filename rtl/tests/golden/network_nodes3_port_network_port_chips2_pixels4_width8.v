@@ -15,7 +15,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     input  wire [1:0]  nodes_0_mode,     // The mode of the node: a `Mode`. It stays while a word goes.
     input  wire        nodes_0_sends,    // A node that loads sends a byte of each chip.
     input  wire        nodes_0_first,    // The byte is the first of a word.
-    input  wire [15:0] nodes_0_own,      // The node's own bytes of the pixels whose turn it is.
+    input  wire [15:0] nodes_0_own,      // The node's own bytes of the current pixels.
     input  wire [1:0]  nodes_1_mode,
     input  wire        nodes_1_sends,
     input  wire        nodes_1_first,
@@ -25,7 +25,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     input  wire        nodes_2_first,
     input  wire [15:0] nodes_2_own,
     // To each node.
-    output wire [1:0]  nodes_0_pixel,    // The pixel of each chip whose turn it is.
+    output wire [1:0]  nodes_0_pixel,    // The current pixel of each chip.
     output wire        nodes_0_advances, // A byte of the pixel goes.
     output wire        nodes_0_unloaded, // The bytes that come are for this node.
     output wire [15:0] nodes_0_bytes,    // The bytes that come, one of each chip.

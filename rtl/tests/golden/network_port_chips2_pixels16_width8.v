@@ -19,7 +19,7 @@ module network_port_chips2_pixels16_width8 (
     input  wire        upstream_first,   // The byte is the first of a word.
     input  wire [15:0] upstream_bytes,   // The bytes, one of each chip.
     input  wire [15:0] own,              // The bytes of `pixel` in this node.
-    output reg  [3:0]  pixel,            // The pixel of each chip whose turn it is.
+    output reg  [3:0]  pixel,            // The current pixel of each chip.
     output wire        advances,         // A byte of the pixel goes.
     output wire        unloaded,         // The bytes from upstream are for this node.
     // What goes to the node behind.

@@ -19,7 +19,7 @@ module network_sequencer_pixels16_setup2 (
     input  wire [5:0] jobs_bytes,
     input  wire [1:0] given,      // Banks that the array has given: a bit for each.
     input  wire       go,         // All nodes are ready.
-    input  wire [3:0] pixel,      // The pixel of each chip whose turn it is.
+    input  wire [3:0] pixel,      // The current pixel of each chip.
     input  wire       advances,   // A byte of the pixel goes.
     output wire [1:0] mode,       // The mode of the port: a `Mode`.
     output wire       sends,      // A byte of the node goes.

@@ -22,12 +22,12 @@ module patch_table_patches8_pages4 (
     input  wire       front,               // The front buffer, 0 or 1.
     input  wire       settled,             // The scan has left the front buffer.
     input  wire       restart,             // All pages are free again.
-    input  wire       resume,              // The held look-up is tried again.
+    input  wire       resume,              // The waiting look-up is tried again.
     // A patch whose page the scan needs.
     input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
     input  wire [2:0] scan_patch,          // The number of the patch.
     input  wire       scan_buffer,         // The buffer to look into.
-    output wire       overflow,            // A look-up is held, because all pages are taken.
+    output wire       overflow,            // A look-up waits, because all pages are taken.
     output wire       idle,                // No look-up is under way.
     output wire [2:0] pages_used,          // How many pages are taken.
     output wire       found,               // The look-up ends with this clock.

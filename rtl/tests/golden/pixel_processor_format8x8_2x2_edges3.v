@@ -15,10 +15,10 @@ module pixel_processor_format8x8_2x2_edges3 (
     input  wire         leaves_valid,
     // The polygon.
     input  wire [2:0]   leaves_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    input  wire [50:0]  leaves_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    input  wire [50:0]  leaves_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    input  wire [50:0]  leaves_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    input  wire [50:0]  leaves_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   leaves_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -105,8 +105,8 @@ module pixel_processor_format8x8_2x2_edges3 (
 
     wire _unused_ok = &{1'b0, leaves_polygon_last_edge, leaves_window_size, leaves_window_bounds_left,
             leaves_window_bounds_top, leaves_window_bounds_right,
-            leaves_window_bounds_bottom, covered, leaves_polygon_fall_x,
-            leaves_polygon_fall_y, leaves_polygon_right, leaves_polygon_lower,
+            leaves_window_bounds_bottom, covered, leaves_polygon_step_x,
+            leaves_polygon_step_y, leaves_polygon_right, leaves_polygon_lower,
             leaves_polygon_plane_x, leaves_polygon_plane_y, leaves_window_edges,
             leaves_window_planes[159:144], leaves_window_planes[135:104],
             leaves_window_planes[95:64], leaves_window_planes[55:40],

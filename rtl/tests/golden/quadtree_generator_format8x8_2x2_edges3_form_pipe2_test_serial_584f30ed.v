@@ -29,10 +29,9 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
     input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels.
     input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels.
     input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels.
-    // Depth alone decides, and of equal depths the first drawn stays; constant while a picture is drawn.
+    // Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is drawn.
     input  wire         strict,
-    // For one clock, when idle and while no picture is read: exchange the banks.
-    input  wire         swap,
+    input  wire         swap,                  // For one clock, when idle and while no picture is read: swap the banks.
     // The settings of the read-out.
     input  wire         show_start,            // For one clock, while no picture is read: read one.
     input  wire         show_clear,            // Empty the buffers on the way; constant while a picture is read.

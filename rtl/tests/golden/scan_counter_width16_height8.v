@@ -13,7 +13,7 @@ module scan_counter_width16_height8 (
     input  wire       rst,
     // From the global frame buffer.
     input  wire       scan_restart, // For one clock: every scan counter takes its preset.
-    // The counters, the read-out and the merging units advance by a pixel; where it is low they hold.
+    // The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
     input  wire       scan_enable,
     // Where a restart puts the counter; a constant.
     input  wire [3:0] preset_x,     // The column of the pixel, counted from the left.

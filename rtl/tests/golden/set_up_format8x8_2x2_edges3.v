@@ -38,10 +38,10 @@ module set_up_format8x8_2x2_edges3 (
     output wire         roots_valid,
     // The polygon.
     output wire [2:0]   roots_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    output wire [50:0]  roots_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    output wire [50:0]  roots_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    output wire [50:0]  roots_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    output wire [50:0]  roots_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   roots_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -91,8 +91,8 @@ module set_up_format8x8_2x2_edges3 (
     wire [43:0] plane_product = {4'd0, plane_x} * {40'd0, place_left[3:0]}; // rtl/src/quadtree/set_up.rs:80
     wire [43:0] plane_product_2 = {4'd0, plane_y} * {40'd0, place_top[3:0]}; // rtl/src/quadtree/set_up.rs:80
     wire [39:0] plane = plane_picked + plane_product[39:0] + plane_product_2[39:0]; // rtl/src/quadtree/set_up.rs:81
-    wire [16:0] roots_polygon_fall_x_choice_3 = a[16] ? (17'd0 - a) : a; // rtl/src/quadtree/set_up.rs:71
-    wire [16:0] roots_polygon_fall_y_choice_3 = b[16] ? (17'd0 - b) : b; // rtl/src/quadtree/set_up.rs:71
+    wire [16:0] roots_polygon_step_x_choice_3 = a[16] ? (17'd0 - a) : a; // rtl/src/quadtree/set_up.rs:71
+    wire [16:0] roots_polygon_step_y_choice_3 = b[16] ? (17'd0 - b) : b; // rtl/src/quadtree/set_up.rs:71
     assign roots_window_bounds_left = place_right - {2'd0, packets_bounds_left}; // rtl/src/quadtree/set_up.rs:84
     assign roots_window_bounds_top = place_bottom - {2'd0, packets_bounds_top}; // rtl/src/quadtree/set_up.rs:84
     assign roots_window_bounds_right = 13'd0 - (place_left - {2'd0, packets_bounds_right}); // rtl/src/quadtree/set_up.rs:103
@@ -105,20 +105,20 @@ module set_up_format8x8_2x2_edges3 (
     genvar i;
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : fall_x_row
-            reg [16:0] fall_x;
-            reg [16:0] fall_y;
+        for (i = 0; i < 3; i = i + 1) begin : step_x_row
+            reg [16:0] step_x;
+            reg [16:0] step_y;
             reg rights;
             reg lowers;
             reg [31:0] edges;
             localparam [31:0] is_edge_listed = i;
             wire is_edge = $signed(is_edge_listed[4:0]) <= $signed({2'd0, packets_last_edge});
-            localparam [31:0] roots_polygon_fall_x_listed = i;
-            wire [16:0] roots_polygon_fall_x_choice_2 = (roots_polygon_fall_x_listed[2:0] == step) ? {roots_polygon_fall_x_choice_3[15:0], 1'b0} : fall_x;
-            wire [16:0] roots_polygon_fall_x_choice = is_edge ? roots_polygon_fall_x_choice_2 : 17'd0;
-            localparam [31:0] roots_polygon_fall_y_listed = i;
-            wire [16:0] roots_polygon_fall_y_choice_2 = (roots_polygon_fall_y_listed[2:0] == step) ? {roots_polygon_fall_y_choice_3[15:0], 1'b0} : fall_y;
-            wire [16:0] roots_polygon_fall_y_choice = is_edge ? roots_polygon_fall_y_choice_2 : 17'd0;
+            localparam [31:0] roots_polygon_step_x_listed = i;
+            wire [16:0] roots_polygon_step_x_choice_2 = (roots_polygon_step_x_listed[2:0] == step) ? {roots_polygon_step_x_choice_3[15:0], 1'b0} : step_x;
+            wire [16:0] roots_polygon_step_x_choice = is_edge ? roots_polygon_step_x_choice_2 : 17'd0;
+            localparam [31:0] roots_polygon_step_y_listed = i;
+            wire [16:0] roots_polygon_step_y_choice_2 = (roots_polygon_step_y_listed[2:0] == step) ? {roots_polygon_step_y_choice_3[15:0], 1'b0} : step_y;
+            wire [16:0] roots_polygon_step_y_choice = is_edge ? roots_polygon_step_y_choice_2 : 17'd0;
             localparam [31:0] roots_polygon_right_listed = i;
             wire roots_polygon_right_choice_2 = (roots_polygon_right_listed[2:0] == step) ? right : rights;
             wire roots_polygon_right_choice = is_edge ? roots_polygon_right_choice_2 : 1'b0;
@@ -131,8 +131,8 @@ module set_up_format8x8_2x2_edges3 (
 
             always @(posedge clk) begin
                 if (packets_valid) begin
-                    fall_x <= roots_polygon_fall_x_choice_2;
-                    fall_y <= roots_polygon_fall_y_choice_2;
+                    step_x <= roots_polygon_step_x_choice_2;
+                    step_y <= roots_polygon_step_y_choice_2;
                     rights <= roots_polygon_right_choice_2;
                     lowers <= roots_polygon_lower_choice_2;
                     edges <= roots_window_edges_choice_2;
@@ -214,23 +214,23 @@ module set_up_format8x8_2x2_edges3 (
     endgenerate
     assign plane_picked = (step < 3'd4) ? plane_picked_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/set_up.rs:81
     generate
-        for (i = 0; i < 3; i = i + 1) begin : roots_polygon_fall_x_of
-            assign roots_polygon_fall_x[i * 17 +: 17] = fall_x_row[i].roots_polygon_fall_x_choice;
+        for (i = 0; i < 3; i = i + 1) begin : roots_polygon_step_x_of
+            assign roots_polygon_step_x[i * 17 +: 17] = step_x_row[i].roots_polygon_step_x_choice;
         end
     endgenerate
     generate
-        for (i = 0; i < 3; i = i + 1) begin : roots_polygon_fall_y_of
-            assign roots_polygon_fall_y[i * 17 +: 17] = fall_x_row[i].roots_polygon_fall_y_choice;
+        for (i = 0; i < 3; i = i + 1) begin : roots_polygon_step_y_of
+            assign roots_polygon_step_y[i * 17 +: 17] = step_x_row[i].roots_polygon_step_y_choice;
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : roots_polygon_right_of
-            assign roots_polygon_right[i] = fall_x_row[i].roots_polygon_right_choice;
+            assign roots_polygon_right[i] = step_x_row[i].roots_polygon_right_choice;
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : roots_polygon_lower_of
-            assign roots_polygon_lower[i] = fall_x_row[i].roots_polygon_lower_choice;
+            assign roots_polygon_lower[i] = step_x_row[i].roots_polygon_lower_choice;
         end
     endgenerate
     generate
@@ -245,7 +245,7 @@ module set_up_format8x8_2x2_edges3 (
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : roots_window_edges_of
-            assign roots_window_edges[i * 32 +: 32] = fall_x_row[i].roots_window_edges_choice;
+            assign roots_window_edges[i * 32 +: 32] = step_x_row[i].roots_window_edges_choice;
         end
     endgenerate
     generate
@@ -278,6 +278,6 @@ module set_up_format8x8_2x2_edges3 (
     assign tally_results = set_up_results;
 
     wire _unused_ok = &{1'b0, plane_product[43:40], plane_product_2[43:40],
-            roots_polygon_fall_x_choice_3[16], roots_polygon_fall_y_choice_3[16]};
+            roots_polygon_step_x_choice_3[16], roots_polygon_step_y_choice_3[16]};
 endmodule
 `default_nettype wire

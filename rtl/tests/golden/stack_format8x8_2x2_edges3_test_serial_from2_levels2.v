@@ -15,10 +15,10 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     input  wire         works_valid,
     // The polygon.
     input  wire [2:0]   works_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -43,10 +43,10 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -85,8 +85,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     wire u_test_parts_valid;                                     // rtl/src/quadtree/stack.rs:51
     wire u_test_works_ready;                                     // rtl/src/quadtree/stack.rs:51
 
-    wire [50:0] u_test_works_polygon_fall_x;                     // rtl/src/quadtree/stack.rs:49
-    wire [50:0] u_test_works_polygon_fall_y;                     // rtl/src/quadtree/stack.rs:49
+    wire [50:0] u_test_works_polygon_step_x;                     // rtl/src/quadtree/stack.rs:49
+    wire [50:0] u_test_works_polygon_step_y;                     // rtl/src/quadtree/stack.rs:49
     wire [2:0] u_test_works_polygon_right;                       // rtl/src/quadtree/stack.rs:49
     wire [2:0] u_test_works_polygon_lower;                       // rtl/src/quadtree/stack.rs:49
     wire [159:0] u_test_works_polygon_plane_x;                   // rtl/src/quadtree/stack.rs:49
@@ -127,14 +127,14 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     genvar i;
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : next_polygon_fall_x_row
-            wire [16:0] next_polygon_fall_x = is_new ? works_polygon_fall_x[i * 17 +: 17] : parts_polygon_fall_x[i * 17 +: 17];
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_step_x_row
+            wire [16:0] next_polygon_step_x = is_new ? works_polygon_step_x[i * 17 +: 17] : parts_polygon_step_x[i * 17 +: 17];
         end
     endgenerate
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : next_polygon_fall_y_row
-            wire [16:0] next_polygon_fall_y = is_new ? works_polygon_fall_y[i * 17 +: 17] : parts_polygon_fall_y[i * 17 +: 17];
+        for (i = 0; i < 3; i = i + 1) begin : next_polygon_step_y_row
+            wire [16:0] next_polygon_step_y = is_new ? works_polygon_step_y[i * 17 +: 17] : parts_polygon_step_y[i * 17 +: 17];
         end
     endgenerate
 
@@ -181,8 +181,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
         .rst                        (rst),
         .works_valid                (next_valid),
         .works_polygon_last_edge    (next_polygon_last_edge),
-        .works_polygon_fall_x       (u_test_works_polygon_fall_x),
-        .works_polygon_fall_y       (u_test_works_polygon_fall_y),
+        .works_polygon_step_x       (u_test_works_polygon_step_x),
+        .works_polygon_step_y       (u_test_works_polygon_step_y),
         .works_polygon_right        (u_test_works_polygon_right),
         .works_polygon_lower        (u_test_works_polygon_lower),
         .works_polygon_plane_x      (u_test_works_polygon_plane_x),
@@ -199,8 +199,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
         .parts_ready                (!is_done | parts_ready),
         .parts_valid                (u_test_parts_valid),
         .parts_polygon_last_edge    (parts_polygon_last_edge),
-        .parts_polygon_fall_x       (parts_polygon_fall_x),
-        .parts_polygon_fall_y       (parts_polygon_fall_y),
+        .parts_polygon_step_x       (parts_polygon_step_x),
+        .parts_polygon_step_y       (parts_polygon_step_y),
         .parts_polygon_right        (parts_polygon_right),
         .parts_polygon_lower        (parts_polygon_lower),
         .parts_polygon_plane_x      (parts_polygon_plane_x),
@@ -225,13 +225,13 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     );
 
     generate
-        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_fall_x_of
-            assign u_test_works_polygon_fall_x[i * 17 +: 17] = next_polygon_fall_x_row[i].next_polygon_fall_x;
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_step_x_of
+            assign u_test_works_polygon_step_x[i * 17 +: 17] = next_polygon_step_x_row[i].next_polygon_step_x;
         end
     endgenerate
     generate
-        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_fall_y_of
-            assign u_test_works_polygon_fall_y[i * 17 +: 17] = next_polygon_fall_y_row[i].next_polygon_fall_y;
+        for (i = 0; i < 3; i = i + 1) begin : u_test_works_polygon_step_y_of
+            assign u_test_works_polygon_step_y[i * 17 +: 17] = next_polygon_step_y_row[i].next_polygon_step_y;
         end
     endgenerate
     generate

@@ -13,23 +13,23 @@ module swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 
     input  wire       pe_rst,
     input  wire       merge_clk,
     input  wire       merge_rst,
-    // Of each processing element, as all of these: the program has drawn its frame, as `LfbSwapIn` says.
+    // For each processing element, as all inputs here: the program has drawn its frame, see `LfbSwapIn`.
     input  wire [1:0] done,
     input  wire [1:0] idle,      // No pixel is under way, and no word waits in the receive queue.
-    input  wire [1:0] overflow,  // A pixel is held, because all pages are taken.
+    input  wire [1:0] overflow,  // A pixel waits, because all pages are taken.
     input  wire [1:0] draws,     // A pixel is accepted.
     input  wire [1:0] clears,    // An entry of the patch table is cleared.
     input  wire [5:0] patch,     // The patch whose entry is cleared.
     input  wire       bus,       // The broadcast bus is idle.
-    input  wire       host,      // The host lets the sync line go.
-    input  wire [1:0] sending,   // Of each local frame buffer: some of its back buffer is still to be sent.
+    input  wire       host,      // The host releases the sync line.
+    input  wire [1:0] sending,   // For each local frame buffer: a part of its back buffer is not sent yet.
     input  wire       enable,    // The chain advances.
     input  wire       blanking,  // The banks may change.
     output wire       line,      // The sync line: all have drawn the frame.
-    output wire [1:0] swap,      // Of each local frame buffer, for one clock: exchange the buffers.
-    output wire [1:0] resume,    // Of each local frame buffer, for one clock: try the request again that waits.
+    output wire [1:0] swap,      // For each local frame buffer, for one clock: swap the buffers.
+    output wire [1:0] resume,    // For each local frame buffer, for one clock: try the waiting request again.
     output wire [3:0] state,     // What the program of each processing element may do.
-    output wire       gfb_swap,  // For one clock: exchange the banks of the global frame buffer.
+    output wire       gfb_swap,  // For one clock: swap the banks of the global frame buffer.
     output wire       merged,    // A frame is stored, and waits for the blanking.
     output wire       shown      // Toggles with each swap of the global frame buffer.
 );

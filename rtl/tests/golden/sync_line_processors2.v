@@ -1,6 +1,6 @@
 // sync_line_processors2
 //
-// One bit that is high when no processing element holds it low.
+// One bit that is high unless a processing element pulls it low.
 //
 // Parameters  SyncLine { processors: 2 }
 // Latency     0 clocks; 0 clocks
@@ -11,12 +11,12 @@
 module sync_line_processors2 (
     input  wire clk,
     input  wire rst,
-    // Of each processing element: its frame is drawn, and its last swap is over.
+    // For each processing element: its frame is drawn, and its last swap is over.
     input  wire ready_0,
     input  wire ready_1,
     input  wire bus,     // The broadcast bus is idle.
-    input  wire host,    // The host lets the sync line go.
-    output wire line     // The sync line: high if nobody pulls it low.
+    input  wire host,    // The host releases the sync line.
+    output wire line     // The sync line: high unless a unit pulls it low.
 );
 
     assign line = ready_0 & ready_1 & bus & host;                // rtl/src/swap/sync_line.rs:40

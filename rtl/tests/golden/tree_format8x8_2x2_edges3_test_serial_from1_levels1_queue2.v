@@ -15,10 +15,10 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     input  wire         works_valid,
     // The polygon.
     input  wire [2:0]   works_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -43,10 +43,10 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -83,7 +83,7 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
         .rst          (rst),
         .into_valid   (works_valid),
         .into_payload ({
-            works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y,
+            works_polygon_last_edge, works_polygon_step_x, works_polygon_step_y,
             works_polygon_right, works_polygon_lower, works_polygon_plane_x,
             works_polygon_plane_y, works_window_size, works_window_x, works_window_y,
             works_window_edges, works_window_bounds_left, works_window_bounds_top,
@@ -100,8 +100,8 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
         .rst                        (rst),
         .works_valid                (u_queue_out_valid),
         .works_polygon_last_edge    (u_queue_out_payload[744:742]),
-        .works_polygon_fall_x       (u_queue_out_payload[741:691]),
-        .works_polygon_fall_y       (u_queue_out_payload[690:640]),
+        .works_polygon_step_x       (u_queue_out_payload[741:691]),
+        .works_polygon_step_y       (u_queue_out_payload[690:640]),
         .works_polygon_right        (u_queue_out_payload[639:637]),
         .works_polygon_lower        (u_queue_out_payload[636:634]),
         .works_polygon_plane_x      (u_queue_out_payload[633:474]),
@@ -118,8 +118,8 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
         .parts_ready                (parts_ready),
         .parts_valid                (parts_valid),
         .parts_polygon_last_edge    (parts_polygon_last_edge),
-        .parts_polygon_fall_x       (parts_polygon_fall_x),
-        .parts_polygon_fall_y       (parts_polygon_fall_y),
+        .parts_polygon_step_x       (parts_polygon_step_x),
+        .parts_polygon_step_y       (parts_polygon_step_y),
         .parts_polygon_right        (parts_polygon_right),
         .parts_polygon_lower        (parts_polygon_lower),
         .parts_polygon_plane_x      (parts_polygon_plane_x),

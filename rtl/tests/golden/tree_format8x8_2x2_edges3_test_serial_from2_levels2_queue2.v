@@ -15,10 +15,10 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     input  wire         works_valid,
     // The polygon.
     input  wire [2:0]   works_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    input  wire [50:0]  works_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    input  wire [50:0]  works_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -43,10 +43,10 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
-    // What each edge function loses over a sample along x, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_x,
-    // What each edge function loses over a sample along y, on the way from where it is greatest.
-    output wire [50:0]  parts_polygon_fall_y,
+    // The step of each edge function per sample along x, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_x,
+    // The step of each edge function per sample along y, as a decrease from its greatest value.
+    output wire [50:0]  parts_polygon_step_y,
     // Whether each edge function is greatest at the right side of a window.
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
@@ -81,8 +81,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     wire [744:0] u_queue_out_payload;                            // rtl/src/quadtree/tree.rs:52
     wire u_test_parts_valid;                                     // rtl/src/quadtree/tree.rs:54
     wire [2:0] u_test_parts_polygon_last_edge;                   // rtl/src/quadtree/tree.rs:54
-    wire [50:0] u_test_parts_polygon_fall_x;                     // rtl/src/quadtree/tree.rs:54
-    wire [50:0] u_test_parts_polygon_fall_y;                     // rtl/src/quadtree/tree.rs:54
+    wire [50:0] u_test_parts_polygon_step_x;                     // rtl/src/quadtree/tree.rs:54
+    wire [50:0] u_test_parts_polygon_step_y;                     // rtl/src/quadtree/tree.rs:54
     wire [2:0] u_test_parts_polygon_right;                       // rtl/src/quadtree/tree.rs:54
     wire [2:0] u_test_parts_polygon_lower;                       // rtl/src/quadtree/tree.rs:54
     wire [159:0] u_test_parts_polygon_plane_x;                   // rtl/src/quadtree/tree.rs:54
@@ -146,8 +146,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     wire u_test_parts_ready_and_4 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd2); // rtl/src/quadtree/tree.rs:59
     wire u_test_parts_ready_and_5 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd3); // rtl/src/quadtree/tree.rs:59
     assign parts_polygon_last_edge = u_arbiter_out_payload[744:742]; // rtl/src/quadtree/tree.rs:63
-    assign parts_polygon_fall_x = u_arbiter_out_payload[741:691]; // rtl/src/quadtree/tree.rs:63
-    assign parts_polygon_fall_y = u_arbiter_out_payload[690:640]; // rtl/src/quadtree/tree.rs:63
+    assign parts_polygon_step_x = u_arbiter_out_payload[741:691]; // rtl/src/quadtree/tree.rs:63
+    assign parts_polygon_step_y = u_arbiter_out_payload[690:640]; // rtl/src/quadtree/tree.rs:63
     assign parts_polygon_right = u_arbiter_out_payload[639:637]; // rtl/src/quadtree/tree.rs:63
     assign parts_polygon_lower = u_arbiter_out_payload[636:634]; // rtl/src/quadtree/tree.rs:63
     assign parts_polygon_plane_x = u_arbiter_out_payload[633:474]; // rtl/src/quadtree/tree.rs:63
@@ -170,8 +170,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         for (i = 0; i < 4; i = i + 1) begin : u_branch               // rtl/src/quadtree/tree.rs:61
             wire lane_parts_valid;
             wire [2:0] lane_parts_polygon_last_edge;
-            wire [50:0] lane_parts_polygon_fall_x;
-            wire [50:0] lane_parts_polygon_fall_y;
+            wire [50:0] lane_parts_polygon_step_x;
+            wire [50:0] lane_parts_polygon_step_y;
             wire [2:0] lane_parts_polygon_right;
             wire [2:0] lane_parts_polygon_lower;
             wire [159:0] lane_parts_polygon_plane_x;
@@ -204,13 +204,13 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
                 2: begin : lane_works_valid_2 assign lane_works_valid = u_test_parts_ready_and_4; end
                 default: begin : lane_works_valid_3 assign lane_works_valid = u_test_parts_ready_and_5; end
             endcase
-            wire [50:0] u_branch_works_polygon_fall_x;
-            for (j = 0; j < 3; j = j + 1) begin : u_branch_works_polygon_fall_x_of
-                assign u_branch_works_polygon_fall_x[j * 17 +: 17] = u_test_parts_polygon_fall_x[j * 17 +: 17];
+            wire [50:0] u_branch_works_polygon_step_x;
+            for (j = 0; j < 3; j = j + 1) begin : u_branch_works_polygon_step_x_of
+                assign u_branch_works_polygon_step_x[j * 17 +: 17] = u_test_parts_polygon_step_x[j * 17 +: 17];
             end
-            wire [50:0] u_branch_works_polygon_fall_y;
-            for (j = 0; j < 3; j = j + 1) begin : u_branch_works_polygon_fall_y_of
-                assign u_branch_works_polygon_fall_y[j * 17 +: 17] = u_test_parts_polygon_fall_y[j * 17 +: 17];
+            wire [50:0] u_branch_works_polygon_step_y;
+            for (j = 0; j < 3; j = j + 1) begin : u_branch_works_polygon_step_y_of
+                assign u_branch_works_polygon_step_y[j * 17 +: 17] = u_test_parts_polygon_step_y[j * 17 +: 17];
             end
             wire [2:0] u_branch_works_polygon_right;
             for (j = 0; j < 3; j = j + 1) begin : u_branch_works_polygon_right_of
@@ -242,8 +242,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
                 .rst                        (rst),
                 .works_valid                (lane_works_valid),
                 .works_polygon_last_edge    (u_test_parts_polygon_last_edge),
-                .works_polygon_fall_x       (u_branch_works_polygon_fall_x),
-                .works_polygon_fall_y       (u_branch_works_polygon_fall_y),
+                .works_polygon_step_x       (u_branch_works_polygon_step_x),
+                .works_polygon_step_y       (u_branch_works_polygon_step_y),
                 .works_polygon_right        (u_branch_works_polygon_right),
                 .works_polygon_lower        (u_branch_works_polygon_lower),
                 .works_polygon_plane_x      (u_branch_works_polygon_plane_x),
@@ -260,8 +260,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
                 .parts_ready                (lane_parts_ready),
                 .parts_valid                (lane_parts_valid),
                 .parts_polygon_last_edge    (lane_parts_polygon_last_edge),
-                .parts_polygon_fall_x       (lane_parts_polygon_fall_x),
-                .parts_polygon_fall_y       (lane_parts_polygon_fall_y),
+                .parts_polygon_step_x       (lane_parts_polygon_step_x),
+                .parts_polygon_step_y       (lane_parts_polygon_step_y),
                 .parts_polygon_right        (lane_parts_polygon_right),
                 .parts_polygon_lower        (lane_parts_polygon_lower),
                 .parts_polygon_plane_x      (lane_parts_polygon_plane_x),
@@ -289,7 +289,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .rst          (rst),
         .into_valid   (works_valid),
         .into_payload ({
-            works_polygon_last_edge, works_polygon_fall_x, works_polygon_fall_y,
+            works_polygon_last_edge, works_polygon_step_x, works_polygon_step_y,
             works_polygon_right, works_polygon_lower, works_polygon_plane_x,
             works_polygon_plane_y, works_window_size, works_window_x, works_window_y,
             works_window_edges, works_window_bounds_left, works_window_bounds_top,
@@ -306,8 +306,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .rst                        (rst),
         .works_valid                (u_queue_out_valid),
         .works_polygon_last_edge    (u_queue_out_payload[744:742]),
-        .works_polygon_fall_x       (u_queue_out_payload[741:691]),
-        .works_polygon_fall_y       (u_queue_out_payload[690:640]),
+        .works_polygon_step_x       (u_queue_out_payload[741:691]),
+        .works_polygon_step_y       (u_queue_out_payload[690:640]),
         .works_polygon_right        (u_queue_out_payload[639:637]),
         .works_polygon_lower        (u_queue_out_payload[636:634]),
         .works_polygon_plane_x      (u_queue_out_payload[633:474]),
@@ -324,8 +324,8 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .parts_ready                (u_test_parts_ready_or | (u_test_parts_ready_and_5 & u_branch[3].lane_works_ready)),
         .parts_valid                (u_test_parts_valid),
         .parts_polygon_last_edge    (u_test_parts_polygon_last_edge),
-        .parts_polygon_fall_x       (u_test_parts_polygon_fall_x),
-        .parts_polygon_fall_y       (u_test_parts_polygon_fall_y),
+        .parts_polygon_step_x       (u_test_parts_polygon_step_x),
+        .parts_polygon_step_y       (u_test_parts_polygon_step_y),
         .parts_polygon_right        (u_test_parts_polygon_right),
         .parts_polygon_lower        (u_test_parts_polygon_lower),
         .parts_polygon_plane_x      (u_test_parts_polygon_plane_x),
@@ -444,12 +444,12 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     assign tally_1_results = tally_1_results_tree[6].value;      // rtl/src/quadtree/tree.rs:62
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_0_payload_lanes_of
-            assign u_arbiter_into_0_payload_lanes[i * 17 +: 17] = u_branch[0].lane_parts_polygon_fall_x[i * 17 +: 17];
+            assign u_arbiter_into_0_payload_lanes[i * 17 +: 17] = u_branch[0].lane_parts_polygon_step_x[i * 17 +: 17];
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_0_payload_lanes_2_of
-            assign u_arbiter_into_0_payload_lanes_2[i * 17 +: 17] = u_branch[0].lane_parts_polygon_fall_y[i * 17 +: 17];
+            assign u_arbiter_into_0_payload_lanes_2[i * 17 +: 17] = u_branch[0].lane_parts_polygon_step_y[i * 17 +: 17];
         end
     endgenerate
     generate
@@ -484,12 +484,12 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_1_payload_lanes_of
-            assign u_arbiter_into_1_payload_lanes[i * 17 +: 17] = u_branch[1].lane_parts_polygon_fall_x[i * 17 +: 17];
+            assign u_arbiter_into_1_payload_lanes[i * 17 +: 17] = u_branch[1].lane_parts_polygon_step_x[i * 17 +: 17];
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_1_payload_lanes_2_of
-            assign u_arbiter_into_1_payload_lanes_2[i * 17 +: 17] = u_branch[1].lane_parts_polygon_fall_y[i * 17 +: 17];
+            assign u_arbiter_into_1_payload_lanes_2[i * 17 +: 17] = u_branch[1].lane_parts_polygon_step_y[i * 17 +: 17];
         end
     endgenerate
     generate
@@ -524,12 +524,12 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_2_payload_lanes_of
-            assign u_arbiter_into_2_payload_lanes[i * 17 +: 17] = u_branch[2].lane_parts_polygon_fall_x[i * 17 +: 17];
+            assign u_arbiter_into_2_payload_lanes[i * 17 +: 17] = u_branch[2].lane_parts_polygon_step_x[i * 17 +: 17];
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_2_payload_lanes_2_of
-            assign u_arbiter_into_2_payload_lanes_2[i * 17 +: 17] = u_branch[2].lane_parts_polygon_fall_y[i * 17 +: 17];
+            assign u_arbiter_into_2_payload_lanes_2[i * 17 +: 17] = u_branch[2].lane_parts_polygon_step_y[i * 17 +: 17];
         end
     endgenerate
     generate
@@ -564,12 +564,12 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_3_payload_lanes_of
-            assign u_arbiter_into_3_payload_lanes[i * 17 +: 17] = u_branch[3].lane_parts_polygon_fall_x[i * 17 +: 17];
+            assign u_arbiter_into_3_payload_lanes[i * 17 +: 17] = u_branch[3].lane_parts_polygon_step_x[i * 17 +: 17];
         end
     endgenerate
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_3_payload_lanes_2_of
-            assign u_arbiter_into_3_payload_lanes_2[i * 17 +: 17] = u_branch[3].lane_parts_polygon_fall_y[i * 17 +: 17];
+            assign u_arbiter_into_3_payload_lanes_2[i * 17 +: 17] = u_branch[3].lane_parts_polygon_step_y[i * 17 +: 17];
         end
     endgenerate
     generate

@@ -44,7 +44,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
     input  wire        command_valid,
     input  wire [31:0] command_word,                // A word of the packet.
     input  wire        command_last,                // The last word of a packet.
-    input  wire        ready,                       // The host lets the sync line go.
+    input  wire        ready,                       // The host releases the sync line.
     // The inputs from the host.
     // Reads and writes of the bank on display, one in every clock.
     input  wire        host_accesses_valid,
@@ -399,7 +399,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
         end
         if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:238
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a word on the bus or in a queue holds the line low", $time);
+            $display("COVER: time %0t: %m: a word on the bus or in a queue keeps the line low", $time);
             `endif
             is_covered <= 1'b1;
         end

@@ -17,7 +17,7 @@ module video_buffer_format8x8_2x2_edges3 (
     input  wire [1:0]  draw_x,      // The fragment's column among those of the video processor.
     input  wire [1:0]  draw_y,      // The fragment's line among those of the video processor.
     input  wire [47:0] draw_word,   // The word of the fragment: depth above colour.
-    input  wire        strict,      // Depth alone decides, and of equal depths the first drawn stays.
+    input  wire        strict,      // Depth alone is compared, and the first drawn of equal depths stays.
     input  wire        back,        // The bank that is drawn.
     // A pixel of the other bank to send.
     // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.

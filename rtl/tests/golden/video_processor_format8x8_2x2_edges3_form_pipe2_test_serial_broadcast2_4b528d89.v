@@ -33,7 +33,7 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     input  wire [12:0]  place_top,             // The upper bound, a line of pixels.
     input  wire [12:0]  place_right,           // The right bound, a column of pixels.
     input  wire [12:0]  place_bottom,          // The lower bound, a line of pixels.
-    input  wire         strict,                // Depth alone decides, and of equal depths the first drawn stays.
+    input  wire         strict,                // Depth alone is compared, and the first drawn of equal depths stays.
     input  wire         back,                  // The bank that is drawn.
     // A pixel of the other bank to send.
     // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
@@ -63,8 +63,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/processor.rs:79
     wire u_set_up_roots_valid;                                   // rtl/src/quadtree/processor.rs:80
     wire [2:0] u_set_up_roots_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:80
-    wire [50:0] u_set_up_roots_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:80
-    wire [50:0] u_set_up_roots_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:80
+    wire [50:0] u_set_up_roots_polygon_step_x;                   // rtl/src/quadtree/processor.rs:80
+    wire [50:0] u_set_up_roots_polygon_step_y;                   // rtl/src/quadtree/processor.rs:80
     wire [2:0] u_set_up_roots_polygon_right;                     // rtl/src/quadtree/processor.rs:80
     wire [2:0] u_set_up_roots_polygon_lower;                     // rtl/src/quadtree/processor.rs:80
     wire [159:0] u_set_up_roots_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:80
@@ -82,8 +82,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
     wire u_set_up_packets_ready;                                 // rtl/src/quadtree/processor.rs:80
     wire u_raster_parts_valid;                                   // rtl/src/quadtree/processor.rs:83
     wire [2:0] u_raster_parts_polygon_last_edge;                 // rtl/src/quadtree/processor.rs:83
-    wire [50:0] u_raster_parts_polygon_fall_x;                   // rtl/src/quadtree/processor.rs:83
-    wire [50:0] u_raster_parts_polygon_fall_y;                   // rtl/src/quadtree/processor.rs:83
+    wire [50:0] u_raster_parts_polygon_step_x;                   // rtl/src/quadtree/processor.rs:83
+    wire [50:0] u_raster_parts_polygon_step_y;                   // rtl/src/quadtree/processor.rs:83
     wire [2:0] u_raster_parts_polygon_right;                     // rtl/src/quadtree/processor.rs:83
     wire [2:0] u_raster_parts_polygon_lower;                     // rtl/src/quadtree/processor.rs:83
     wire [159:0] u_raster_parts_polygon_plane_x;                 // rtl/src/quadtree/processor.rs:83
@@ -145,8 +145,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .roots_ready                (u_raster_works_ready),
         .roots_valid                (u_set_up_roots_valid),
         .roots_polygon_last_edge    (u_set_up_roots_polygon_last_edge),
-        .roots_polygon_fall_x       (u_set_up_roots_polygon_fall_x),
-        .roots_polygon_fall_y       (u_set_up_roots_polygon_fall_y),
+        .roots_polygon_step_x       (u_set_up_roots_polygon_step_x),
+        .roots_polygon_step_y       (u_set_up_roots_polygon_step_y),
         .roots_polygon_right        (u_set_up_roots_polygon_right),
         .roots_polygon_lower        (u_set_up_roots_polygon_lower),
         .roots_polygon_plane_x      (u_set_up_roots_polygon_plane_x),
@@ -172,8 +172,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .rst                        (rst),
         .works_valid                (u_set_up_roots_valid),
         .works_polygon_last_edge    (u_set_up_roots_polygon_last_edge),
-        .works_polygon_fall_x       (u_set_up_roots_polygon_fall_x),
-        .works_polygon_fall_y       (u_set_up_roots_polygon_fall_y),
+        .works_polygon_step_x       (u_set_up_roots_polygon_step_x),
+        .works_polygon_step_y       (u_set_up_roots_polygon_step_y),
         .works_polygon_right        (u_set_up_roots_polygon_right),
         .works_polygon_lower        (u_set_up_roots_polygon_lower),
         .works_polygon_plane_x      (u_set_up_roots_polygon_plane_x),
@@ -190,8 +190,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .parts_ready                (u_pixel_leaves_ready),
         .parts_valid                (u_raster_parts_valid),
         .parts_polygon_last_edge    (u_raster_parts_polygon_last_edge),
-        .parts_polygon_fall_x       (u_raster_parts_polygon_fall_x),
-        .parts_polygon_fall_y       (u_raster_parts_polygon_fall_y),
+        .parts_polygon_step_x       (u_raster_parts_polygon_step_x),
+        .parts_polygon_step_y       (u_raster_parts_polygon_step_y),
         .parts_polygon_right        (u_raster_parts_polygon_right),
         .parts_polygon_lower        (u_raster_parts_polygon_lower),
         .parts_polygon_plane_x      (u_raster_parts_polygon_plane_x),
@@ -220,8 +220,8 @@ module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b
         .rst                         (rst),
         .leaves_valid                (u_raster_parts_valid),
         .leaves_polygon_last_edge    (u_raster_parts_polygon_last_edge),
-        .leaves_polygon_fall_x       (u_raster_parts_polygon_fall_x),
-        .leaves_polygon_fall_y       (u_raster_parts_polygon_fall_y),
+        .leaves_polygon_step_x       (u_raster_parts_polygon_step_x),
+        .leaves_polygon_step_y       (u_raster_parts_polygon_step_y),
         .leaves_polygon_right        (u_raster_parts_polygon_right),
         .leaves_polygon_lower        (u_raster_parts_polygon_lower),
         .leaves_polygon_plane_x      (u_raster_parts_polygon_plane_x),

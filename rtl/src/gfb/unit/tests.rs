@@ -240,7 +240,7 @@ fn the_display_turns_to_the_other_bank_with_each_swap() {
     for swaps in 1..4 {
         bench.frame(&[vec![swaps; 14]]);
         (0..3).for_each(|_| bench.clock());
-        assert_eq!(bench.sim.covered("the display turns to the other bank").unwrap(), swaps);
+        assert_eq!(bench.sim.covered("the display changes to the other bank").unwrap(), swaps);
     }
 }
 

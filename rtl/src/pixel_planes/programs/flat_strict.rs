@@ -1,4 +1,4 @@
-//! A primitive in one colour; depth alone decides, and of equal depths the first is kept.
+//! A primitive in one colour. Depth alone is compared, and the first of equal depths stays.
 
 use super::super::fields::{DEPTH, RGB};
 use super::super::instruction::{Instruction, Operation};

@@ -7,8 +7,8 @@
 //! | rule | a fragment is kept if | primitives of one colour | with colour planes |
 //! |---|---|---|---|
 //! | none | it is drawn last | [`FLAT`] | |
-//! | strict | its depth is less: of equal ones the first stays | [`FLAT_STRICT`] | [`SMOOTH_STRICT`] |
-//! | least word | its z \|\| rgb is less, in whatever order they come | [`FLAT_LEAST`] | [`SMOOTH_LEAST`] |
+//! | strict | its depth is less; the first of equal depths stays | [`FLAT_STRICT`] | [`SMOOTH_STRICT`] |
+//! | least word | its z \|\| rgb is less, in any sequence | [`FLAT_LEAST`] | [`SMOOTH_LEAST`] |
 //!
 //! Triangles, polygons and vectors differ only in the number of their edges; a vector is a polygon with four. [`Edges`]
 //! chooses the form in which edges are sent.

@@ -1,4 +1,4 @@
-//! A primitive with planes of colour; depth alone decides, and of equal depths the first is kept.
+//! A primitive with planes of colour. Depth alone is compared, and the first of equal depths stays.
 
 use super::super::fields::{BLUE, DEPTH, GREEN, RED};
 use super::super::instruction::{Instruction, Operation};

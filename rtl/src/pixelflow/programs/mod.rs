@@ -8,7 +8,7 @@
 //! appearance words, and [`covered`] flags their empty pixels. Words are in the network's registers from the start
 //! ([`fields`](super::fields)), so nothing is copied. A copy of 21 bytes would take 21 clocks a region.
 //!
-//! When a pixel has several samples that come one after another, the node that holds the frame makes sums
+//! When a pixel has several samples that come one after another, the node of the frame buffer makes sums
 //! ([`add_sample`]), and at the end colours ([`average`](average())).
 //!
 //! A shader makes a colour from each appearance word ([`Shading`]), or from eight that come one after another
@@ -18,14 +18,14 @@
 //! |---|---|
 //! | `clear` | empties words |
 //! | `edges`, `least_word` | triangles |
-//! | `ports` | in step with the network; copies of words |
+//! | `ports` | synchronization with the network; copies of words |
 //! | `arithmetic` | digits of products and quotients |
 //! | `normalize` | unit normal |
 //! | `light` | cosines, highlights and their sums |
 //! | `perspective` | texture coordinates and level |
-//! | `filter` | what is between texels |
-//! | `shade` | all of shading |
-//! | `shade_once` | what eight samples have in common, shaded once |
+//! | `filter` | interpolation between texels |
+//! | `shade` | complete shading |
+//! | `shade_once` | equal samples of eight, shaded once |
 //! | `average` | samples one after another: sums and their mean |
 //!
 //! # Clocks
@@ -51,15 +51,15 @@
 //! | weights | 48 | 48 |  |
 //! | trilinear filter | 508 | 508 | facts 1050 to 1386 |
 //! | before the texture unit | 490 | 490 | paper 1540 |
-//! | while it works | 2123 | 2123 | paper 9500 (the look-up) |
-//! | behind it | 673 | 673 |  |
+//! | during the texture unit | 2123 | 2123 | paper 9500 (the look-up) |
+//! | after the texture unit | 673 | 673 |  |
 //! | all | 3286 | 3286 | paper 11040 |
 //! | all, without textures | 2188 | 2188 |  |
-//! | a sample to sums | 9 | 9 |  |
+//! | add a sample to sums | 9 | 9 |  |
 //! | mean of eight | 18 | 18 |  |
-//! | eight samples taken | 550 | 550 |  |
-//! | what they have in common | 499 | 499 |  |
-//! | all, once of eight | 4356 | 4356 |  |
+//! | take eight samples | 550 | 550 |  |
+//! | combine eight samples | 499 | 499 |  |
+//! | all, once for eight samples | 4356 | 4356 |  |
 //!
 //! - An appearance takes 2 clocks more than in facts E4: the comparison of material and level.
 //! - Side by side, the copy of a word overlaps the next primitive's edges and the fraction of its first plane. So the

@@ -61,15 +61,15 @@ fn table() -> Vec<Row> {
         ("weights", filter::weights(10), [48, 48], ""),
         ("trilinear filter", filter::trilinear(), [508, 508], "facts 1050 to 1386"),
         ("before the texture unit", shading.before_texture(), [490, 490], "paper 1540"),
-        ("while it works", shading.under_texture(), [2123, 2123], "paper 9500 (the look-up)"),
-        ("behind it", shading.after_texture(), [673, 673], ""),
+        ("during the texture unit", shading.under_texture(), [2123, 2123], "paper 9500 (the look-up)"),
+        ("after the texture unit", shading.after_texture(), [673, 673], ""),
         ("all", shading.program(), [3286, 3286], "paper 11040"),
         ("all, without textures", Shading { shader: &untextured, ..shading }.program(), [2188, 2188], ""),
-        ("a sample to sums", add_sample(bank(0), 0), [9, 9], ""),
+        ("add a sample to sums", add_sample(bank(0), 0), [9, 9], ""),
         ("mean of eight", average(0, bank(0)), [18, 18], ""),
-        ("eight samples taken", taken.clone(), [550, 550], ""),
-        ("what they have in common", once.combine(), [499, 499], ""),
-        ("all, once of eight", [taken, once.combine(), once.program()].concat(), [4356, 4356], ""),
+        ("take eight samples", taken.clone(), [550, 550], ""),
+        ("combine eight samples", once.combine(), [499, 499], ""),
+        ("all, once for eight samples", [taken, once.combine(), once.program()].concat(), [4356, 4356], ""),
     ]
 }
 

@@ -170,7 +170,7 @@ fn what_the_program_must_not_do_is_an_error() {
         sim.try_step().err().map(|problem| problem.to_string()).unwrap_or_default()
     };
     for (inputs, sentence) in [
-        (LfbSwapIn { clears: 1, patch: 1, ..IDLE }, "after a swap the entries are cleared in order, each once"),
+        (LfbSwapIn { clears: 1, patch: 1, ..IDLE }, "after a swap the entries are cleared in sequence, each once"),
         (LfbSwapIn { draws: 1, ..IDLE }, "no pixel is drawn between a swap and the last entry cleared"),
         (LfbSwapIn { line: 1, ..IDLE }, "the line is high only while this processing element lets it go"),
         (LfbSwapIn { done: 1, ..IDLE }, "the end of a frame is taken back when its swap is due"),
@@ -208,7 +208,7 @@ fn an_entry_that_is_cleared_while_the_program_draws_is_an_error() {
         problem = sim.try_step().err();
     }
     let problem = problem.unwrap().to_string();
-    assert!(problem.contains("after a swap the entries are cleared in order, each once"), "{problem}");
+    assert!(problem.contains("after a swap the entries are cleared in sequence, each once"), "{problem}");
 }
 
 proptest! {

@@ -69,7 +69,7 @@ proptest! {
                 sim.set(i.request.x, choice >> (lowest + 8) & 15);
                 sim.set(o.received.ready, is_less(choice, lowest + 12, 2, 1));
             }
-            // The frame never ends: the host holds the line low when no other party does.
+            // The frame never ends: the host keeps the line low when no other unit does.
             sim.set(sim.i.ready, is_less(choice, 54, 2, 3));
             if sim.get_u64(sim.o.line) == 1 {
                 sim.set(sim.i.ready, 0);
@@ -111,7 +111,7 @@ proptest! {
         sim.set(sim.i.ready, 1);
         prop_assert_eq!(sim.get_u64(sim.o.line), 1);
         sim.step_clock(PE, 1);
-        prop_assert_eq!(sim.covered("a word on the bus or in a queue holds the line low").unwrap(), held_low);
+        prop_assert_eq!(sim.covered("a word on the bus or in a queue keeps the line low").unwrap(), held_low);
         prop_assert!(held_low > 20);
         for received in received {
             // Words that have not come are in the queue or wait.

@@ -19,10 +19,10 @@ struct Plain {
 
 /// The counters of the bus.
 const COVERS: [&str; 5] = [
-    "a full queue holds the bus",
+    "a full queue stalls the bus",
     "a sender pauses within its packet",
     "a sender waits for the packet of another",
-    "all senders wait for their turn",
+    "all senders wait",
     "a packet follows another without a pause",
 ];
 
