@@ -37,7 +37,7 @@ fn one_rival_can_be_asked_for_by_its_verilog() {
     let folder = Folder::new();
     let run = folder.run("bench pxpl8 qt1 --against verilator --verilog pxpl_planes");
     assert_eq!((run.code, run.stdout.as_str()), (Some(2), ""), "{run:?}");
-    let sentence = "error: there is no Verilog `pxpl_planes` of qt1: give one of ours, qt\n";
+    let sentence = "error: there is no Verilog `pxpl_planes` for qt1: give one of ours, qt\n";
     assert_eq!(run.stderr, sentence);
     assert_eq!(folder.run("bench pxpl8 --verilog pxpl").code, Some(2), "there is nothing to build it with");
 

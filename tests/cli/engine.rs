@@ -28,7 +28,9 @@ fn assert_alike(line: &str) {
 
 #[test]
 fn a_frame_is_the_same_on_every_engine() {
-    assert_alike("render triangle.obj --size 16x12 --processors 2 -o frame.png --vcd run.vcd --json");
+    // With a fast display, which the reference engine need not wait for.
+    let vc1 = "--size 16x12 --processors 2 --refresh 2000";
+    assert_alike(&format!("render triangle.obj {vc1} -o frame.png --vcd run.vcd --json"));
     let quadtree = "--machine quadtree --matrix 1x1 --form stack";
     assert_alike(&format!("render triangle.obj --size 4x3 {quadtree} -o frame.png --vcd run.vcd --json"));
 }
@@ -47,14 +49,9 @@ fn the_help_says_what_an_engine_costs_and_which_is_usual() {
     for command in ["render", "wave"] {
         let help = folder.stdout(&format!("{command} --help"));
         let option = help.split("--engine <ENGINE>").nth(1).unwrap_or_else(|| panic!("no --engine in {help}"));
-        for part in [
-            "reference: ",
-            "interpreter: ",
-            "compiled: ",
-            "both: ",
-            "thousands of times as long",
-            "[default: compiled]",
-        ] {
+        for part in
+            ["reference: ", "interpreter: ", "compiled: ", "both: ", "thousands of times slower", "[default: compiled]"]
+        {
             assert!(option.contains(part), "{command}: {part}: {help}");
         }
         assert!(

@@ -9,7 +9,7 @@ use crate::batch::{execute, limited};
 use crate::drawn::{Drawn, Kind};
 use crate::edit::edit;
 use crate::spec::Stimulus;
-use crate::stimulus::{Numbers, passes, record};
+use crate::stimulus::{Numbers, one_or_two, passes, record};
 use std::fmt;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -79,8 +79,13 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
     let passes = Passes { guarded: true, idle_from: 0, ..passes };
     let steps = |passes: &Passes| {
         let sim = Simulation::with_passes(design, passes).unwrap_or_else(|error| panic!("{error}"));
-        let run = record(design, stimulus, sim.on(EngineKind::Both)).unwrap_or_else(|error| panic!("{error}"));
-        run.recording.steps.len() as u64
+        let runs = one_or_two(sim.on(EngineKind::Both), stimulus).into_iter().map(|sim| {
+            let run = record(design, stimulus, sim).unwrap_or_else(|error| panic!("{error}"));
+            run.recording.steps.len() as u64
+        });
+        let runs: Vec<u64> = runs.collect();
+        assert!(runs.iter().all(|instants| *instants == runs[0]), "two simulations of a circuit differ: {runs:?}");
+        runs[0]
     };
     // What code is made of is right, and so is the code.
     let evaluated = steps(&Passes { evaluated: true, ..passes.clone() });

@@ -13,12 +13,15 @@ use super::target::Unsupported;
 /// What code is made of: the function, and the bytes of stack that those which it calls take.
 pub(super) type Origin = (FunctionStencil, usize);
 
+/// The functions whose origins have one hash.
+type Alike = Vec<(Origin, Arc<Made>)>;
+
 /// The functions of simulations of one circuit, by what they were made of.
 #[derive(Default)]
 pub(crate) struct SharedCode {
     /// There are several simulations. One alone makes nothing twice, and so keeps nothing here.
     is_shared: AtomicBool,
-    functions: Mutex<FxHashMap<u64, Vec<(Origin, Arc<Made>)>>>,
+    functions: Mutex<FxHashMap<u64, Alike>>,
 }
 
 impl SharedCode {
