@@ -208,9 +208,9 @@ fn progress_goes_on_through_the_frame() {
     let cancel = std::sync::atomic::AtomicBool::new(true);
     let stopped = machine.render(&polygons, scene.background, &mut Watch { progress: None, cancel: Some(&cancel) });
     assert!(matches!(stopped, Err(Error::Cancelled { phase: "drawing", time: 0 })));
-    // Stopped on the way, it says at which picosecond.
+    // Stopped on the way, it says at which picosecond. Early, as on a busy computer the frame may be far ahead of what is heard.
     cancel.store(false, Relaxed);
-    let mut progress = |it: crate::run::Progress| cancel.store(it.fraction > 0.5, Relaxed);
+    let mut progress = |it: crate::run::Progress| cancel.store(it.fraction > 0.05, Relaxed);
     let stopped = machine.render(
         &polygons,
         scene.background,
