@@ -93,6 +93,29 @@ fn a_wrong_expectation_fails_with_port_and_cycle() {
     }
 }
 
+/// Each is compared all the same, at its own cycle, in more than one constant of rows.
+#[test]
+fn steps_that_are_alike_have_one_row() {
+    let design = elaborate(&Counter { width: 8, limit: 200 }).expect("the block is sound");
+    let count = |cycle: u64| cycle / 3 % 200;
+    let counting = |cycle: u64| {
+        let wrapped = count(cycle) == 199 && cycle % 3 == 2;
+        step(cycle, false, &[(1, u64::from(cycle % 3 == 2))], &[(8, count(cycle)), (1, u64::from(wrapped))])
+    };
+    let mut recording = Recording { steps: (0..9000).map(counting).collect(), initial: Vec::new() };
+    let text = testbench(&design, &recording).text;
+    assert_eq!(text.matches("\n            2'h").count(), 6000, "two rows for three steps");
+    assert!(text.contains("2'h2, 2'h0, 9'h") && text.matches(" put(").count() > 1, "{}", &text[..2000]);
+    run(&Counter { width: 8, limit: 200 }, &recording).unwrap();
+    recording.steps[6001].outputs[0] = Bits::new(8, 255);
+    match tools::replay_in_icarus(&verilog(&design), &testbench(&design, &recording)) {
+        Ok(checked) => assert_eq!(checked, tools::Checked::Skipped, "Icarus accepts a wrong expectation"),
+        Err(problems) => {
+            assert!(problems.to_string().contains("FAIL: cycle 6001: count is 00, expected ff"), "{problems}")
+        }
+    }
+}
+
 /// The message for a recording of the counter that was changed so that it does not fit.
 fn refusal(change: impl FnOnce(&mut Recording)) -> String {
     let mut recording = counting();
@@ -109,7 +132,8 @@ fn a_recording_that_does_not_fit_is_refused() {
     let mut recording = counting();
     late(2)(&mut recording);
     let design = elaborate(&Counter { width: 8, limit: 3 }).expect("the block is sound");
-    assert!(testbench(&design, &recording).text.contains("gap[1] = 64'h0000000000000002;"));
+    let text = testbench(&design, &recording).text;
+    assert!(text.contains("\n            15'h0002, 2'h1, 9'h000,\n"), "{text}");
     let clock = "step 2 of the recording names a clock that `counter_width8_limit3` does not have";
     assert_eq!(refusal(|recording| recording.steps[2].rising = vec![1]), clock);
     assert_eq!(refusal(|recording| recording.steps[2].resets = vec![1]), clock);

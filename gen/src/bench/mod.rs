@@ -8,6 +8,7 @@
 //! at the same edge, which the recording includes.
 
 mod start;
+mod table;
 mod text;
 
 use crate::VerilogFile;

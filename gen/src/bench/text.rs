@@ -1,8 +1,8 @@
 //! The text of a replay testbench.
 
 use super::start::Start;
-use crate::verilog::{Names, connect, packed_width, pattern, range, stop};
-use std::collections::BTreeMap;
+use super::table::{Column, OwnNames, Table, bits_for};
+use crate::verilog::{Names, connect, packed_width, range, stop};
 use std::fmt::Write;
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
@@ -14,8 +14,8 @@ const MOST_SHOWN: u32 = 10;
 /// Verilator's warning about a delay that may be 0.
 const ZERO_DELAY: &str = "ZERODLY";
 
-/// The testbench's own names.
-const OWN: [&str; 9] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "fill", "run"];
+/// The testbench's own names, besides those of its table.
+const OWN: [&str; 8] = ["dut", "stimulus", "expected", "gap", "rising", "cycle", "errors", "run"];
 
 /// A port of the top: its name and width.
 type Port<'a> = (&'a str, u32);
@@ -23,11 +23,12 @@ type Port<'a> = (&'a str, u32);
 pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     let (bench, mut names) = Bench::new(design.top(), recording);
     let start = Start::new(design, bench.own("dut"), &mut names);
-    let mut body = bench.declarations();
+    let table = bench.table();
+    let mut body = bench.declarations(&table);
     body.extend(bench.device(design.top()));
     body.extend(generate_start(&start, &mut names));
-    body.extend(bench.run(&start.special(recording)));
-    body.extend(bench.tables());
+    body.extend(bench.run(&start.special(recording), &table));
+    body.extend(table.tasks(&bench.own));
     let mut text = format!(
         "// {name}\n//\n// Replays {} recorded steps of {} and compares every output before every edge.\n\
          `default_nettype none\n\nmodule {name};\n",
@@ -49,7 +50,7 @@ struct Bench<'a> {
     has_reset: Vec<bool>,
     outputs: Vec<Port<'a>>,
     /// The names that it uses for its own declarations, and for the expected value of each output.
-    own: BTreeMap<&'static str, String>,
+    own: OwnNames,
     wants: Vec<String>,
     /// The gap between steps, if it is always the same.
     period: Option<u64>,
@@ -67,14 +68,14 @@ impl<'a> Bench<'a> {
             driven: resets.chain(inputs).collect(),
             has_reset: top.clocks.iter().map(|clock| clock.reset.is_some()).collect(),
             outputs: outputs.collect(),
-            own: BTreeMap::new(),
+            own: OwnNames::new(),
             wants: Vec::new(),
             period: None,
         };
         let mut names = Names::default();
         bench.clocks.iter().for_each(|clock| names.take(clock));
         bench.driven.iter().chain(&bench.outputs).for_each(|(port, _)| names.take(port));
-        bench.own = OWN.into_iter().map(|name| (name, names.fresh(name))).collect();
+        bench.own = OWN.into_iter().chain(Table::NAMES).map(|name| (name, names.fresh(name))).collect();
         bench.wants = bench.outputs.iter().map(|(name, _)| names.fresh(&format!("want_{name}"))).collect();
         let gaps = bench.gaps();
         bench.period = gaps.first().copied().filter(|first| gaps.iter().all(|gap| gap == first));
@@ -94,9 +95,7 @@ impl<'a> Bench<'a> {
         ports.iter().map(|port| port.1).sum()
     }
 
-    fn declarations(&self) -> Vec<String> {
-        let last = self.recording.steps.len().max(1) - 1;
-        let table = |width: u32, name: &str| format!("reg {}{} [0:{last}];", range(width), self.own(name));
+    fn declarations(&self, table: &Table) -> Vec<String> {
         let mut out = vec![String::new()];
         out.extend(self.clocks.iter().map(|clock| format!("reg {clock};")));
         out.extend(self.driven.iter().map(|&(name, width)| format!("reg {}{name};", range(width))));
@@ -104,20 +103,40 @@ impl<'a> Bench<'a> {
         let wants = self.outputs.iter().zip(&self.wants);
         out.extend(wants.map(|(&(_, width), want)| format!("reg {}{want};", range(width))));
         out.push(String::new());
-        if !self.driven.is_empty() {
-            out.push(table(Self::width(&self.driven), "stimulus"));
-        }
-        if !self.outputs.is_empty() {
-            out.push(table(Self::width(&self.outputs), "expected"));
-        }
-        if self.period.is_none() {
-            out.push(table(64, "gap"));
-        }
-        if self.clocks.len() > 1 {
-            out.push(table(self.clocks.len() as u32, "rising"));
-        }
+        out.extend(table.declarations(&self.own));
         out.extend([format!("integer {};", self.own("cycle")), format!("integer {};", self.own("errors"))]);
         out
+    }
+
+    /// What each step does.
+    fn table(&self) -> Table {
+        let steps = &self.recording.steps;
+        let mut columns = Vec::new();
+        if self.period.is_none() {
+            let gaps = self.gaps();
+            let width = bits_for(gaps.iter().copied().max().unwrap_or(0));
+            let values = gaps.into_iter().map(|gap| Bits::new(width, gap)).collect();
+            columns.push(Column { name: "gap", width, values });
+        }
+        if self.clocks.len() > 1 {
+            let width = self.clocks.len() as u32;
+            let mask = |clocks: &[usize]| clocks.iter().fold(0u64, |mask, &clock| mask | 1 << clock);
+            let values = steps.iter().map(|step| Bits::new(width, mask(&step.rising))).collect();
+            columns.push(Column { name: "rising", width, values });
+        }
+        if !self.driven.is_empty() {
+            let values = steps.iter().map(|step| {
+                let resets = (0..self.clocks.len()).filter(|&clock| self.has_reset[clock]);
+                let resets = resets.map(|clock| Bits::from(step.resets.contains(&clock)));
+                joined(resets.chain(step.inputs.iter().cloned()))
+            });
+            columns.push(Column { name: "stimulus", width: Self::width(&self.driven), values: values.collect() });
+        }
+        if !self.outputs.is_empty() {
+            let values = steps.iter().map(|step| joined(step.outputs.iter().cloned())).collect();
+            columns.push(Column { name: "expected", width: Self::width(&self.outputs), values });
+        }
+        Table::new(columns, steps.len())
     }
 
     fn device(&self, top: &Module) -> Vec<String> {
@@ -128,19 +147,21 @@ impl<'a> Bench<'a> {
         out
     }
 
-    fn run(&self, special: &[String]) -> Vec<String> {
+    fn run(&self, special: &[String], table: &Table) -> Vec<String> {
         let (cycle, errors, steps) = (self.own("cycle"), self.own("errors"), self.recording.steps.len());
         let mut out = vec![String::new(), format!("initial begin : {}", self.own("run"))];
         let mut line = |indent: usize, text: String| out.push(format!("{}{text}", "    ".repeat(indent)));
         line(1, format!("{};", self.own("fill")));
         line(1, format!("{errors} = 0;"));
+        table.start(&self.own).into_iter().for_each(|text| line(1, text));
         self.clocks.iter().for_each(|clock| line(1, format!("{clock} = 1'b0;")));
         if !special.is_empty() {
             line(1, "#1;".to_string());
         }
         special.iter().for_each(|assign| line(1, assign.clone()));
         line(1, format!("for ({cycle} = 0; {cycle} < {steps}; {cycle} = {cycle} + 1) begin"));
-        let (half, rest) = self.waits(cycle);
+        table.read(&self.own).into_iter().for_each(|text| line(2, text));
+        let (half, rest) = self.waits();
         let varies = self.period.is_none();
         if varies {
             line(2, format!("/* verilator lint_off {ZERO_DELAY} */ // a gap is 2 at least"));
@@ -148,14 +169,14 @@ impl<'a> Bench<'a> {
         line(2, half);
         self.clocks.iter().for_each(|clock| line(2, format!("{clock} = 1'b0;")));
         if !self.driven.is_empty() {
-            line(2, format!("{} = {}[{cycle}];", names(&self.driven), self.own("stimulus")));
+            line(2, format!("{} = {};", names(&self.driven), self.own("stimulus")));
         }
         line(2, rest);
         if varies {
             line(2, format!("/* verilator lint_on {ZERO_DELAY} */"));
         }
         if !self.outputs.is_empty() {
-            line(2, format!("{{{}}} = {}[{cycle}];", self.wants.join(", "), self.own("expected")));
+            line(2, format!("{{{}}} = {};", self.wants.join(", "), self.own("expected")));
         }
         for ((name, _), want) in self.outputs.iter().zip(&self.wants) {
             line(2, format!("if ({name} !== {want}) begin"));
@@ -168,7 +189,7 @@ impl<'a> Bench<'a> {
         for (index, clock) in self.clocks.iter().enumerate() {
             match self.clocks.len() {
                 1 => line(2, format!("{clock} = 1'b1;")),
-                _ => line(2, format!("if ({}[{cycle}][{index}]) {clock} = 1'b1;", self.own("rising"))),
+                _ => line(2, format!("if ({}[{index}]) {clock} = 1'b1;", self.own("rising"))),
             }
         }
         line(1, "end".to_string());
@@ -187,47 +208,17 @@ impl<'a> Bench<'a> {
     }
 
     /// The waits before and after the middle of a step.
-    fn waits(&self, cycle: &str) -> (String, String) {
+    fn waits(&self) -> (String, String) {
         match self.period {
             Some(period) => {
                 let wait = |ps: u64| if ps < 1 << 31 { format!("#{ps};") } else { format!("#(64'd{ps});") };
                 (wait(period / 2), wait(period - period / 2))
             }
             None => {
-                let gap = format!("{}[{cycle}]", self.own("gap"));
+                let gap = self.own("gap");
                 (format!("#({gap} / 2);"), format!("#({gap} - {gap} / 2);"))
             }
         }
-    }
-
-    fn tables(&self) -> Vec<String> {
-        let mut out = vec![String::new(), format!("task {};", self.own("fill")), "begin".to_string()];
-        let gaps = self.gaps();
-        for (cycle, step) in self.recording.steps.iter().enumerate() {
-            let mut columns = Vec::new();
-            if !self.driven.is_empty() {
-                let resets = (0..self.clocks.len()).filter(|&clock| self.has_reset[clock]);
-                let resets = resets.map(|clock| Bits::from(step.resets.contains(&clock)));
-                columns.push(("stimulus", joined(resets.chain(step.inputs.iter().cloned()))));
-            }
-            if !self.outputs.is_empty() {
-                columns.push(("expected", joined(step.outputs.iter().cloned())));
-            }
-            if self.period.is_none() {
-                columns.push(("gap", Bits::new(64, gaps[cycle])));
-            }
-            if self.clocks.len() > 1 {
-                let mask = step.rising.iter().fold(0u64, |mask, &clock| mask | 1 << clock);
-                columns.push(("rising", Bits::new(self.clocks.len() as u32, mask)));
-            }
-            let assigns: Vec<String> = columns
-                .into_iter()
-                .map(|(table, value)| format!("{}[{cycle}] = {};", self.own(table), pattern(&value)))
-                .collect();
-            out.push(format!("    {}", assigns.join(" ")));
-        }
-        out.extend(["end".to_string(), "endtask".to_string()]);
-        out
     }
 }
 

@@ -11,8 +11,11 @@ module grid_tb;
     wire [7:0] total;
     reg [7:0] want_total;
 
-    reg [8:0] stimulus [0:2];
-    reg [7:0] expected [0:2];
+    reg times;
+    reg [8:0] stimulus;
+    reg [7:0] expected;
+    reg [17:0] steps [0:2];
+    integer next;
     integer cycle;
     integer errors;
 
@@ -36,15 +39,22 @@ module grid_tb;
     initial begin : run
         fill;
         errors = 0;
+        times = 1'h0;
+        next = 0;
         clk = 1'b0;
         #1;
         dut.u_row[1].lane.u_cell[2].u_lane.q = 8'h09;
         for (cycle = 0; cycle < 3; cycle = cycle + 1) begin
+            if (times == 1'd0) begin
+                {times, stimulus, expected} = steps[next];
+                next = next + 1;
+            end
+            times = times - 1'd1;
             #2;
             clk = 1'b0;
-            {op, seed} = stimulus[cycle];
+            {op, seed} = stimulus;
             #3;
-            {want_total} = expected[cycle];
+            {want_total} = expected;
             if (total !== want_total) begin
                 if (errors < 10)
                     $display("FAIL: cycle %0d: total is %h, expected %h", cycle, total, want_total);
@@ -67,9 +77,23 @@ module grid_tb;
 
     task fill;
     begin
-        stimulus[0] = 9'h105; expected[0] = 8'h00;
-        stimulus[1] = 9'h10a; expected[1] = 8'h00;
-        stimulus[2] = 9'h10f; expected[2] = 8'h00;
+        put(0, 3, {
+            1'h1, 9'h105, 8'h00,
+            1'h1, 9'h10a, 8'h00,
+            1'h1, 9'h10f, 8'h00
+        });
+    end
+    endtask
+
+    // The first row is the most significant.
+    task put;
+        input integer first;
+        input integer count;
+        input [53:0] rows;
+        integer row;
+    begin
+        for (row = 0; row < count; row = row + 1)
+            steps[first + row] = rows[18 * (count - 1 - row) +: 18];
     end
     endtask
 endmodule
