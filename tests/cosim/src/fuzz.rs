@@ -79,11 +79,11 @@ fn run(design: &Design, stimulus: &Stimulus) -> u64 {
     let passes = Passes { guarded: true, idle_from: 0, ..passes };
     let steps = |passes: &Passes| {
         let sim = Simulation::with_passes(design, passes).unwrap_or_else(|error| panic!("{error}"));
-        let runs = one_or_two(sim.on(EngineKind::Both), stimulus).into_iter().map(|sim| {
+        let instants = |sim| {
             let run = record(design, stimulus, sim).unwrap_or_else(|error| panic!("{error}"));
             run.recording.steps.len() as u64
-        });
-        let runs: Vec<u64> = runs.collect();
+        };
+        let runs: Vec<u64> = one_or_two(sim.on(EngineKind::Both), stimulus).into_iter().map(instants).collect();
         assert!(runs.iter().all(|instants| *instants == runs[0]), "two simulations of a circuit differ: {runs:?}");
         runs[0]
     };
