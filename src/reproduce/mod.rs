@@ -46,7 +46,7 @@ pub struct Reproduce {
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
     /// For quadtree: a quick look with at most this number of random polygons for each area, wider scatter and small frames.
-    /// For all: also at most this number of vectors and views, and a thousand times this number of primitives
+    /// For all: also at most this number of vectors, a thousand times as many primitives, and a tenth as many views
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..))]
     polygons: Option<u64>,
     /// For pixel-planes-5: a quick look with at most this number of random vectors of each kind
@@ -78,6 +78,17 @@ enum Paper {
     Vc1,
     /// All of them, and a page that compares all machines
     All,
+}
+
+impl Paper {
+    /// The limit of this paper's quick look among those of all papers, which is given in polygons.
+    fn most_beside(self, polygons: u64) -> u64 {
+        match self {
+            Paper::PixelFlow => polygons.saturating_mul(1000),
+            Paper::Vc1 => polygons.div_ceil(10),
+            _ => polygons,
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -121,7 +132,7 @@ impl Reproduce {
             return Ok(vec![(String::new(), page(self.machine, effort)?)]);
         }
         let papers = PAPERS.into_iter().map(|(paper, name)| {
-            let most = effort.most.map(|most| if paper == Paper::PixelFlow { most.saturating_mul(1000) } else { most });
+            let most = effort.most.map(|most| paper.most_beside(most));
             Ok((format!("{name}/"), page(paper, Effort { most, ..effort })?))
         });
         let mut pages = papers.collect::<Result<Vec<_>, Failure>>()?;

@@ -41,7 +41,7 @@ fn one_rival_can_be_asked_for_by_its_verilog() {
     assert_eq!(run.stderr, sentence);
     assert_eq!(folder.run("bench pxpl8 --verilog pxpl").code, Some(2), "there is nothing to build it with");
 
-    let run = folder.run("bench pxpl8 --against verilator --verilog pxpl-planes --rounds 1 --seconds 0.001 --json");
+    let run = folder.run("bench qt1 --against verilator --verilog qt --rounds 1 --seconds 0.001 --json");
     if run.code == Some(4) {
         let _ = skipped(run.stderr.trim_end());
         return;
@@ -51,7 +51,7 @@ fn one_rival_can_be_asked_for_by_its_verilog() {
         panic!("{report}")
     };
     assert_eq!(ours["made"], Value::Null);
-    assert!(!rivals.is_empty() && rivals.iter().all(|it| it["made"]["verilog"] == "pxpl_planes.v"), "{report}");
+    assert!(!rivals.is_empty() && rivals.iter().all(|it| it["made"]["verilog"] == "qt.v"), "{report}");
 }
 
 #[test]

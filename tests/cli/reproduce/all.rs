@@ -15,7 +15,7 @@ fn the_pages_are_those_of_the_papers_and_one_of_all_machines() {
         ("quadtree", "--polygons 20"),
         ("pixel-planes-5", "--vectors 20"),
         ("pixelflow", "--primitives 20000"),
-        ("vc1", "--views 20"),
+        ("vc1", "--views 2"),
     ] {
         let alone = made(&format!("{paper} -o report/ {option}"));
         let names = |(name, _): (&str, _)| name.strip_prefix(&format!("{paper}/")).map(str::to_owned);
