@@ -101,7 +101,7 @@ fn allowed(module: &ir::Module, input: &Input, number: u64) -> u64 {
             let receivers = module.outputs.iter().filter(|output| output.name.ends_with("_valid")).count();
             number % receivers as u64
         }
-        (Kind::Code(names), _) => number % names.codes.len() as u64,
+        (Kind::Code(names), _) => names.values[(number % names.values.len() as u64) as usize],
         (_, Some(memory)) if below(memory.depth).bits() == node.width => number % u64::from(memory.depth),
         _ => number,
     }

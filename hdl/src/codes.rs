@@ -4,14 +4,14 @@ use crate::bits::Bits;
 use crate::data::{Data, Fits};
 use crate::draft::Draft;
 use crate::elaboration;
-use crate::ir::{Kind, Names, Node, NodeId, Op, Relation};
+use crate::ir::{Binary, Kind, Names, Node, NodeId, Op, Relation};
 use crate::loc::Loc;
 use crate::mistake::Mistake;
 use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::select::by_code;
 use crate::signal::{Signal, bits_text};
-use crate::width::{Width, below};
+use crate::width::{Width, bits};
 
 /// An enum whose variants are values of signals. [`codes!`](crate::codes!) implements it.
 ///
@@ -19,7 +19,7 @@ use crate::width::{Width, below};
 /// # use tilewright_hdl::*;
 /// codes! { enum Phase { Idle, Fill, Drain } }
 ///
-/// /// The code after this one, cyclically, for any enum.
+/// /// The code after this one, cyclically, for any enum whose codes count from 0.
 /// fn following<C: Codes>(code: C) -> C {
 ///     C::ALL[(code.code() as usize + 1) % C::ALL.len()]
 /// }
@@ -42,6 +42,18 @@ pub trait Codes: Copy + 'static {
     /// ```
     fn code(self) -> u64;
 
+    /// The code that this number represents; `None` if it represents none.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Response { Okay = 0, Slverr = 2 } }
+    ///
+    /// assert_eq!([1, 2].map(Response::from_number), [None, Some(Response::Slverr)]);
+    /// ```
+    fn from_number(number: u64) -> Option<Self> {
+        Self::NAMES.place(number).map(|place| Self::ALL[place])
+    }
+
     /// Its name, as waves and Verilog show it.
     ///
     /// ```
@@ -51,36 +63,45 @@ pub trait Codes: Copy + 'static {
     /// assert_eq!(Phase::ALL.iter().map(|phase| phase.name()).collect::<Vec<_>>(), Phase::NAMES.codes);
     /// ```
     fn name(self) -> &'static str {
-        Self::NAMES.codes[self.code() as usize]
+        Self::NAMES.name(self.code()).expect("a code has a name")
     }
 }
 
 /// Declares an enum whose variants are values of signals, such as the states of a machine or the operations of an
-/// instruction. It is a plain enum whose codes count from 0 in the sequence of declaration.
+/// instruction. It is a plain enum whose codes count from 0 in the sequence of declaration. Where a protocol gives
+/// the numbers, the codes have values: constant expressions of type `u64`, all different, or else rustc says which two
+/// are equal. A code without a value is one more than the code before it.
 ///
 /// ```
-/// use tilewright_hdl::{Codes, codes};
+/// use tilewright_hdl::{Codes, codes, one_of};
 ///
 /// codes! {
 ///     /// What the pump does.
 ///     pub enum Phase { Idle, Fill, Drain }
+///     /// The answer of an AXI4-Lite slave.
+///     pub enum Response { Okay = 0b00, Slverr = 0b10, Decerr }
 /// }
 ///
-/// assert_eq!(Phase::Drain.code(), 2);
+/// assert_eq!((Phase::Drain.code(), Response::Decerr.code()), (2, 3));
 /// assert_eq!(Phase::Fill.name(), "Fill");
+/// assert_eq!(one_of::<Response>().bits(), 2); // wide enough for the greatest
 /// ```
 #[macro_export]
 macro_rules! codes {
     ($($(#[$attribute:meta])* $vis:vis enum $name:ident {
-        $($(#[$code_attribute:meta])* $code:ident),+ $(,)?
+        $($(#[$code_attribute:meta])* $code:ident $(= $value:expr)?),+ $(,)?
     })+) => {$(
         $(#[$attribute])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        $vis enum $name { $($(#[$code_attribute])* $code),+ }
+        #[repr(u64)]
+        $vis enum $name { $($(#[$code_attribute])* $code $(= $value)?),+ }
 
         impl $crate::Codes for $name {
-            const NAMES: $crate::ir::Names =
-                $crate::ir::Names { of: stringify!($name), codes: &[$($crate::unraw(stringify!($code))),+] };
+            const NAMES: $crate::ir::Names = $crate::ir::Names {
+                of: stringify!($name),
+                codes: &[$($crate::unraw(stringify!($code))),+],
+                values: &[$($name::$code as u64),+],
+            };
             const ALL: &'static [Self] = &[$($name::$code),+];
 
             fn code(self) -> u64 {
@@ -91,6 +112,14 @@ macro_rules! codes {
         impl $crate::Operand for $name {
             fn operand(self) -> $crate::Value {
                 $crate::Value::code(self)
+            }
+        }
+
+        /// A constant: the code.
+        impl From<$name> for $crate::Signal {
+            #[track_caller]
+            fn from(code: $name) -> $crate::Signal {
+                $crate::Signal::of_code(code)
             }
         }
     )+};
@@ -109,15 +138,43 @@ pub(crate) fn add_is_code(draft: &mut Draft, of: NodeId, names: Names, loc: Loc)
     if !has_spare_codes(names, width) {
         return draft.add(Op::Const(Bits::new(1, 1)), 1, shape, loc);
     }
-    let last = Bits::new(width, names.codes.len() as u64 - 1);
-    let last = draft.add(Op::Const(last), width, shape, loc);
-    draft.node_mut(last).kind = kind;
-    draft.add(Op::Compare { relation: Relation::Le, signed: false, operands: [of, last] }, 1, shape, loc)
+    let compare = |draft: &mut Draft, relation, number| {
+        let number = draft.add(Op::Const(Bits::new(width, number)), width, shape, loc);
+        draft.node_mut(number).kind = kind;
+        draft.add(Op::Compare { relation, signed: false, operands: [of, number] }, 1, shape, loc)
+    };
+    let most = u64::MAX >> 64u32.saturating_sub(width);
+    let runs = runs(names.values).into_iter().map(|run| match run {
+        (first, last) if first == last => compare(draft, Relation::Eq, first),
+        (0, last) => compare(draft, Relation::Le, last),
+        (first, last) if last == most => compare(draft, Relation::Ge, first),
+        (first, last) => {
+            let bounds = [(Relation::Ge, first), (Relation::Le, last)];
+            let [least, most] = bounds.map(|(relation, number)| compare(draft, relation, number));
+            draft.add(Op::Binary(Binary::And, least, most), 1, shape, loc)
+        }
+    });
+    let runs: Vec<NodeId> = runs.collect();
+    runs.into_iter().reduce(|a, b| draft.add(Op::Binary(Binary::Or, a, b), 1, shape, loc)).expect("an enum has a code")
+}
+
+/// The first and the last number of each run of successive numbers.
+fn runs(values: &[u64]) -> Vec<(u64, u64)> {
+    let mut values = values.to_vec();
+    values.sort_unstable();
+    let mut runs: Vec<(u64, u64)> = Vec::new();
+    for value in values {
+        match runs.last_mut() {
+            Some((_, last)) if *last + 1 == value => *last = value,
+            _ => runs.push((value, value)),
+        }
+    }
+    runs
 }
 
 /// Whether a signal of `width` bits has more values than there are codes.
 pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
-    width < usize::BITS && names.codes.len() < 1 << width
+    width >= u64::BITS || (names.codes.len() as u64) < 1 << width
 }
 
 /// The width of a signal that takes the codes of an enum: `m.reg("operation", one_of::<Operation>())`.
@@ -134,7 +191,7 @@ pub(crate) fn has_spare_codes(names: Names, width: u32) -> bool {
 /// ```
 #[track_caller]
 pub fn one_of<C: Codes>() -> Width {
-    Width { kind: Kind::Code(C::NAMES), ..below(C::ALL.len()) }
+    Width { kind: Kind::Code(C::NAMES), ..bits(C::NAMES.width()) }
 }
 
 impl Signal {
@@ -186,7 +243,7 @@ impl Signal {
         let subject = self.read_as(Kind::Code(C::NAMES), "choose");
         let (loc, node) = (Loc::caller(), subject.id());
         elaboration::draft(|draft| draft.chosen.push((node, loc)));
-        by_code(subject, C::ALL.iter().map(|code| of(*code).given()).collect())
+        by_code(subject, C::NAMES, C::ALL.iter().map(|code| of(*code).given()).collect())
     }
 
     /// 1 bit: the value is one of the enum's codes. It may not be if the bits have spare values.
@@ -231,6 +288,14 @@ impl Signal {
         elaboration::with(|e| Signal::at(e, node))
     }
 
+    /// A constant: the code.
+    #[doc(hidden)]
+    #[track_caller]
+    pub fn of_code<C: Codes>(code: C) -> Signal {
+        let literal = Literal::Code { names: C::NAMES, code: code.code() };
+        literal.sized(C::NAMES.width(), Kind::Code(C::NAMES))
+    }
+
     /// The bits read as a code of that enum.
     ///
     /// ```
@@ -245,7 +310,7 @@ impl Signal {
     /// ```
     #[track_caller]
     pub fn code<C: Codes>(self) -> Signal {
-        let (loc, width, kind) = (Loc::caller(), below(C::ALL.len()).bits(), Kind::Code(C::NAMES));
+        let (loc, width, kind) = (Loc::caller(), C::NAMES.width(), Kind::Code(C::NAMES));
         let id = self.id();
         elaboration::with(|e| {
             if self.width == width {

@@ -275,7 +275,7 @@ pub(crate) fn number_of_field(
 ) -> Bits {
     let (bits, fits) = number.bits(width, kind);
     let is_code = |names: Names| match number {
-        Literal::Integer(value, _) => usize::try_from(*value).is_ok_and(|code| code < names.codes.len()),
+        Literal::Integer(value, _) => u64::try_from(*value).is_ok_and(|code| names.place(code).is_some()),
         Literal::Exact(_) => true,
         Literal::Code { names: of, .. } => *of == names,
     };

@@ -217,7 +217,7 @@ impl Draft {
         };
         match &node.op {
             Op::Input(index) => self.inputs[*index as usize].name.clone(),
-            Op::Const(value) => value.to_u64().map_or_else(|| value.to_string(), |v| v.to_string()),
+            Op::Const(value) => constant_text(value, node.kind),
             Op::Unary(Unary::Not, a) => format!("!{}", inner(a)),
             Op::Unary(Unary::AllOnes, a) => format!("{}.all_ones()", inner(a)),
             Op::Unary(Unary::AnyOne, a) => format!("{}.any_one()", inner(a)),
@@ -260,6 +260,17 @@ impl Draft {
             },
         }
     }
+}
+
+/// A constant as a description writes it: a code by its name, a signed number with its sign.
+fn constant_text(value: &Bits, kind: Kind) -> String {
+    let code = |names: Names| Some(format!("{}::{}", names.of, names.name(value.to_u64()?)?));
+    let text = match kind {
+        Kind::Code(names) => code(names),
+        Kind::Signed => value.to_i128().map(|number| number.to_string()),
+        Kind::Number => None,
+    };
+    text.or_else(|| value.to_u64().map(|number| number.to_string())).unwrap_or_else(|| value.to_string())
 }
 
 impl Binary {

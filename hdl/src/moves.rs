@@ -26,7 +26,7 @@ use crate::signal::Signal;
 #[derive(Debug, Clone)]
 pub struct Moves<S> {
     pub(crate) machine: StateReg<S>,
-    /// The exits of each state.
+    /// The exits of each state, in the sequence of [`Codes::ALL`].
     pub(crate) exits: Vec<Exit<S>>,
 }
 
@@ -115,7 +115,7 @@ impl<S: Codes + Operand> Moves<S> {
     /// Whether the machine is in `state` and goes to a state that `counts`; `None` if it never does.
     #[track_caller]
     fn from(&self, state: S, counts: impl Fn(S) -> bool) -> Option<Signal> {
-        let Exit { arms, last } = &self.exits[state.code() as usize];
+        let Exit { arms, last } = &self.exits[S::NAMES.place(state.code()).expect("a state is a code")];
         let mut goes = Goes::Known(counts(*last));
         for (signal, to) in arms.iter().rev() {
             // A wrong width has been reported already.

@@ -90,7 +90,7 @@ impl fmt::Display for Literal {
             Literal::Integer(value, Radix::Hex) => write!(f, "{value:#x}"),
             Literal::Integer(value, Radix::Binary) => write!(f, "{value:#b}"),
             Literal::Exact(bits) => write!(f, "{bits}"),
-            Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.codes[*code as usize]),
+            Literal::Code { names, code } => write!(f, "{}::{}", names.of, names.name(*code).unwrap_or("?")),
         }
     }
 }

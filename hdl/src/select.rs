@@ -5,7 +5,7 @@ use crate::data::{Data, Fits, Given};
 use crate::elaboration;
 use crate::fields::Fields;
 use crate::integers::Integer;
-use crate::ir::{Kind, NodeId, Op, Shape};
+use crate::ir::{Kind, Names, NodeId, Op, Shape};
 use crate::limits::sound_width;
 use crate::loc::Loc;
 use crate::mistake::Mistake;
@@ -15,7 +15,7 @@ use crate::radix::Radix;
 use crate::record::from_leaves;
 use crate::shaping::{level, level_all};
 use crate::signal::{Signal, bits_text};
-use crate::width::{IntoWidth, Width, index_width};
+use crate::width::{IntoWidth, Width};
 use std::collections::{HashMap, HashSet};
 
 /// A constant of this width: a number of bits, or the result of [`below`](crate::below) or [`up_to`](crate::up_to).
@@ -163,9 +163,7 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
                 false => Signal::zero_in(e, sound, Shape::Plain, Kind::Number, loc),
             }
         }),
-        Value::Literal(code @ Literal::Code { names, .. }) => {
-            code.clone().sized(index_width(names.codes.len() as u64), Kind::Code(*names))
-        }
+        Value::Literal(code @ Literal::Code { names, .. }) => code.clone().sized(names.width(), Kind::Code(*names)),
         open => {
             let (only, help) = match open {
                 Value::Literal(literal) => ("integers", format!("give one a width, as in `lit(8, {literal})`")),
@@ -298,8 +296,8 @@ pub fn case<V: Data, K: Integer, A: Fits<V>>(
 
 /// One of `values` for each code of an enum, in the sequence of its codes.
 #[track_caller]
-pub(crate) fn by_code<V: Data>(subject: Signal, values: Vec<Given<V>>) -> V {
-    let keys: Vec<_> = (0..values.len() as u64).map(|code| Bits::new(subject.width, code)).collect();
+pub(crate) fn by_code<V: Data>(subject: Signal, names: Names, values: Vec<Given<V>>) -> V {
+    let keys: Vec<_> = names.values.iter().map(|code| Bits::new(subject.width, *code)).collect();
     by_value(subject, &keys, values, "choose")
 }
 

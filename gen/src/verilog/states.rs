@@ -19,6 +19,7 @@ struct Enum {
     names: Names,
     width: u32,
     localparams: Vec<String>,
+    /// The places of the codes that the text mentions.
     used: BTreeSet<usize>,
 }
 
@@ -48,12 +49,10 @@ impl StateNames {
     /// A state's name, or the plain number if no state has that code.
     pub fn name(&mut self, index: usize, value: &Bits) -> String {
         let states = &mut self.enums[index];
-        let code =
-            value.to_u64().and_then(|code| usize::try_from(code).ok()).filter(|&code| code < states.localparams.len());
-        match code {
-            Some(code) => {
-                states.used.insert(code);
-                states.localparams[code].clone()
+        match value.to_u64().and_then(|value| states.names.place(value)) {
+            Some(place) => {
+                states.used.insert(place);
+                states.localparams[place].clone()
             }
             None => literal(value, Style::Count),
         }
@@ -62,8 +61,9 @@ impl StateNames {
     /// The one state that is not among these, if there is exactly one.
     pub fn remaining<'a>(&self, index: usize, keys: impl Iterator<Item = &'a Bits>) -> Option<String> {
         let keys: BTreeSet<u64> = keys.filter_map(Bits::to_u64).collect();
-        let names = self.enums[index].localparams.iter().enumerate();
-        let mut others = names.filter(|(code, _)| !keys.contains(&(*code as u64))).map(|(_, name)| name);
+        let states = &self.enums[index];
+        let names = states.names.values.iter().zip(&states.localparams);
+        let mut others = names.filter(|(value, _)| !keys.contains(value)).map(|(_, name)| name);
         let only = others.next().cloned();
         only.filter(|_| others.next().is_none())
     }
@@ -78,15 +78,16 @@ impl StateNames {
 impl Enum {
     fn declarations(&self) -> Vec<String> {
         let (used, unused): (Vec<_>, Vec<_>) =
-            self.localparams.iter().enumerate().partition(|(code, _)| self.used.contains(code));
+            self.localparams.iter().enumerate().partition(|(place, _)| self.used.contains(place));
         let longest = used.iter().map(|(_, name)| name.len()).max().unwrap_or(0);
-        let declare = |(code, name): (usize, &String)| {
-            let value = literal(&Bits::new(self.width, code as u64), Style::Count);
+        let declare = |(place, name): (usize, &String)| {
+            let value = literal(&Bits::new(self.width, self.names.values[place]), Style::Count);
             format!("localparam {}{name:longest$} = {value};", range(self.width))
         };
         let mut lines: Vec<String> = used.into_iter().map(declare).collect();
         if !unused.is_empty() {
-            let items: Vec<String> = unused.iter().map(|(code, name)| format!("{name} = {code}")).collect();
+            let items: Vec<String> =
+                unused.iter().map(|(place, name)| format!("{name} = {}", self.names.values[*place])).collect();
             let list = format!("// Not used here: {}.", wrapped(&items, 0));
             lines.extend(list.replace('\n', "\n//     ").lines().map(str::to_string));
         }

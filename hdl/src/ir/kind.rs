@@ -26,20 +26,66 @@ pub enum Kind {
     Code(Names),
 }
 
-/// The names of an enum's codes.
+/// The names and the numbers of an enum's codes.
 ///
 /// ```
 /// # use tilewright_hdl::*;
-/// codes! { enum Phase { Idle, Fill } }
+/// codes! { enum Response { Okay = 0, Slverr = 2 } }
 ///
-/// assert_eq!((Phase::NAMES.of, Phase::NAMES.codes[1]), ("Phase", "Fill"));
+/// assert_eq!((Response::NAMES.of, Response::NAMES.codes[1], Response::NAMES.values[1]), ("Response", "Slverr", 2));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Names {
     /// The enum's name, such as `Phase`.
     pub of: &'static str,
-    /// The codes' names; the index is the code.
+    /// The codes' names, in the sequence of declaration.
     pub codes: &'static [&'static str],
+    /// The number of each.
+    pub values: &'static [u64],
+}
+
+impl Names {
+    /// The place of a number among the codes; `None` if it is none of them.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Response { Okay = 0, Slverr = 2 } }
+    ///
+    /// assert_eq!([0, 1, 2].map(|value| Response::NAMES.place(value)), [Some(0), None, Some(1)]);
+    /// ```
+    pub fn place(self, value: u64) -> Option<usize> {
+        // Most enums count from 0.
+        let counted = usize::try_from(value).ok().filter(|place| self.values.get(*place) == Some(&value));
+        counted.or_else(|| self.values.iter().position(|known| *known == value))
+    }
+
+    /// The name of the code with that number; `None` if the number is no code.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! { enum Response { Okay = 0, Slverr = 2 } }
+    ///
+    /// assert_eq!([0, 1, 2].map(|value| Response::NAMES.name(value)), [Some("Okay"), None, Some("Slverr")]);
+    /// ```
+    pub fn name(self, value: u64) -> Option<&'static str> {
+        self.place(value).map(|place| self.codes[place])
+    }
+
+    /// The bits that the greatest number needs, at least 1.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// codes! {
+    ///     enum Phase { Idle, Fill, Drain }
+    ///     enum Opcode { Load = 0x03, Store = 0x23, Branch = 0x63 }
+    /// }
+    ///
+    /// assert_eq!((Phase::NAMES.width(), Opcode::NAMES.width()), (2, 7));
+    /// ```
+    pub fn width(self) -> u32 {
+        let greatest = self.values.iter().max().copied().unwrap_or(0);
+        (64 - greatest.leading_zeros()).max(1)
+    }
 }
 
 impl Kind {

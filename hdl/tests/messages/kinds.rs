@@ -43,6 +43,14 @@ fn signed_and_unsigned() {
 }
 
 #[test]
+fn constants_stand_in_messages_as_a_description_writes_them() {
+    let text = problems(&Case(|_, i| i.a + lit(bits(8).signed(), -3)));
+    assert!(text.starts_with("`+` mixes `a`, a number, and `-3`, signed [T201]\n"), "{text}");
+    let text = problems(&Case(|_, i| i.a + Signal::from(Operation::Subtract)));
+    assert!(text.contains("`Operation::Subtract`"), "{text}");
+}
+
+#[test]
 fn codes_and_numbers() {
     let cases: [(&str, Build); 8] = [
         ("`<<` computes with `operation`, a code of `Operation`", |m, _| operation(m) << 1),

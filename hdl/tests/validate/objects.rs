@@ -17,14 +17,16 @@ fn registers() {
         phase(it, |r| r.reset = Some(Init::Same(Bits::new(3, 0))))
     });
     refused("`top.phase` has a reset value, but its clock has no reset port", |it| phase(it, |r| r.clock = ClockId(1)));
-    let named = |it: &mut Edit, codes| {
+    let named = |it: &mut Edit, codes, values| {
         let node = it.top().registers[0].node.0 as usize;
-        it.top().nodes[node].kind = Kind::Code(Names { of: "Phase", codes });
+        it.top().nodes[node].kind = Kind::Code(Names { of: "Phase", codes, values });
     };
-    refused("`Phase` has 5 codes, which do not fit into 2 bits", |it| named(it, &["A", "B", "C", "D", "E"]));
-    refused("`Phase` has 0 codes, which do not fit into 2 bits", |it| named(it, &[]));
-    refused("`Phase` has a code whose name is not legal: `a b`", |it| named(it, &["a b"]));
-    refused("`Phase` has a code whose name is not legal: ``", |it| named(it, &["A", ""]));
+    refused("`Phase` has codes of 3 bits, which do not fit into 2", |it| named(it, &["A", "B"], &[0, 4]));
+    refused("`Phase` has 0 codes with 0 numbers, not one for each", |it| named(it, &[], &[]));
+    refused("`Phase` has 2 codes with 1 numbers, not one for each", |it| named(it, &["A", "B"], &[0]));
+    refused("`Phase` has two codes whose number is 2", |it| named(it, &["A", "B", "C"], &[2, 0, 2]));
+    refused("`Phase` has a code whose name is not legal: `a b`", |it| named(it, &["a b"], &[0]));
+    refused("`Phase` has a code whose name is not legal: ``", |it| named(it, &["A", ""], &[0, 1]));
     refused("`top.phase` has the attribute `no name`, which is not a plain name", |it| {
         let attribute = Attribute { name: "no name".to_owned(), value: "1".to_owned() };
         it.top().registers[0].attributes.push(attribute);

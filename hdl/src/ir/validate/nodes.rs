@@ -6,7 +6,6 @@ use crate::limits::WIDEST;
 use crate::loc::Loc;
 use crate::names::is_legal;
 use crate::signal::bits_text;
-use crate::width::index_width;
 use std::collections::HashSet;
 
 impl Rules<'_> {
@@ -24,11 +23,18 @@ impl Rules<'_> {
         }
     }
 
-    /// Checks that the codes of an enum fit in the width and have legal names.
+    /// Checks that the codes of an enum fit in the width, differ and have legal names.
     pub(super) fn codes(&mut self, loc: Loc, width: u32, names: Names) {
-        let count = names.codes.len();
-        self.rule(count > 0 && index_width(count as u64) <= width, loc, || {
-            format!("`{}` has {count} codes, which do not fit into {}", names.of, bits_text(width))
+        let (count, numbers) = (names.codes.len(), names.values.len());
+        self.rule(count > 0 && count == numbers, loc, || {
+            format!("`{}` has {count} codes with {numbers} numbers, not one for each", names.of)
+        });
+        self.rule(names.width() <= width, loc, || {
+            format!("`{}` has codes of {}, which do not fit into {width}", names.of, bits_text(names.width()))
+        });
+        let twice = names.values.iter().enumerate().find(|(place, value)| names.place(**value) != Some(*place));
+        self.rule(twice.is_none(), loc, || {
+            format!("`{}` has two codes whose number is {}", names.of, twice.map_or(0, |(_, value)| *value))
         });
         let illegal = names.codes.iter().chain([&names.of]).find(|name| !is_legal(name));
         self.rule(illegal.is_none(), loc, || {

@@ -199,7 +199,7 @@ pub(super) fn change(text: &mut Changes, variable: &Variable, limbs: &[u64]) {
     match &variable.kind {
         VariableKind::Bit => text.bit(variable.id, limbs[0] != 0),
         VariableKind::Bits => text.bits(variable.id, limbs),
-        VariableKind::Code(names) => match names.codes.get(limbs[0] as usize) {
+        VariableKind::Code(names) => match names.name(limbs[0]) {
             Some(name) => text.string(variable.id, name),
             None => text.string(variable.id, &format!("code_{}", limbs[0])),
         },

@@ -30,9 +30,11 @@ pub enum WaveRadix {
 /// A value as a row shows it: a code by its name, a signed number with its sign. Without a radix, unsigned numbers
 /// are hexadecimal and signed ones decimal.
 pub(super) fn text(value: &Bits, kind: Kind, radix: Option<WaveRadix>) -> String {
-    let code = |names: &'static [&'static str]| names.get(usize::try_from(value.to_u64()?).ok()?).copied();
     match kind {
-        Kind::Code(names) => code(names.codes).map_or_else(|| number(value, radix), str::to_owned),
+        Kind::Code(names) => {
+            let name = value.to_u64().and_then(|value| names.name(value));
+            name.map_or_else(|| number(value, radix), str::to_owned)
+        }
         Kind::Signed => match value.to_i128() {
             Some(signed) if radix.is_none_or(|radix| radix == WaveRadix::Decimal) => signed.to_string(),
             Some(signed) if signed < 0 => {

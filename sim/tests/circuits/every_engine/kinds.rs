@@ -6,14 +6,14 @@ use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Vcd};
 
 codes! {
-    /// The operation.
-    enum Operation { Add, Subtract, Smaller }
+    /// The operation. Its codes have numbers of their own.
+    enum Operation { Add = 0, Subtract = 2, Smaller = 5 }
 }
 
 bundle! {
     struct In<T> { operation: T, left: T, right: T, lanes: T }
     struct Out<T> {
-        result: T, done: T, sum: T, product: T, shifted: T, negative: T, is_less: T, least: T, most: T, remembered: T, was: T,
+        result: T, done: T, sum: T, product: T, shifted: T, negative: T, is_less: T, least: T, most: T, remembered: T, was: T, is_code: T,
     }
 }
 
@@ -35,7 +35,7 @@ impl Block for Unit {
         sum.when(i.operation.is(Operation::Add), *sum + i.left).when(i.left.is_negative(), -1);
         let numbers = m.memory("numbers", 2, bits(8).signed(), ReadUnderWrite::Old).fill(Bits::zero(8));
         numbers.write(i.left.lt(0), 1, i.left);
-        let operations = m.memory("operations", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(Bits::zero(2));
+        let operations = m.memory("operations", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(Bits::zero(3));
         operations.write(i.left.lt(0), 1, mux(i.right.lt(0), Operation::Smaller, i.operation));
         let was = operations.read_async(1).named("recalled");
         Out {
@@ -45,6 +45,7 @@ impl Block for Unit {
                 Operation::Smaller => mux(i.left.lt(i.right), i.left, i.right),
             }),
             done: i.operation,
+            is_code: i.operation.is_code(),
             sum: *sum,
             product: i.left * i.right,
             shifted: (i.left >> 2).sext(12) + (i.right << 1).sext(12),
@@ -62,19 +63,20 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn numbers_have_a_sign_and_codes_a_meaning(code in 0u64..3, left: i8, right: i8, lanes: [i8; 3]) {
+    fn numbers_have_a_sign_and_codes_a_meaning(place in 0usize..3, left: i8, right: i8, lanes: [i8; 3]) {
         let mut sim = of(&Unit);
         let (i, o) = (sim.i, sim.o);
+        let code = Operation::ALL[place].code();
         sim.reset();
         sim.set(i.operation, code);
         sim.set(i.left, left);
         sim.set(i.right, right);
         sim.set_lanes(i.lanes, lanes);
         let byte = |number: i8| u64::from(number as u8);
-        let result = [left.wrapping_add(right), left.wrapping_sub(right), left.min(right)][code as usize];
+        let result = [left.wrapping_add(right), left.wrapping_sub(right), left.min(right)][place];
         let shifted = (i16::from(left >> 2) + i16::from(right << 1)) as u64 & 0xfff;
         let now = [
-            (o.result, byte(result)), (o.done, code), (o.sum, byte(-3)),
+            (o.result, byte(result)), (o.done, code), (o.is_code, 1), (o.sum, byte(-3)),
             (o.product, (i16::from(left) * i16::from(right)) as u16 as u64), (o.shifted, shifted),
             (o.negative, byte(left.wrapping_neg())), (o.is_less, u64::from(left < right && left != -128)),
             (o.least, byte(*lanes.iter().min().unwrap())), (o.most, byte(*lanes.iter().max().unwrap())),
@@ -83,14 +85,29 @@ proptest! {
             prop_assert_eq!(sim.get_u64(port), expected, "check {}", number);
         }
         sim.step();
-        let sum = match (code, left < 0) {
+        let sum = match (place, left < 0) {
             (0, _) => (-3i8).wrapping_add(left),
             (_, true) => -1,
             _ => -3,
         };
         prop_assert_eq!(sim.get_u64(o.sum), byte(sum));
         prop_assert_eq!(sim.get_u64(o.remembered), if left < 0 { byte(left) } else { 0 });
-        prop_assert_eq!(sim.get_u64(o.was), match (left < 0, right < 0) { (false, _) => 0, (_, true) => 2, _ => code });
+        prop_assert_eq!(sim.get_u64(o.was), match (left < 0, right < 0) { (false, _) => 0, (_, true) => 5, _ => code });
+    }
+
+    /// A number between the codes is no code; it chooses what most codes choose, and here what the last chooses.
+    #[test]
+    fn numbers_between_the_codes(number in 0u64..8, left: i8, right: i8) {
+        let mut sim = of(&Unit);
+        let o = sim.o;
+        sim.drive(In { operation: number, left: left as u8 as u64, right: right as u8 as u64, lanes: 0 });
+        let result = match Operation::from_number(number) {
+            Some(Operation::Add) => left.wrapping_add(right),
+            Some(Operation::Subtract) => left.wrapping_sub(right),
+            Some(Operation::Smaller) | None => left.min(right),
+        };
+        prop_assert_eq!(sim.get_u64(o.result), result as u8 as u64);
+        prop_assert_eq!(sim.get_u64(o.is_code), u64::from([0, 2, 5].contains(&number)));
     }
 }
 
@@ -158,21 +175,23 @@ fn waves_name_the_codes_of_ports_and_nets() {
     let wave = sim.record([sim.i.operation, sim.i.left, sim.o.done]);
     let decimal = sim.record([sim.o.shifted]).decimal();
     sim.reset();
-    sim.set(sim.i.operation, 1u64);
+    sim.set(sim.i.operation, 2u64);
     sim.set(sim.i.left, -1);
     sim.run(2);
+    sim.set(sim.i.operation, 1u64);
+    sim.step();
     sim.finish().unwrap();
     let text = std::fs::read_to_string(path).unwrap();
     for declared in ["operation_state", "done_state", "was_state", "recalled_state"] {
         assert!(text.contains(&format!(" {declared} $end")), "{declared} is missing in {text}");
     }
-    assert!(text.contains("sSubtract "), "{text}");
+    assert!(text.contains("sSubtract ") && text.contains("scode_1 "), "{text}");
     wave.expect(
         r"
-        clk       |_____/~~\__/~~\__/
-        operation | Add | Subtract  |
-        left      | 0   | -1        |
-        done      | Add | Subtract  |
+        clk       |_____/~~\__/~~\__/~~\__/
+        operation | Add | Subtract  | 1   |
+        left      | 0   | -1              |
+        done      | Add | Subtract  | 1   |
         ",
     );
     assert!(decimal.to_string().contains("-1"), "{decimal}");
