@@ -42,7 +42,7 @@
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`]; the resulting [`Moves`] report which transition is taken |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
 //! | a record | a [`bundle!`]; a register, wire or memory declared with a record of widths is a record; `.pack()` makes a word of a record, `.unpack(word)` of a record of widths makes a record of a word |
-//! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`Signal::choose`] |
+//! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`choose!`]`(i.operation, Alu { Load => a, Add => b })`, [`Signal::choose`]; a code is a signal, by `Alu::Load.into()` in a record |
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
 //! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`] declares a field of type `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] in a loop of blocks, [`Stream::lanes`] for the streams of an array |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
@@ -67,6 +67,7 @@ mod bracket;
 mod bundle;
 pub mod catalog;
 mod check;
+mod choose;
 mod chosen;
 mod circuit;
 pub mod clock;
@@ -128,6 +129,8 @@ pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate
 pub use bundle::Bundle;
 #[doc(hidden)]
 pub use bundle::join;
+#[doc(hidden)]
+pub use choose::ChosenArm;
 pub use clock::{Clock, Period};
 pub use codes::{Codes, one_of};
 #[doc(hidden)]

@@ -92,7 +92,7 @@ mistakes! {
     UnknownCode = 207,
     /// A key of `case` is no value of the subject.
     ImpossibleKey = 208,
-    /// A key of `case` occurs twice.
+    /// A key of `case`, or a code of `choose!`, occurs twice.
     RepeatedKey = 209,
 
     /// A register or wire has no driver.

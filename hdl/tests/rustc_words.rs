@@ -97,6 +97,57 @@ fn what_it_names_compiles() {
     assert_eq!(compile(&right), "");
 }
 
+/// Codes and choices by code that do not compile.
+const WRONG_CODES: &str = r"
+use tilewright_hdl::*;
+codes! {
+    pub enum Way { Left, Right, Both }
+    pub enum Twice { One = 1, Other = 1 }
+    pub enum Below { Zero = -1 }
+}
+pub fn build(way: Signal, a: Signal, b: Signal) {
+    let _: Signal = choose!(way, Way { Left => a, Wright | _ => b });
+    let _: Signal = choose!(way, Way { Left => a, _ if true => b });
+    let _: Signal = choose!(way, Way { Left => a, _ => 2.5 });
+}
+";
+
+#[test]
+fn rustc_says_what_is_wrong_with_codes() {
+    let said = compile(WRONG_CODES);
+    for (line, message) in [
+        ("pub enum Twice { One = 1, Other = 1 }", "discriminant value `1` assigned more than once"),
+        ("pub enum Below { Zero = -1 }", "cannot apply unary operator `-` to type `u64`"),
+        (
+            "choose!(way, Way { Left => a, Wright | _ => b });",
+            "no variant or associated item named `Wright` found for enum `Way`",
+        ),
+        ("choose!(way, Way { Left => a, _ if true => b });", "a choice is written `choose!(subject, Enum { One => a,"),
+        (
+            "choose!(way, Way { Left => a, _ => 2.5 });",
+            "a `{float}` cannot be given where a `tilewright_hdl::Signal` is expected",
+        ),
+    ] {
+        let found = said.split("\n\n").any(|error| error.contains(message) && error.contains(line));
+        assert!(found, "nothing says `{message}` of `{line}`:\n{said}");
+    }
+    let right = WRONG_CODES
+        .replace("Other = 1", "Other = 2")
+        .replace("= -1", "= 0")
+        .replace("Wright", "Right")
+        .replace("Right | _ => b", "Right | Both => b")
+        .replace("_ if true => b", "_ => b")
+        .replace("2.5", "2");
+    assert_eq!(compile(&right), "");
+    // rustc looks for a missing code where all else is right.
+    let missing = compile(&right.replace("Right | Both => b", "Right => b"));
+    let line = "choose!(way, Way { Left => a, Right => b });";
+    assert!(
+        missing.contains("non-exhaustive patterns: `Way::Both` not covered") && missing.contains(line),
+        "{missing}"
+    );
+}
+
 /// A test with a process where a group is expected.
 const NO_GROUP: &str = r"
 use tilewright_sim::Testbench;

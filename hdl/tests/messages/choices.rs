@@ -48,3 +48,39 @@ fn choices_that_leave_something_open() {
             .starts_with("the key 2 of `case` occurs twice [T209]")
     );
 }
+
+codes! { enum Side { Left, Right } }
+
+#[test]
+fn arms_that_are_never_chosen() {
+    expect(
+        |_, i| choose!(i.c.code::<Side>(), Side { Left | Right => i.a, Left => 1 }),
+        "`choose!` has two arms for `Side::Left` [T209]
+         --> [|_, i| choose!(i.c.code::<Side>(), Side { Left | Right => i.a, Left => 1 }),]
+         help: each code is named once; `_` is for the rest",
+    );
+    let cases: [(&str, Build); 2] = [
+        (
+            "the arm `_` of `choose!` is never chosen: each code of `Side` has an arm [T209]",
+            |_, i| choose!(i.c.code::<Side>(), Side { Left => i.a, Right => 1, _ => 2 }),
+        ),
+        (
+            "`choose!` has two arms `_` [T209]",
+            |_, i| choose!(i.c.code::<Side>(), Side { _ => i.a, Right => 1, _ => 2 }),
+        ),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_code_as_a_signal_names_the_users_line() {
+    let text = problems(&Case(|_, i| {
+        let side: Signal = Side::Right.into();
+        mux(i.c, i.a, side)
+    }));
+    assert!(text.starts_with("`mux` needs equal widths: `a` has 8 bits, `Side::Right` has 1 bit [T101]\n"), "{text}");
+    assert!(text.contains("let side: Signal = Side::Right.into();"), "{text}");
+}

@@ -1,6 +1,7 @@
 //! Records as values: in registers, wires and memories, and in choices.
 
 mod choices;
+mod codes;
 mod memories;
 mod registers;
 mod stages;
