@@ -1,6 +1,7 @@
 //! Signals and memories by name: reading and replacing their values.
 
-use tilewright_hdl::{Bits, Bundle};
+use tilewright_hdl::ir::Kind;
+use tilewright_hdl::{Bits, Bundle, Codes};
 
 use crate::engine::Word;
 use crate::engine::program::Triggers;
@@ -28,6 +29,58 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// There is no such name; the error suggests the nearest one.
     pub fn peek(&mut self, path: &str) -> Result<Bits, UnknownName> {
         self.circuit.peek(path, 0)
+    }
+
+    /// The settled value of a named object as a code of an enum, such as the state of a machine.
+    ///
+    /// ```
+    /// use tilewright_hdl::*;
+    /// use tilewright_sim::Simulation;
+    ///
+    /// codes! { enum Pump { Fill, Drain } }
+    ///
+    /// block! {
+    ///     /// Fills and drains.
+    ///     struct Pumps;
+    ///     in PumpsIn { go: bit() }
+    ///     out PumpsOut { drains: bit() }
+    /// }
+    ///
+    /// impl Pumps {
+    ///     fn build(&self, m: Module, i: PumpsIn) -> PumpsOut {
+    ///         def!(pump = m.fsm(Pump::Fill));
+    ///         pump.next(|pump| match pump {
+    ///             Pump::Fill => when(i.go, Pump::Drain),
+    ///             Pump::Drain => goto(Pump::Fill),
+    ///         });
+    ///         PumpsOut { drains: pump.is(Pump::Drain) }
+    ///     }
+    /// }
+    ///
+    /// let mut sim = Simulation::of(&Pumps)?;
+    /// assert_eq!(sim.code::<Pump>("pump")?, Pump::Fill);
+    /// sim.set(sim.i.go, 1);
+    /// sim.step();
+    /// assert_eq!(sim.code::<Pump>("pump")?, Pump::Drain);
+    /// # Ok::<(), tilewright_sim::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// There is no such name; the error suggests the nearest one.
+    ///
+    /// # Panics
+    ///
+    /// The object is no code of that enum, or its value is none of the codes.
+    #[track_caller]
+    pub fn code<C: Codes>(&mut self, path: &str) -> Result<C, UnknownName> {
+        let (kind, value) = self.circuit.peek_kind(path)?;
+        let of = C::NAMES.of;
+        assert!(kind == Kind::Code(C::NAMES), "`{path}` is {kind}, not a code of `{of}`");
+        let Some(code) = value.to_u64().and_then(C::from_number) else {
+            panic!("`{path}` is {value}, which is no code of `{of}`")
+        };
+        Ok(code)
     }
 
     /// A word of a memory.
@@ -105,6 +158,12 @@ impl Running {
             }
         };
         Ok(self.lane(value, lane))
+    }
+
+    /// The meaning and the value of a named object.
+    pub fn peek_kind(&mut self, path: &str) -> Result<(Kind, Bits), UnknownName> {
+        let kind = lookup::signal(&self.program.hierarchy, path, 0)?.signal.kind;
+        Ok((kind, self.peek(path, 0)?))
     }
 
     /// A word of a memory in one run.

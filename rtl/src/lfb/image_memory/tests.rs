@@ -35,8 +35,7 @@ fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
 }
 
 fn state(sim: &mut Sim) -> &'static str {
-    let code = sim.peek("stage2").unwrap().to_u64().unwrap();
-    Stage2::ALL[code as usize].name()
+    sim.code::<Stage2>("stage2").unwrap().name()
 }
 
 fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {

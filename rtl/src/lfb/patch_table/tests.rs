@@ -46,9 +46,9 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
 /// Lets clocks pass; returns the states in them.
 fn clocks(sim: &mut Sim, n: u64) -> Vec<&'static str> {
     let state = |sim: &mut Sim| {
-        let code = sim.peek("stage1").unwrap().to_u64().unwrap();
+        let stage = sim.code::<Stage1>("stage1").unwrap();
         sim.step_clock(PE, 1);
-        Stage1::ALL[code as usize].name()
+        stage.name()
     };
     (0..n).map(|_| state(sim)).collect()
 }
