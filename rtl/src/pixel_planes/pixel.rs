@@ -136,10 +136,10 @@ impl PixelProcessor {
         def!(memory = m.memory(PixelProcessor::BITS, bit(), ReadUnderWrite::Any));
         def!(word = memory.read_async(c.read));
         def!(
-            operand = c.source.choose(|source| match source {
-                Source::Expression => i.expression,
-                Source::Memory => word,
-                Source::Constant => c.constant,
+            operand = choose!(c.source, Source {
+                Expression => i.expression,
+                Memory => word,
+                Constant => c.constant,
             })
         );
 
@@ -150,12 +150,12 @@ impl PixelProcessor {
 
         def!(enable = m.reg(bit()));
         def!(
-            enabled = c.enabling.choose(|enabling| match enabling {
-                Enabling::Keep => *enable,
-                Enabling::Set => lit(1, 1),
-                Enabling::Clear => lit(1, 0),
-                Enabling::Replace => !i.expression,
-                Enabling::Restrict => enable & !i.expression,
+            enabled = choose!(c.enabling, Enabling {
+                Keep => enable,
+                Set => 1,
+                Clear => 0,
+                Replace => !i.expression,
+                Restrict => enable & !i.expression,
             })
         );
         enable.next(enabled);
@@ -165,11 +165,11 @@ impl PixelProcessor {
         flag.when(c.captures, enabled).when(c.compares, is_less & (enable | !c.gates));
 
         def!(
-            writes = c.mask.choose(|mask| match mask {
-                Mask::Nobody => lit(1, 0),
-                Mask::Everybody => lit(1, 1),
-                Mask::Enabled => *enable,
-                Mask::Flagged => *flag,
+            writes = choose!(c.mask, Mask {
+                Nobody => 0,
+                Everybody => 1,
+                Enabled => enable,
+                Flagged => flag,
             })
         );
         memory.write(writes, c.write, result);

@@ -254,18 +254,18 @@ impl PixelProcessor {
         def!(carry = m.reg(bit()));
         def!(flag = m.reg(bit()));
         def!(
-            operand = c.source.choose(|source| match source {
-                Source::Constant => c.constant,
-                Source::Expression => i.expression,
-                Source::Accumulator => *accumulator,
-                Source::Multiplicand => mux(*flag, *accumulator, 0),
+            operand = choose!(c.source, Source {
+                Constant => c.constant,
+                Expression => i.expression,
+                Accumulator => accumulator,
+                Multiplicand => mux(*flag, *accumulator, 0),
             })
         );
         def!(
-            carried = c.begin.choose(|begin| match begin {
-                Begin::Kept => *carry,
-                Begin::Zero => lit(1, 0),
-                Begin::One => lit(1, 1),
+            carried = choose!(c.begin, Begin {
+                Kept => carry,
+                Zero => 0,
+                One => 1,
             })
         );
 
@@ -277,63 +277,63 @@ impl PixelProcessor {
         let left = concat(&[word.slice(0..7), carried]);
         let right = concat(&[carried, word.slice(1..8)]);
         def!(
-            result = c.function.choose(|function| match function {
-                Function::Operand | Function::Compare => operand,
-                Function::Word => word,
-                Function::Add | Function::Subtract => sum,
-                Function::And => word & operand,
-                Function::Or => word | operand,
-                Function::ExclusiveOr => word ^ operand,
-                Function::ShiftLeft => left,
-                Function::ShiftRight => right,
-                Function::AddHalved => concat(&[carry_out, sum.slice(1..8)]),
+            result = choose!(c.function, Function {
+                Operand | Compare => operand,
+                Word => word,
+                Add | Subtract => sum,
+                And => word & operand,
+                Or => word | operand,
+                ExclusiveOr => word ^ operand,
+                ShiftLeft => left,
+                ShiftRight => right,
+                AddHalved => concat(&[carry_out, sum.slice(1..8)]),
             })
         );
         def!(
-            carry_next = c.function.choose(|function| match function {
-                Function::Add | Function::Subtract | Function::Compare => carry_out,
-                Function::ShiftLeft => word.msb(),
-                Function::ShiftRight => word.bit(0),
-                Function::AddHalved => sum.bit(0),
-                _ => *carry,
+            carry_next = choose!(c.function, Function {
+                Add | Subtract | Compare => carry_out,
+                ShiftLeft => word.msb(),
+                ShiftRight => word.bit(0),
+                AddHalved => sum.bit(0),
+                _ => carry,
             })
         );
         carry.next(carry_next);
 
         def!(
-            holds = c.condition.choose(|condition| match condition {
-                Condition::Positive => !operand.msb(),
-                Condition::Carry => carry_next,
-                Condition::NoCarry => !carry_next,
+            holds = choose!(c.condition, Condition {
+                Positive => !operand.msb(),
+                Carry => carry_next,
+                NoCarry => !carry_next,
             })
         );
         def!(enters = mux(c.by_sign, !i.expression.msb(), holds));
         let stack = m.reg("enable", bits(self.depth));
         let (top, next, rest) = (stack.bit(0), stack.bit(1), stack.slice(1..self.depth));
         def!(
-            enables = c.enabling.choose(|enabling| match enabling {
-                Enabling::Keep => *stack,
-                Enabling::Set => concat(&[rest, lit(1, 1)]),
-                Enabling::Replace => concat(&[rest, enters]),
-                Enabling::Restrict => concat(&[rest, top & enters]),
-                Enabling::Push => concat(&[stack.slice(0..self.depth - 1), top & enters]),
-                Enabling::Invert => concat(&[rest, next & !top]),
-                Enabling::Pop => concat(&[stack.msb(), rest]),
+            enables = choose!(c.enabling, Enabling {
+                Keep => stack,
+                Set => concat(&[rest, lit(1, 1)]),
+                Replace => concat(&[rest, enters]),
+                Restrict => concat(&[rest, top & enters]),
+                Push => concat(&[stack.slice(0..self.depth - 1), top & enters]),
+                Invert => concat(&[rest, next & !top]),
+                Pop => concat(&[stack.msb(), rest]),
             })
         );
         stack.next(enables);
-        flag.next(c.flagging.choose(|flagging| match flagging {
-            Flagging::Keep => *flag,
-            Flagging::Condition => holds,
-            Flagging::EnabledCondition => holds & top,
+        flag.next(choose!(c.flagging, Flagging {
+            Keep => flag,
+            Condition => holds,
+            EnabledCondition => holds & top,
         }));
 
         def!(
-            writes = c.mask.choose(|mask| match mask {
-                Mask::Nobody => lit(1, 0),
-                Mask::Everybody => lit(1, 1),
-                Mask::Enabled => top,
-                Mask::Flagged => *flag,
+            writes = choose!(c.mask, Mask {
+                Nobody => 0,
+                Everybody => 1,
+                Enabled => top,
+                Flagged => flag,
             })
         );
         accumulator.when(writes & c.accumulates, result);
