@@ -1,6 +1,6 @@
 //! The position of a knob or a motor.
 
-use tilewright_hdl::{Module, bit, bits, block, case, cat, codes, def, mux, one_of};
+use tilewright_hdl::{Module, bit, bits, block, case, cat, choose, codes, def, mux, one_of};
 
 codes! {
     /// A step that a [`Quadrature`] decoder sees.
@@ -94,10 +94,10 @@ impl Quadrature {
         def!(turn = m.reg(one_of::<Turn>()).reset(Turn::Still));
         turn.next(mux(known, case(cat![last, now], up.into_iter().chain(down), Turn::Still), Turn::Still));
         def!(position = m.reg(bits(self.width).signed()).reset(0));
-        position.next(turn.choose(|turn| match turn {
-            Turn::Still => *position,
-            Turn::Up => position + 1,
-            Turn::Down => position - 1,
+        position.next(choose!(turn, Turn {
+            Still => position,
+            Up => position + 1,
+            Down => position - 1,
         }));
         QuadratureOut { position: *position, turn: *turn }
     }

@@ -1,6 +1,6 @@
 //! A pipelined shifter.
 
-use tilewright_hdl::{Module, Signal, below, bit, bits, block, bundle, codes, mux, one_of};
+use tilewright_hdl::{Module, Signal, below, bit, bits, block, bundle, choose, codes, mux, one_of};
 
 codes! {
     /// The direction of a [`Shifter`].
@@ -89,10 +89,10 @@ impl Shifter {
         m.assume(i.enable.implies(i.kind.is_code()), "what enters says which way");
         let shift = |stage: u32, part: Shifted| {
             let places = 1 << (stage - 1);
-            let word: Signal = part.kind.choose(|kind| match kind {
-                Shifting::Left => part.word << places,
-                Shifting::Right => part.word >> places,
-                Shifting::Arithmetic => (part.word.signed() >> places).bits(),
+            let word: Signal = choose!(part.kind, Shifting {
+                Left => part.word << places,
+                Right => part.word >> places,
+                Arithmetic => (part.word.signed() >> places).bits(),
             });
             Shifted { word: mux(part.places.bit(stage - 1), word, part.word), ..part }
         };

@@ -50,10 +50,10 @@ impl Run {
         busy.when(i.start, 1).when(last & step.ends, 0);
         at.when(i.start, 0).when(busy & last, at + 1);
         done.when(i.start | last, 0).when(busy, done + 1);
-        let result = step.alu.choose(|alu| match alu {
-            Alu::Load => step.operand,
-            Alu::Add => sum + step.operand,
-            Alu::Double => sum << 1,
+        let result = choose!(step.alu, Alu {
+            Load => step.operand,
+            Add => sum + step.operand,
+            Double => sum << 1,
         });
         sum.when(busy, result);
         RunOut { sum: *sum, busy: *busy }

@@ -11,10 +11,9 @@ use tilewright_sim::Simulation;
 codes! {
     /// The kind of an instruction, by its bits 2 to 6.
     enum Opcode {
-        Load, LoadFloat, Custom0, Fence, Immediate, AddToPc, Word32, Long48,
-        Store, StoreFloat, Custom1, Atomic, Register, LoadUpper, Word64, Long64,
-        MultiplyAdd, MultiplySubtract, NegateSubtract, NegateAdd, Float, Vector, Custom2, Long48Too,
-        Branch, JumpRegister, Reserved, Jump, System, Reserved1, Custom3, Longer,
+        Load = 0b00_000, Fence = 0b00_011, Immediate = 0b00_100, AddToPc = 0b00_101,
+        Store = 0b01_000, Register = 0b01_100, LoadUpper = 0b01_101,
+        Branch = 0b11_000, JumpRegister = 0b11_001, Jump = 0b11_011, System = 0b11_100,
     }
 
     /// The operation of the arithmetic unit, by `funct3`.
@@ -78,15 +77,15 @@ impl Block for Core {
         let amount = operand.trunc(5);
         def!(operation = funct3.code::<Operation>());
         def!(
-            computed = operation.choose(|operation| match operation {
-                Operation::Add => mux(computes_with_register & is_other, left - operand, left + operand),
-                Operation::ShiftLeft => left << amount,
-                Operation::Less => left.signed().lt(operand.signed()).zext(32),
-                Operation::LessUnsigned => left.lt(operand).zext(32),
-                Operation::Xor => left ^ operand,
-                Operation::ShiftRight => mux(is_other, (left.signed() >> amount).bits(), left >> amount),
-                Operation::Or => left | operand,
-                Operation::And => left & operand,
+            computed = choose!(operation, Operation {
+                Add => mux(computes_with_register & is_other, left - operand, left + operand),
+                ShiftLeft => left << amount,
+                Less => left.signed().lt(operand.signed()).zext(32),
+                LessUnsigned => left.lt(operand).zext(32),
+                Xor => left ^ operand,
+                ShiftRight => mux(is_other, (left.signed() >> amount).bits(), left >> amount),
+                Or => left | operand,
+                And => left & operand,
             })
         );
 
@@ -95,10 +94,10 @@ impl Block for Core {
         def!(taken = case(funct3.part(1, 2), less, left.eq(right)) ^ funct3.bit(0));
         def!(following = pc + 4);
         def!(
-            target = opcode.choose(|opcode| match opcode {
-                Opcode::Jump => pc + immediate.j,
-                Opcode::JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
-                Opcode::Branch => mux(taken, pc + immediate.b, following),
+            target = choose!(opcode, Opcode {
+                Jump => pc + immediate.j,
+                JumpRegister => cat![(left + immediate.i).part(1, 31), lit(1, 0)],
+                Branch => mux(taken, pc + immediate.b, following),
                 _ => following,
             })
         );
@@ -120,11 +119,11 @@ impl Block for Core {
         memory.write(opcode.is(Opcode::Store) & !stopped & written.unpack(4), places(address), bytes.unpack(4));
 
         def!(
-            result = opcode.choose(|opcode| match opcode {
-                Opcode::Load => loaded,
-                Opcode::LoadUpper => immediate.u,
-                Opcode::AddToPc => pc + immediate.u,
-                Opcode::Jump | Opcode::JumpRegister => following,
+            result = choose!(opcode, Opcode {
+                Load => loaded,
+                LoadUpper => immediate.u,
+                AddToPc => pc + immediate.u,
+                Jump | JumpRegister => following,
                 _ => computed,
             })
         );

@@ -90,10 +90,10 @@ impl Compositor {
         states.write(i.advances, i.pixel, nearer);
 
         def!(
-            takes_own = i.mode.choose(|mode| match mode {
-                Mode::Forward | Mode::Unload => lit(1, 0),
-                Mode::Load => lit(1, 1),
-                Mode::Composite => nearer.is(Nearer::Own),
+            takes_own = choose!(i.mode, Mode {
+                Forward | Unload => 0,
+                Load => 1,
+                Composite => nearer.is(Nearer::Own),
             })
         );
         CompositorOut { downstream: m.pipe_when(i.advances, "downstream", mux(takes_own, i.own, i.upstream)) }
