@@ -79,10 +79,10 @@ impl CheatSheet {
         let (results, sent) = m.offer(full, *accumulator);
         let step = i.steps.take_when(!full | sent);
         full.when(step.taken, 1).when(sent, 0);
-        let result = step.operation.choose(|operation| match operation {
-            Operation::Keep => *accumulator,
-            Operation::Add => accumulator + step.operand,
-            Operation::Xor => accumulator ^ step.operand,
+        let result = choose!(step.operation, Operation {
+            Keep => accumulator,
+            Add => accumulator + step.operand,
+            Xor => accumulator ^ step.operand,
         });
         accumulator.when(step.taken, result);
 

@@ -11,6 +11,7 @@ pub mod mistakes;
 pub mod nearer;
 pub mod operations;
 pub mod renderer;
+pub mod response;
 pub mod simd;
 pub mod solutions;
 pub mod start;

@@ -58,12 +58,12 @@ impl Simd {
         def!(memory = m.memory(256, bits(8).of(processors), ReadUnderWrite::Any).fill(0));
         def!(operand = memory.read_async(address));
         def!(neighbour = a.columns().previous(i.west));
-        let result = opcode.choose(|opcode| match opcode {
-            Opcode::Load => operand,
-            Opcode::Add => a + operand,
-            Opcode::AddConstant => a + constant,
-            Opcode::West => neighbour,
-            Opcode::Store | Opcode::IfLess | Opcode::Everybody => *a,
+        let result = choose!(opcode, Opcode {
+            Load => operand,
+            Add => a + operand,
+            AddConstant => a + constant,
+            West => neighbour,
+            Store | IfLess | Everybody => a,
         });
         a.when(active, result);
         active.when(opcode.is(Opcode::IfLess), active & a.lt(constant)).when(opcode.is(Opcode::Everybody), 1);

@@ -54,9 +54,9 @@ mod tests {
             let less = a.signed().lt(b.signed());
             let bits = cat![a.all_ones(), a.any_one(), a.parity()];
             let by_number = case(s, [(0, a), (1, b)], 0);
-            let by_code = operation.choose(|operation| match operation {
-                Operation::Load => a,
-                Operation::Store => b,
+            let by_code = choose!(operation, Operation {
+                Load => a,
+                Store => b,
             });
             def!(words = m.memory(256, 8, ReadUnderWrite::Any));
             words.write(c, a, b);

@@ -51,11 +51,11 @@ impl ParityTransmitter {
         def!(odd = m.reg(bit()).when(moves.leaves(Part::Idle), i.data.parity()));
 
         def!(line = m.reg(bit()).reset(1));
-        line.next(part.choose(|part| match part {
-            Part::Idle | Part::Stop => lit(1, 1),
-            Part::Start => lit(1, 0),
-            Part::Data => rest.bit(0),
-            Part::Parity => *odd,
+        line.next(choose!(part, Part {
+            Idle | Stop => 1,
+            Start => 0,
+            Data => rest.bit(0),
+            Parity => odd,
         }));
         ParityTransmitterOut { line: *line, busy }
     }

@@ -57,10 +57,10 @@ impl Transmitter {
         rest.when(moves.leaves(Phase::Idle), i.data).when(next_bit, rest >> 1);
 
         def!(line = m.reg(bit()).reset(1));
-        line.next(phase.choose(|phase| match phase {
-            Phase::Idle | Phase::Stop => lit(1, 1),
-            Phase::Start => lit(1, 0),
-            Phase::Data => rest.bit(0),
+        line.next(choose!(phase, Phase {
+            Idle | Stop => 1,
+            Start => 0,
+            Data => rest.bit(0),
         }));
         TransmitterOut { line: *line, busy }
     }
