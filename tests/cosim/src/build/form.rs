@@ -5,8 +5,8 @@ use crate::spec::{Form, Meaning, Pattern};
 use tilewright_hdl::*;
 
 codes! {
-    /// Fewer codes than three bits have.
-    pub enum Colour { Red, Green, Blue, White, Black }
+    /// Fewer codes than three bits have, with gaps between them.
+    pub enum Colour { Red = 0, Green = 2, Blue = 3, White = 5, Black = 6 }
 }
 
 impl Colour {
@@ -19,7 +19,7 @@ impl Colour {
 impl Meaning {
     /// How many bits it has where so many are wanted.
     pub fn width(self, wanted: u32) -> u32 {
-        if self == Meaning::Code { below(Colour::ALL.len()).bits() } else { wanted }
+        if self == Meaning::Code { Colour::NAMES.width() } else { wanted }
     }
 
     /// What holds it is declared by this.

@@ -74,6 +74,6 @@ impl Builder<'_> {
         self.push(d, one_hot(index, u64::from(library.width)));
         let colour = Meaning::Code.made_of(self.pick_fit(d, library.picks[2], 3));
         // Codes are numbers of places, too.
-        self.push(d, one_hot(colour.bits(), Colour::ALL.len() as u64));
+        self.push(d, one_hot(colour.bits(), Colour::Black.code() + 1));
     }
 }

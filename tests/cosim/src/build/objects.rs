@@ -6,7 +6,7 @@ use crate::spec::*;
 use tilewright_hdl::*;
 
 codes! {
-    enum Phase { Idle, Load, Run, Drain }
+    enum Phase { Idle = 2, Load = 0, Run = 5, Drain }
 }
 
 impl Builder<'_> {
@@ -15,14 +15,14 @@ impl Builder<'_> {
         let state = self.on(d).fsm(&name, Phase::Idle);
         let width = self.pick(d, machine.chosen[0]).width();
         let chosen = machine.chosen.map(|pick| self.pick_fit(d, pick, width));
-        let chosen = state.pick(|phase| chosen[phase.code() as usize]);
+        let chosen = state.pick(|phase| chosen[place(phase)]);
         let conditions = machine.states.iter().map(|exits| {
             exits.when.iter().map(|(pick, to)| (self.pick_fit(d, *pick, 1), phase(*to))).collect::<Vec<_>>()
         });
         let conditions: Vec<Vec<(Signal, Phase)>> = conditions.collect();
         let moves = state.next(|from| {
-            let arms = &conditions[from.code() as usize];
-            let otherwise = machine.states[from.code() as usize].otherwise;
+            let arms = &conditions[place(from)];
+            let otherwise = machine.states[place(from)].otherwise;
             let transition = arms.split_first().map(|((condition, to), rest)| {
                 rest.iter().fold(when(*condition, *to), |so_far, (condition, to)| so_far.or_when(*condition, *to))
             });
@@ -37,7 +37,7 @@ impl Builder<'_> {
         self.push(d, state.is(Phase::Run));
         self.push(d, state.bits());
         Feature::Constants.used();
-        self.push(d, state.constants(5, |phase| 7 * phase.code()));
+        self.push(d, state.constants(5, |phase| 5 * phase.code()));
         for ask in &machine.asks {
             self.push(d, asked(&moves, *ask));
         }
@@ -149,4 +149,9 @@ fn asked(moves: &Moves<Phase>, ask: Ask) -> Signal {
 
 fn phase(number: u8) -> Phase {
     Phase::ALL[usize::from(number) % Phase::ALL.len()]
+}
+
+/// The place of a state among all of them.
+fn place(phase: Phase) -> usize {
+    Phase::NAMES.place(phase.code()).expect("a state is a code")
 }

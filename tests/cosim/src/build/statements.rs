@@ -50,10 +50,10 @@ impl Builder<'_> {
         for subject in [*register, raw] {
             if coded.records {
                 Feature::ChooseARecord.used();
-                let pair: Pair = subject.choose(|colour: Colour| match colour {
-                    Colour::Red => Pair { low: chosen[0], high: chosen[1] },
-                    Colour::Green | Colour::White => Pair { low: chosen[1], high: !chosen[2] },
-                    Colour::Blue | Colour::Black => Pair { low: chosen[2], high: lit(width, 1) },
+                let pair: Pair = choose!(subject, Colour {
+                    Red => Pair { low: chosen[0], high: chosen[1] },
+                    Green | White => Pair { low: chosen[1], high: !chosen[2] },
+                    _ => Pair { low: chosen[2], high: lit(width, 1) },
                 });
                 [pair.low, pair.high].into_iter().for_each(|signal| self.push(d, signal));
             } else {
