@@ -14,7 +14,9 @@ use crate::shaping::sound_shape;
 use crate::signal::Signal;
 
 /// The lanes of a row, or the rows or columns of a grid, as a sequence. Made by [`Signal::rows`] and
-/// [`Signal::columns`]. Each element has the shape that remains without that axis: for the rows of a grid, a row.
+/// [`Signal::columns`], and for records by [`Lanes::rows`](crate::Lanes::rows) and
+/// [`Lanes::columns`](crate::Lanes::columns). Each element has the shape that remains without that axis: for the rows
+/// of a grid, a row.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -26,8 +28,8 @@ use crate::signal::Signal;
 /// ```
 #[derive(Debug, Clone, Copy)]
 #[must_use]
-pub struct Along {
-    pub(crate) of: Signal,
+pub struct Along<V = Signal> {
+    pub(crate) of: V,
     pub(crate) axis: u32,
 }
 

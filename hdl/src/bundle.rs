@@ -4,7 +4,8 @@ use crate::fields::{Fields, Leaf};
 use crate::names::unraw;
 use crate::signal::Signal;
 
-/// A record of signals, one of a family of record types. [`bundle!`](crate::bundle!) implements this trait.
+/// A record of signals, one of a family of record types. [`bundle!`](crate::bundle!) and
+/// [`record!`](crate::record!) implement this trait.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -23,7 +24,7 @@ use crate::signal::Signal;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a record of signals",
-    note = "a record is a struct that `bundle!` makes"
+    note = "a record is a struct that `record!` or `bundle!` makes"
 )]
 pub trait Bundle: Fields<Signal, With<Signal> = Self> + Clone + 'static {
     /// The same record type with other leaves.
@@ -102,7 +103,8 @@ pub fn join(path: &str, field: &str) -> String {
     if path.is_empty() { field.to_owned() } else { format!("{path}.{field}") }
 }
 
-/// Declares records that serve as widths, signals, values and names at once.
+/// Declares records that serve as widths, signals, values and names at once. [`record!`](crate::record!) also gives
+/// each field its width.
 ///
 /// The declaration is a plain generic struct. The leaf type defaults to `Signal`. Records may nest, and may contain
 /// arrays and `Vec`s of leaves or records.

@@ -12,6 +12,7 @@ use crate::operand::{Literal, Operand, Value};
 use crate::problem::Problem;
 use crate::radix::Radix;
 use crate::register::Reg;
+use crate::shaping::IntoShape;
 use crate::signal::{Signal, bits_text};
 use crate::uneven::{Uneven, uneven};
 use crate::width::{IntoWidth, Width};
@@ -85,6 +86,28 @@ pub trait Layout {
 
     #[doc(hidden)]
     fn layout(self) -> <Self::Value as Data>::Like<Width>;
+
+    /// The same widths in each lane of `shape`, for a row or a grid of records.
+    ///
+    /// ```
+    /// # use tilewright_hdl::*;
+    /// # let example = tilewright_sim::traced(|m| {
+    /// record! { struct Pixel { z: bits(4), rgb: bits(24) } }
+    ///
+    /// def!(pixels = m.reg(Pixel::widths().of(row(3))).reset(0));
+    /// pixels.next(pixels.previous(Pixel { z: 7, rgb: 0 }));
+    /// def!(last = pixels.last());
+    /// # });
+    /// assert_eq!(example.values("last_z"), [0, 0, 0, 7]);
+    /// ```
+    #[track_caller]
+    fn of(self, shape: impl IntoShape) -> <<Self::Value as Data>::Like<Width> as Fields<Width>>::With<Width>
+    where
+        Self: Sized,
+    {
+        let shape = shape.into_shape();
+        self.layout().map(|width| width.of(shape))
+    }
 }
 
 impl<W: IntoWidth> Layout for W {

@@ -93,9 +93,10 @@ use crate::width::Width;
 /// | `take: bit()` | a signal, or lanes of one: `bits(8).of(row(4))` |
 /// | `scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE)` | a record |
 /// | `host: pub struct Host { start: bit(), swap: bit() }.on(MERGE)`, `jobs: stream(pub struct Job { page: bits(4) })` | a record declared in place: its fields are written once, each with its own documentation |
+/// | `control: Control`, `place: Position::widths(self.columns, self.rows)`, each also with `.on(CLOCK)` | a record declared by [`record!`](crate::record!), which has the widths |
 /// | `preset: Position = self.position()` | a record whose widths an expression gives |
-/// | `samples: [bits(48); self.units]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, which is a `Vec` |
-/// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
+/// | `samples: [bits(48); self.units]`, `all: [Control; 4]`, `nearest: [Position = self.position(); 4]`, `jobs: [stream(bits(8)); 3]` | a list, which is a `Vec` |
+/// | `jobs: stream(bits(8))`, `jobs: stream(Job { page: bits(4), last: bit() })`, `jobs: stream(Control)`, `jobs: stream(Job = self.job())` | a [`Stream`](crate::Stream) of signals or of records |
 /// | `sum: _`, `nearest: Pixel = _`, `all: [Pixel] = _`, `sent: stream(Job = _)`, `all: [stream(_)]` | an output as wide as its driver |
 ///
 /// A block without a `build` does not compile:
@@ -188,6 +189,13 @@ macro_rules! block {
     };
 
     // The ports of a bundle, in sequence: the documentation, name, type and, if given, width of each.
+    (@ports [record $($of:tt)+] [$($done:tt)*] [$field:tt: $($record:ident =)? _ $(, $($more:tt)*)?]) => {
+        $crate::wrong_field! { HasWidth $field }
+        $crate::block! { @ports [record $($of)+] [$($done)* {[] $field [T] [$crate::bit()]}] [$($($more)*)?] }
+    };
+    (@ports [record $($of:tt)+] $done:tt [#[$($said:tt)*] $field:tt: $($record:ident =)? _ $($more:tt)*]) => {
+        $crate::block! { @ports [record $($of)+] $done [$field: _ $($more)*] }
+    };
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: _ $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] []}] [$($($more)*)?] $($state)* }
     };
@@ -237,6 +245,18 @@ macro_rules! block {
             @ports $of [$($done)*] [$($($more)*)?] $($state)*
         }
     };
+    // A list of records whose widths follow from the name, or from the name and parameters.
+    (@ports $of:tt $done:tt [
+        $(#[$($said:tt)*])* $port:ident: [$record:ident $(::widths($($given:tt)*))? $(.on($clock:expr))?; $count:expr] $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of $done [
+                $(#[$($said)*])*
+                $port: [$record = $crate::block!(@widths $record $(($($given)*))?) $(.on($clock))?; $count] $(, $($more)*)?
+            ]
+            $($state)*
+        }
+    };
     (@ports $of:tt [$($done:tt)*] [
         $(#[$($said:tt)*])* $port:ident: $record:ident = _ $(, $($more:tt)*)?
     ] $($state:tt)*) => {
@@ -278,8 +298,34 @@ macro_rules! block {
             [$($($more)*)?] $($state)*
         }
     };
+    // A record whose widths follow from its name, or from its name and parameters. rustc reports mistakes at a name
+    // that is matched as `tt`, and one that is matched as `ident` is no other width.
+    (@ports $of:tt $done:tt [
+        $(#[$($said:tt)*])* $port:ident: $record:tt $(::widths($($given:tt)*))? $(.on($clock:expr))? $(, $($more:tt)*)?
+    ] $($state:tt)*) => {
+        $crate::block! {
+            @name $record $record [$(($($given)*))?] [$(.on($clock))?] [$([$($said)*])*] $port [$($($more)*)?]
+            @ports $of $done $($state)*
+        }
+    };
     (@ports $of:tt [$($done:tt)*] [$(#[$($said:tt)*])* $port:ident: $width:expr $(, $($more:tt)*)?] $($state:tt)*) => {
         $crate::block! { @ports $of [$($done)* {[$([$($said)*])*] $port [T] [$width]}] [$($($more)*)?] $($state)* }
+    };
+    (@ports [record $($of:tt)+] [$($done:tt)*] []) => { $crate::record! { @declare $($of)+ $($done)* } };
+    // A field of `record!` or a port that is written in another way.
+    (@ports $of:tt $done:tt [$(#[$($said:tt)*])* pub $port:tt: $($more:tt)*] $($state:tt)*) => {
+        $crate::wrong_field! { HasNoPub $port }
+        $crate::block! { @ports $of $done [$(#[$($said)*])* $port: $($more)*] $($state)* }
+    };
+    (@ports $of:tt $done:tt [$(#[$($said:tt)*])* pub ($($scope:tt)*) $($port:tt)*] $($state:tt)*) => {
+        $crate::block! { @ports $of $done [$(#[$($said)*])* pub $($port)*] $($state)* }
+    };
+    (@ports $of:tt $done:tt [#[$($said:tt)*] $($port:tt)+] $($state:tt)*) => {
+        $crate::block! { @ports $of $done [$($port)+] $($state)* }
+    };
+    (@ports $of:tt [$($done:tt)*] [$port:tt $($more:tt)*] $($state:tt)*) => {
+        $crate::wrong_field! { IsField $port }
+        $crate::block! { @ports $of [$($done)* {[] $port [T] [$crate::bit()]}] [] $($state)* }
     };
     (@ports [in $($of:tt)+] $ports:tt [] $block:tt $latency:tt $source:tt [] $out:tt $($rest:tt)*) => {
         $crate::block! { @clauses $block $latency $source [[$($of)+] $ports] $out $($rest)* }
@@ -290,6 +336,9 @@ macro_rules! block {
 
     // A stream: its type by that of its payload, and its widths if given.
     (@stream [_] [] $($port:tt)*) => { $crate::block! { @put [T] [] $($port)* } };
+    (@stream [$record:ident $(::widths($($given:tt)*))?] $clock:tt $($port:tt)*) => {
+        $crate::block! { @stream [$record = $crate::block!(@widths $record $(($($given)*))?)] $clock $($port)* }
+    };
     (@stream [$record:ident = _] [] $($port:tt)*) => { $crate::block! { @put [$record<T>] [] $($port)* } };
     (@stream [$record:ident = $widths:expr] [$($clock:expr)?] $($port:tt)*) => {
         $crate::block! { @put [$record<T>] [$crate::stream($widths) $(.on($clock))?] $($port)* }
@@ -309,6 +358,21 @@ macro_rules! block {
             [$($done)* {$said $port [Vec<$crate::Stream<$($payload)*, T>>] [$($crate::list($widths, $count))?]}]
             $($state)*
         }
+    };
+
+    (@name $is:ident $record:tt [$($given:tt)?] [$($on:tt)*] $said:tt $port:ident $more:tt @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! {
+            @ports $of [$($done)* {$said $port [$record<T>] [$crate::block!(@widths $record $($given)?) $($on)*]}] $more $($state)*
+        }
+    };
+    (@name $width:tt $same:tt [] [$($on:tt)*] $said:tt $port:ident $more:tt @ports $of:tt [$($done:tt)*] $($state:tt)*) => {
+        $crate::block! { @ports $of [$($done)* {$said $port [T] [$width $($on)*]}] $more $($state)* }
+    };
+    (@widths $record:tt) => {
+        <$record as $crate::Record>::widths()
+    };
+    (@widths $record:tt ($($given:tt)*)) => {
+        $record::widths($($given)*)
     };
 
     // Everything is known.

@@ -208,7 +208,7 @@ impl Signal {
     }
 
     #[track_caller]
-    fn axis(self, axis: u32, method: &str) -> Along {
+    pub(crate) fn axis(self, axis: u32, method: &str) -> Along {
         let of = match self.shape {
             Shape::Grid(..) => self,
             _ => self.without_lanes(&format!("`.{method}()` needs a grid"), Shape::Grid(1, 1)),

@@ -41,9 +41,9 @@
 //! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) lets values of different stages meet |
 //! | a state machine | [`codes!`], [`Module::fsm`], [`StateReg::next`]; the resulting [`Moves`] report which transition is taken |
 //! | a memory | [`Module::memory`], [`Mem::read`], [`Mem::read_async`], [`Mem::write`] |
-//! | a record | a [`bundle!`]; a register, wire or memory declared with a record of widths is a record; `.pack()` makes a word of a record, `.unpack(word)` of a record of widths makes a record of a word |
+//! | a record | [`record!`], with the width of each field, or [`bundle!`], without; a register, wire or memory declared with a record of widths is a record; `.pack()` makes a word of a record, `.unpack(word)` of a record of widths makes a record of a word |
 //! | an enum | [`codes!`], [`one_of`], [`Signal::is`], [`choose!`]`(i.operation, Alu { Load => a, Add => b })`, [`Signal::choose`]; a code is a signal, by `Alu::Load.into()` in a record |
-//! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`] |
+//! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`]; of records by [`Lanes`] |
 //! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`] declares a field of type `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] in a loop of blocks, [`Stream::lanes`] for the streams of an array |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
 //! | an instance, an array of instances | [`Module::instance`], [`Module::array`] |
@@ -160,9 +160,9 @@ pub use radix::{Radix, Written, binary, hex};
 pub use ranges::OutOfRange;
 #[doc(hidden)]
 pub use ranges::in_range;
-pub use record::RecordUpdates;
+pub use record::{Lanes, Record, RecordUpdates};
 #[doc(hidden)]
-pub use record::{named, pack, unpack};
+pub use record::{Numbers, Zero, named, pack, rules, unpack};
 pub use recording::Recording;
 pub use register::{Reg, Updates};
 pub use scenario::{Scenario, Script};

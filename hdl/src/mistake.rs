@@ -176,7 +176,7 @@ mistakes! {
     UnfollowedRule = 611,
     /// What goes along with lanes is laid out in another way.
     OtherLayout = 612,
-    /// The fields of the records in a memory have different lanes.
+    /// The fields of a record in lanes, or in a memory, have different lanes.
     UnequalFields = 613,
 
     /// A stream has no receiver.
@@ -187,7 +187,7 @@ mistakes! {
     NoStream = 703,
     /// A sender waits for its receiver.
     WaitingSender = 704,
-    /// A stream is taken by lanes that it does not have.
+    /// A stream is taken by lanes that it does not have, or would be moved to others.
     StreamLanes = 705,
     /// Two stages of a pipeline meet.
     MixedStages = 751,

@@ -61,7 +61,11 @@ fn rustc_says_what_to_write() {
             "`tilewright_hdl::Signal` cannot be given where a `Pair` is expected",
             "a record is given a",
         ),
-        ("of_a_record(a);", "`tilewright_hdl::Signal` is not a record of signals", "is a struct that `bundle!` makes"),
+        (
+            "of_a_record(a);",
+            "`tilewright_hdl::Signal` is not a record of signals",
+            "is a struct that `record!` or `bundle!` makes",
+        ),
         ("bits(8).of(2.5);", "`{float}` does not say how many lanes there are", "`row(n)`, or `grid(rows, columns)`"),
         ("lit(8, 2.5);", "a `{float}` is not an integer", "known while the block is built"),
         ("a.bit(a);", "a `tilewright_hdl::Signal` is not an integer", "known while the block is built"),
@@ -146,6 +150,70 @@ fn rustc_says_what_is_wrong_with_codes() {
         missing.contains("non-exhaustive patterns: `Way::Both` not covered") && missing.contains(line),
         "{missing}"
     );
+}
+
+/// Records that are declared wrongly, each field in a line of its own.
+const WRONG_RECORDS: &str = r"
+use tilewright_hdl::*;
+bundle! { pub struct Pair<T> { pub x: T } }
+record! { pub struct Sized(side: u32) { place: below(side) } }
+record! {
+    pub struct Entry {
+        pub(crate) page: bits(4),
+        /// It is the last.
+        last: _,
+        pair: Pair,
+        sized: Sized,
+        number: 8,
+        open = bits(4)
+    }
+}
+record! { pub struct Typed<T> { pub x: T } }
+record! { pub struct Nothing; }
+record! { pub enum Kind { One, Two } }
+record! { pub struct Listed { bytes: [bits(8); 4] } }
+pub const ZEROS: Listed<u64> = Listed::ZERO;
+";
+
+#[test]
+fn rustc_says_how_a_record_is_declared() {
+    let said = compile(WRONG_RECORDS);
+    for (line, message, remedy) in [
+        ("pub(crate) page: bits(4),", "a field of a record and a port have no `pub`", "as visible as the struct"),
+        ("last: _,", "a field of a record has a width", "`_` is as wide as its driver"),
+        ("pair: Pair,", "the name `Pair` does not say how wide the fields are", "as in `entry: Entry::widths(12)`"),
+        ("sized: Sized,", "the name `Sized` does not say how wide the fields are", "as in `entry: Entry::widths(12)`"),
+        ("number: 8,", "mismatched types", "expected `Width`, found integer"),
+        ("open = bits(4)", "a field of a record and a port are declared as `name: width,`", "a width is `bit()`"),
+        ("struct Typed<T>", "a record that is declared with its widths has no type parameter", "write `bundle!`"),
+        ("struct Nothing;", "a record is a struct with fields in braces", "with parameters `struct Entry(pages"),
+        ("enum Kind {", "a record is a struct with fields in braces", "with parameters `struct Entry(pages"),
+        ("Listed::ZERO;", "`ZERO` exists for struct `Listed<_>`, but its trait bounds were not", "Vec<"),
+    ] {
+        let at = WRONG_RECORDS.lines().position(|text| text.contains(line)).unwrap() + 1;
+        let found = said.split("\n\n").any(|error| {
+            error.contains(message) && error.contains(remedy) && error.contains(&format!("wrong.rs:{at}:"))
+        });
+        assert!(found, "nothing says `{message}` and `{remedy}` of line {at}, `{line}`:\n{said}");
+    }
+    assert!(said.contains("due to 10 previous errors"), "nothing follows from another:\n{said}");
+}
+
+/// Without the mistakes they compile.
+#[test]
+fn records_that_are_declared_as_it_says_compile() {
+    let right = WRONG_RECORDS
+        .replace("pub(crate) page", "page")
+        .replace("last: _", "last: bit()")
+        .replace("pair: Pair", "pair: Pair { x: bit() }")
+        .replace("sized: Sized", "sized: Sized::widths(3)")
+        .replace("number: 8", "number: bits(8)")
+        .replace("open = bits(4)", "open: bits(4)")
+        .replace("Typed<T> { pub x: T }", "Typed { x: bit() }")
+        .replace("struct Nothing;", "struct Nothing { x: bit() }")
+        .replace("enum Kind { One, Two }", "struct Kind { one: bit() }")
+        .replace("Listed<u64> = Listed::ZERO", "Kind<u64> = Kind::ZERO");
+    assert_eq!(compile(&right), "");
 }
 
 /// A test with a process where a group is expected.

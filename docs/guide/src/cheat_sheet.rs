@@ -14,13 +14,13 @@ codes! {
     }
 }
 
-bundle! {
+record! {
     /// A step of a program.
-    pub struct Step<T> {
+    pub struct Step(width: u32) {
         /// What is done.
-        pub operation: T,
+        operation: one_of::<Operation>(),
         /// With what.
-        pub operand: T,
+        operand: bits(width),
     }
 }
 
@@ -32,7 +32,7 @@ block! {
     }
     in(self) CheatSheetIn {
         /// Steps.
-        steps: stream(Step { operation: one_of::<Operation>(), operand: bits(self.width) }),
+        steps: stream(Step::widths(self.width)),
         /// Writes into the memory.
         write: bit(),
         /// Where.

@@ -2,20 +2,19 @@
 
 use tilewright_hdl::*;
 
-bundle! {
+record! {
     /// Where a pixel is.
-    pub struct Position<T> {
+    pub struct Position(columns: u32, rows: u32) {
         /// The column.
-        pub x: T,
+        x: below(columns),
         /// The row.
-        pub y: T,
+        y: below(rows),
     }
-}
 
-impl Position<Width> {
-    /// Of a screen of that many columns and rows.
-    pub fn widths(columns: u32, rows: u32) -> Position<Width> {
-        Position { x: below(columns), y: below(rows) }
+    /// How a pixel looks.
+    pub struct Colour {
+        /// How bright it is.
+        level: bits(6),
     }
 }
 
@@ -41,8 +40,12 @@ block! {
         samples: bits(8).of(row(4)),
         /// A record, with its widths.
         from: Position { x: below(self.columns), y: below(self.rows) },
+        /// A record whose widths have parameters.
+        to: Position::widths(self.columns, self.rows),
         /// A record whose widths an expression gives.
-        to: Position = Position::widths(self.columns, self.rows),
+        middle: Position = self.middle(),
+        /// A record whose widths are in its declaration.
+        colour: Colour,
         /// A record that is declared here.
         job: pub struct Job {
             /// Its page.
@@ -53,11 +56,11 @@ block! {
         /// A list of signals.
         levels: [bits(6); 3],
         /// A list of records.
-        corners: [Position = Position::widths(self.columns, self.rows); 2],
+        corners: [Position::widths(self.columns, self.rows); 2],
         /// A stream of a signal.
         bytes: stream(bits(8)),
         /// A stream of a record.
-        moves: stream(Position = Position::widths(self.columns, self.rows)),
+        moves: stream(Position::widths(self.columns, self.rows)),
         /// A list of streams.
         sources: [stream(bits(8)); 2],
     }
@@ -78,9 +81,16 @@ block! {
 }
 
 impl Everything {
+    /// Half of the columns and half of the rows.
+    fn middle(&self) -> Position<Width> {
+        Position::widths(self.columns / 2, self.rows / 2)
+    }
+
     fn build(&self, m: Module, i: EverythingIn) -> EverythingOut {
         m.ignore(&(i.samples));
         m.ignore(&i.job);
+        m.ignore(&i.middle);
+        m.ignore(&i.colour);
         let corners = [i.corners[0], mux(i.enable, i.corners[1], i.to)];
         EverythingOut {
             at_edge: i.from.x.eq(0) | i.from.y.eq(0),

@@ -16,6 +16,8 @@ mod tests {
     fn layout(_: impl Layout) {}
     fn data(_: impl Data) {}
     fn bundle(_: impl Bundle) {}
+    fn by_name<R: Record>(_: R) {}
+    fn lanes(_: impl Lanes) {}
     fn fits<V: Data>(_: &V, _: impl Fits<V>) {}
     fn fields<T: Leaf>(_: impl Fields<T>) {}
     fn codes(_: impl Codes) {}
@@ -70,6 +72,8 @@ mod tests {
             layout(Received::widths());
 
             bundle(record);
+            by_name(record);
+            lanes(stack([record, record]));
             data(one);
             data(record);
             data(vec![one, one]);

@@ -1,11 +1,17 @@
-//! Records of signals, made by [`bundle!`](crate::bundle!), as values: packed into words, named, and stored in
-//! registers, wires and memories.
+//! Records of signals, made by [`bundle!`](crate::bundle!) and [`record!`](crate::record!), as values: packed into
+//! words, named, laid out in lanes, and stored in registers, wires and memories.
 
+mod declaration;
+mod lanes;
 mod memory;
 mod register;
 mod wire;
+mod zero;
 
+pub use declaration::{Record, rules};
+pub use lanes::Lanes;
 pub use register::RecordUpdates;
+pub use zero::{Numbers, Zero};
 
 use crate::bundle::Bundle;
 use crate::data::Data;

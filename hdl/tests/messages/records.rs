@@ -209,3 +209,79 @@ fn two_pipelines_of_one_record_need_names() {
     };
     elaborate(&Case(build)).unwrap();
 }
+
+record! {
+    struct Line { resident: bit(), page: bits(8) }
+    struct Link { line: Line, jobs: stream(bits(8)) }
+    struct Burst { first: bit(), bytes: bits(8).of(row(3)) }
+}
+
+#[test]
+fn records_without_lanes_are_reported_once() {
+    expect(
+        |_, i| Line { resident: i.c, page: i.a }.previous(0).page,
+        "`.previous` needs a row, but `c` has no lanes [T602]
+         --> [|_, i| Line { resident: i.c, page: i.a }.previous(0).page,]
+         `c` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: lanes come from a register, a port or a wire that is declared with some, as in `bits(8).of(row(4))`, or from `stack`",
+    );
+    expect(
+        |m, _| {
+            let lines = m.reg("lines", Line::widths().of(grid(2, 3)));
+            lines.next(lines.rows().previous(0));
+            lines.last().page
+        },
+        "`.last` needs a row, but `lines_resident` has 2 x 3 lanes [T602]
+         --> [lines.last().page]
+         `lines_resident` is made at [let lines = m.reg(\"lines\", Line::widths().of(grid(2, 3)));]
+         help: say along which axis: `.rows()` or `.columns()`",
+    );
+}
+
+#[test]
+fn lanes_of_records_that_do_not_fit() {
+    expect(
+        |_, i| Line { resident: i.c.of(row(4)), page: i.a.of(row(3)) }.lane(2).page,
+        "`.lane` needs a record of equal lanes: field `resident` has 4 lanes, but `page` has 3 lanes [T613]
+         --> [|_, i| Line { resident: i.c.of(row(4)), page: i.a.of(row(3)) }.lane(2).page,]
+         help: each lane has a whole record: all fields have its lanes",
+    );
+    expect(
+        |m, i| {
+            let link = |valid| Link { line: Line { resident: i.c, page: i.a }, jobs: m.offer(valid, i.a).0 };
+            let links = stack([link(i.c), link(!i.c)]);
+            links.previous(0).line.page
+        },
+        "`.previous` would move the stream `jobs`, which has a receiver in each lane [T705]
+         --> [links.previous(0).line.page]
+         help: `.lanes()` of the stream gives the stream of each lane",
+    );
+    expect(
+        |m, i| {
+            let lines = m.reg("lines", Line::widths().of(row(4)));
+            lines.next(lines.previous(Line { resident: i.c, page: i.b }));
+            lines.lane(4).page
+        },
+        "`shifted` needs equal widths: `lines_page` has 8 bits, `b` has 7 bits [T101]
+         --> [lines.next(lines.previous(Line { resident: i.c, page: i.b }));]
+         `lines_page` is made at [let lines = m.reg(\"lines\", Line::widths().of(row(4)));]
+         `b` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: widen the narrow side with `.zext(8)` or `.sext(8)`, or cut the wide one with `.trunc(7)`
+
+         lane 4 of a signal of 4 lanes [T603]
+         --> [lines.lane(4).page]
+         help: lanes count from 0
+
+         2 problems in this description",
+    );
+    expect(
+        |m, _| {
+            let bursts = m.reg("bursts", Burst { first: bit().of(4), bytes: bits(8).of(grid(4, 3)) });
+            bursts.next(bursts.previous(Burst { first: lit(1, 0), bytes: lit(8, 0).of(row(2)) }));
+            bursts.lane(0).bytes.lane(0)
+        },
+        "the edge of `.shifted`, `0`, has 2 lanes, but a row of `bursts_bytes` has 3 lanes [T612]
+         --> [bursts.next(bursts.previous(Burst { first: lit(1, 0), bytes: lit(8, 0).of(row(2)) }));]
+         help: it is plain, or as one row is",
+    );
+}

@@ -2,6 +2,8 @@
 
 mod choices;
 mod codes;
+mod declared;
+mod lanes;
 mod memories;
 mod registers;
 mod stages;

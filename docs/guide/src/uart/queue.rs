@@ -2,20 +2,13 @@
 
 use tilewright_hdl::*;
 
-bundle! {
+record! {
     /// What a receiver has received.
-    pub struct Received<T> {
+    pub struct Received {
         /// The byte.
-        pub data: T,
+        data: bits(8),
         /// Its stop bit was low: the line was disturbed.
-        pub broken: T,
-    }
-}
-
-impl Received<Width> {
-    /// How wide its fields are.
-    pub fn widths() -> Received<Width> {
-        Received { data: bits(8), broken: bit() }
+        broken: bit(),
     }
 }
 
@@ -29,13 +22,13 @@ block! {
         /// Puts `byte_in` into the queue.
         push: bit(),
         /// What comes in.
-        byte_in: Received = Received::widths(),
+        byte_in: Received,
         /// Removes the oldest byte.
         pop: bit(),
     }
     out(self) ByteQueueOut {
         /// The oldest byte, unless the queue is empty.
-        oldest: Received = Received::widths(),
+        oldest: Received,
         /// There is none.
         empty: bit(),
         /// There is no room.

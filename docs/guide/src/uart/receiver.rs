@@ -22,7 +22,7 @@ block! {
     }
     out ReceiverOut {
         /// What comes in.
-        bytes: stream(Received = Received::widths()),
+        bytes: stream(Received),
         /// A byte is lost, as the one before has not been taken.
         overrun: bit(),
     }
