@@ -73,7 +73,7 @@ block! {
         /// The coefficients' bits are the first of an expression.
         first: bit(),
         /// To the pixels.
-        control: Control = Control::widths(),
+        control: Control,
         /// To the backing store.
         save: pub struct Save {
             /// A region is about to be saved: the store is no longer free.

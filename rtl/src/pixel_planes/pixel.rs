@@ -63,50 +63,31 @@ codes! {
     }
 }
 
-bundle! {
+record! {
     /// The control of all processors in a clock; all zeros mean no action.
-    pub struct Control<T> {
+    pub struct Control {
         /// Where the operand comes from: a [`Source`].
-        pub source: T,
+        source: one_of::<Source>(),
         /// The operand, if it is a constant.
-        pub constant: T,
+        constant: bit(),
         /// The bit that is read, and the carry, are added to the operand.
-        pub adds: T,
+        adds: bit(),
         /// The bit is the first of a word: carry and flag restart.
-        pub first: T,
+        first: bit(),
         /// Which processors write the result: a [`Mask`].
-        pub mask: T,
+        mask: one_of::<Mask>(),
         /// The flag is set where the words are less than the ones in memory, so far.
-        pub compares: T,
+        compares: bit(),
         /// The flag changes by the comparison only where the processor is enabled.
-        pub gates: T,
+        gates: bit(),
         /// The change of the enable flags: an [`Enabling`].
-        pub enabling: T,
+        enabling: one_of::<Enabling>(),
         /// The flag takes the new value of the enable flag.
-        pub captures: T,
+        captures: bit(),
         /// The address that is read.
-        pub read: T,
+        read: below(PixelProcessor::BITS),
         /// The address that is written.
-        pub write: T,
-    }
-}
-
-impl Control<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Control<Width> {
-        Control {
-            source: one_of::<Source>(),
-            constant: bit(),
-            adds: bit(),
-            first: bit(),
-            mask: one_of::<Mask>(),
-            compares: bit(),
-            gates: bit(),
-            enabling: one_of::<Enabling>(),
-            captures: bit(),
-            read: below(PixelProcessor::BITS),
-            write: below(PixelProcessor::BITS),
-        }
+        write: below(PixelProcessor::BITS),
     }
 }
 
@@ -117,7 +98,7 @@ block! {
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in PixelProcessorIn {
         /// The control of all processors.
-        control: Control = Control::widths(),
+        control: Control,
         /// A bit of the expression at this pixel.
         expression: bit(),
     }

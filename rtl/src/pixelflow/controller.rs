@@ -74,7 +74,7 @@ block! {
         /// The coefficients are bytes of an expression.
         sends: bit(),
         /// To the pixels.
-        control: Control = Control::widths(),
+        control: Control,
         /// To network and texture unit, with the pixels' control: after the next edge the registers contain the results of all instructions so far.
         given: pub struct Given {
             /// A bank is for the network now: a bit for each.

@@ -42,7 +42,7 @@ block! {
         /// The byte is the first of a word.
         first: bit(),
         /// What comes from the node before.
-        upstream: Transfer = self.transfer(),
+        upstream: Transfer::widths(self.chips, self.width),
         /// The bytes of `pixel` in this node.
         own: bits(self.width).of(row(self.chips)),
     }
@@ -54,26 +54,26 @@ block! {
         /// The bytes from upstream are for this node.
         unloaded: bit(),
         /// What goes to the node behind.
-        downstream: Transfer = self.transfer(),
+        downstream: Transfer::widths(self.chips, self.width),
     }
 }
 
-bundle! {
+record! {
     /// A byte of each chip on the network.
-    pub struct Transfer<T> {
+    pub struct Transfer(chips: u32, width: u32) {
         /// There is a byte of each chip.
-        pub valid: T,
+        valid: bit(),
         /// The byte is the first of a word.
-        pub first: T,
+        first: bit(),
         /// The bytes, one of each chip.
-        pub bytes: T,
+        bytes: bits(width).of(row(chips)),
     }
 }
 
 impl NetworkPort {
     /// The widths of a transfer.
     pub fn transfer(&self) -> Transfer<Width> {
-        Transfer { valid: bit(), first: bit(), bytes: bits(self.width).of(row(self.chips)) }
+        Transfer::widths(self.chips, self.width)
     }
 
     fn build(&self, m: Module, i: NetworkPortIn) -> NetworkPortOut {

@@ -38,7 +38,7 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)";
     in(self) NetworkSequencerIn {
         /// The jobs, one for each word.
-        jobs: stream(Job = Job::widths()),
+        jobs: stream(Job),
         /// Banks that the array has given: a bit for each.
         given: bits(BANKS),
         /// All nodes are ready.
@@ -68,22 +68,15 @@ block! {
     }
 }
 
-bundle! {
+record! {
     /// A job of a node for the words of a region.
-    pub struct Job<T> {
+    pub struct Job {
         /// The mode of the node for the word: a [`Mode`].
-        pub mode: T,
+        mode: one_of::<Mode>(),
         /// The bank that the word is in, unless the node forwards.
-        pub bank: T,
+        bank: below(BANKS),
         /// Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a [`Mode::Forward`].
-        pub bytes: T,
-    }
-}
-
-impl Job<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Job<Width> {
-        Job { mode: one_of::<Mode>(), bank: below(BANKS), bytes: up_to(NetworkSequencer::BYTES) }
+        bytes: up_to(NetworkSequencer::BYTES),
     }
 }
 

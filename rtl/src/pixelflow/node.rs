@@ -42,17 +42,19 @@ pub const MOST: u32 = 1 << 20;
 /// The longest set-up, in clocks of the network.
 pub const LONGEST_SETUP: u32 = 1 << 16;
 
-bundle! {
+record! {
     /// Signals to a node from a direction of the network.
-    pub struct DirectionIn<T> {
+    pub struct DirectionIn(port: &NetworkPort) {
         /// The jobs of the node, one for each word.
-        pub jobs: Stream<Job<T>, T>,
+        jobs: stream(Job),
         /// All nodes are ready.
-        pub go: T,
+        go: bit(),
         /// From the node before.
-        pub upstream: Transfer<T>,
+        upstream: Transfer::widths(port.chips, port.width),
     }
+}
 
+bundle! {
     /// Signals from a node to a direction of the network.
     pub struct DirectionOut<T> {
         /// The node is set for its word.
@@ -88,7 +90,7 @@ block! {
         /// The texture unit has done.
         texture_done: bit().on(ARRAY),
         /// From both directions of the network.
-        network: [DirectionIn = self.direction().on(NETWORK); DIRECTIONS],
+        network: [DirectionIn::widths(&self.port()).on(NETWORK); DIRECTIONS],
     }
     out(self) NodeOut {
         /// To the texture unit: a byte of each chip.
@@ -153,10 +155,6 @@ impl Node {
     /// Its port to a direction of the network.
     pub fn port(&self) -> NetworkPort {
         self.array.network_port()
-    }
-
-    fn direction(&self) -> DirectionIn<Width> {
-        DirectionIn { jobs: stream(Job::widths()), go: bit(), upstream: self.port().transfer() }
     }
 
     fn build(&self, m: Module, i: NodeIn) -> NodeOut {

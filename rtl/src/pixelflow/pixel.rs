@@ -142,76 +142,36 @@ codes! {
     }
 }
 
-bundle! {
+record! {
     /// The control of all processors in a clock; all zeros mean no action.
-    pub struct Control<T> {
+    pub struct Control {
         /// Where the operand comes from: a [`Source`].
-        pub source: T,
+        source: one_of::<Source>(),
         /// The operand, if it is a constant.
-        pub constant: T,
+        constant: bits(8),
         /// The function of the ALU: a [`Function`].
-        pub function: T,
+        function: one_of::<Function>(),
         /// The carry that comes in: a [`Begin`].
-        pub begin: T,
+        begin: one_of::<Begin>(),
         /// Which processors write: a [`Mask`].
-        pub mask: T,
+        mask: one_of::<Mask>(),
         /// The result goes to the accumulator.
-        pub accumulates: T,
+        accumulates: bit(),
         /// The result goes to memory.
-        pub stores: T,
+        stores: bit(),
         /// What `enabling` and `flagging` depend on: a [`Condition`].
-        pub condition: T,
+        condition: one_of::<Condition>(),
         /// The change of the enable flags: an [`Enabling`].
-        pub enabling: T,
+        enabling: one_of::<Enabling>(),
         /// `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
-        pub by_sign: T,
+        by_sign: bit(),
         /// The change of the flag: a [`Flagging`].
-        pub flagging: T,
+        flagging: one_of::<Flagging>(),
         /// The address that is read.
-        pub read: T,
+        read: below(PixelProcessor::BYTES),
         /// The address that is written.
-        pub write: T,
+        write: below(PixelProcessor::BYTES),
     }
-}
-
-impl Control<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Control<Width> {
-        Control {
-            source: one_of::<Source>(),
-            constant: bits(8),
-            function: one_of::<Function>(),
-            begin: one_of::<Begin>(),
-            mask: one_of::<Mask>(),
-            accumulates: bit(),
-            stores: bit(),
-            condition: one_of::<Condition>(),
-            enabling: one_of::<Enabling>(),
-            by_sign: bit(),
-            flagging: one_of::<Flagging>(),
-            read: below(PixelProcessor::BYTES),
-            write: below(PixelProcessor::BYTES),
-        }
-    }
-}
-
-impl Control<u64> {
-    /// They do nothing in this clock.
-    pub const NOTHING: Control<u64> = Control {
-        source: 0,
-        constant: 0,
-        function: 0,
-        begin: 0,
-        mask: 0,
-        accumulates: 0,
-        stores: 0,
-        condition: 0,
-        enabling: 0,
-        by_sign: 0,
-        flagging: 0,
-        read: 0,
-        write: 0,
-    };
 }
 
 block! {
@@ -224,7 +184,7 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in PixelProcessorIn {
         /// The control of all processors.
-        control: Control = Control::widths(),
+        control: Control,
         /// A byte of the expression at this pixel.
         expression: bits(8),
         /// The communication register at the address that is read, if one is there.

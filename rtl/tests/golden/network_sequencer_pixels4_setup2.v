@@ -41,27 +41,27 @@ module network_sequencer_pixels4_setup2 (
     localparam [2:0] PHASE_READY  = 3'd3;
     localparam [2:0] PHASE_SENDS  = 3'd4;
 
-    reg [2:0] phase;                                             // rtl/src/pixelflow/network_sequencer.rs:111
-    reg [1:0] job_mode;                                          // rtl/src/pixelflow/network_sequencer.rs:113
-    reg empty;                                                   // rtl/src/pixelflow/network_sequencer.rs:117
-    reg [1:0] waited;                                            // rtl/src/pixelflow/network_sequencer.rs:120
+    reg [2:0] phase;                                             // rtl/src/pixelflow/network_sequencer.rs:104
+    reg [1:0] job_mode;                                          // rtl/src/pixelflow/network_sequencer.rs:106
+    reg empty;                                                   // rtl/src/pixelflow/network_sequencer.rs:110
+    reg [1:0] waited;                                            // rtl/src/pixelflow/network_sequencer.rs:113
 
-    assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:112
-    wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:112
-    wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:119
-    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:122
-    wire word_ends = byte_ends & (address == 5'd0);              // rtl/src/pixelflow/network_sequencer.rs:123
-    wire begins = (job_mode == MODE_LOAD) & go;                  // rtl/src/pixelflow/network_sequencer.rs:124
-    wire is_over = word_ends | (empty & go);                     // rtl/src/pixelflow/network_sequencer.rs:125
-    wire ends_and = (phase == PHASE_READY) & (!begins & is_over); // rtl/src/pixelflow/network_sequencer.rs:133
-    wire ends = ends_and | ((phase == PHASE_SENDS) & word_ends); // rtl/src/pixelflow/network_sequencer.rs:133
-    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:135
-    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:138
-    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:142
-    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:143
-    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:148
-    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:150
-    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:159
+    assign jobs_ready = phase == PHASE_IDLE;                     // rtl/src/pixelflow/network_sequencer.rs:105
+    wire jobs_taken = jobs_valid & jobs_ready;                   // rtl/src/pixelflow/network_sequencer.rs:105
+    wire has_bank = (bank & ~given) == 2'd0;                     // rtl/src/pixelflow/network_sequencer.rs:112
+    wire byte_ends = advances & (pixel == 2'd3);                 // rtl/src/pixelflow/network_sequencer.rs:115
+    wire word_ends = byte_ends & (address == 5'd0);              // rtl/src/pixelflow/network_sequencer.rs:116
+    wire begins = (job_mode == MODE_LOAD) & go;                  // rtl/src/pixelflow/network_sequencer.rs:117
+    wire is_over = word_ends | (empty & go);                     // rtl/src/pixelflow/network_sequencer.rs:118
+    wire ends_and = (phase == PHASE_READY) & (!begins & is_over); // rtl/src/pixelflow/network_sequencer.rs:126
+    wire ends = ends_and | ((phase == PHASE_SENDS) & word_ends); // rtl/src/pixelflow/network_sequencer.rs:126
+    wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:128
+    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:131
+    assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:135
+    assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:136
+    assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:141
+    assign mode = (ready | sends) ? job_mode : MODE_FORWARD;     // rtl/src/pixelflow/network_sequencer.rs:143
+    assign idle = (phase == PHASE_IDLE) & !jobs_valid;           // rtl/src/pixelflow/network_sequencer.rs:152
 
     always @(posedge clk) begin
         if (jobs_taken) begin
@@ -122,21 +122,21 @@ module network_sequencer_pixels4_setup2 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:144
-        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:144
-        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:147
+        if (!rst) assume (!jobs_taken | (jobs_bytes <= 6'd32));      // rtl/src/pixelflow/network_sequencer.rs:137
+        if (!rst) assume (!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD))); // rtl/src/pixelflow/network_sequencer.rs:137
+        if (!rst) assume (!advances | (ready | sends));              // rtl/src/pixelflow/network_sequencer.rs:140
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:144
+        if (!rst && !(!jobs_taken | (jobs_bytes <= 6'd32))) begin    // rtl/src/pixelflow/network_sequencer.rs:137
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word has at most 32 bytes", $time);
             stop;
         end
-        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:144
+        if (!rst && !(!jobs_taken | ((jobs_bytes != 6'd0) | (jobs_mode == MODE_FORWARD)))) begin // rtl/src/pixelflow/network_sequencer.rs:137
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a job of no bytes forwards", $time);
             stop;
         end
-        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:147
+        if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:140
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
             stop;
         end

@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor
 // Latency     1 clock to the memory and the flags
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/pixel.rs:113
+// Described   rtl/src/pixel_planes/pixel.rs:94
 `default_nettype none
 
 module pixel_processor (
@@ -39,15 +39,15 @@ module pixel_processor (
     localparam [2:0] ENABLING_REPLACE = 3'd3;
     // Not used here: ENABLING_RESTRICT = 4.
 
-    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:146
-    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:151
-    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:163
+    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:127
+    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:132
+    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:144
 
     (* no_rw_check *)
-    reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:136
+    reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:117
 
-    assign word = (control_read < 8'd208) ? memory[control_read] : 1'b0; // rtl/src/pixel_planes/pixel.rs:137
-    reg operand;                                                 // rtl/src/pixel_planes/pixel.rs:138
+    assign word = (control_read < 8'd208) ? memory[control_read] : 1'b0; // rtl/src/pixel_planes/pixel.rs:118
+    reg operand;                                                 // rtl/src/pixel_planes/pixel.rs:119
     always @* begin
         case (control_source)
             SOURCE_EXPRESSION: operand = expression;
@@ -55,9 +55,9 @@ module pixel_processor (
             default: operand = control_constant; // SOURCE_CONSTANT
         endcase
     end
-    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:147
-    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:149
-    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:152
+    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:128
+    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:130
+    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:133
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enabled = enable;
@@ -67,8 +67,8 @@ module pixel_processor (
             default: enabled = enable & !expression; // ENABLING_RESTRICT
         endcase
     end
-    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:164
-    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:167
+    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:145
+    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:148
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;

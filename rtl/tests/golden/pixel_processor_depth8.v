@@ -5,7 +5,7 @@
 // Parameters  PixelProcessor { depth: 8 }
 // Latency     1 clock to the memory and the flags
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
-// Described   rtl/src/pixelflow/pixel.rs:217
+// Described   rtl/src/pixelflow/pixel.rs:177
 `default_nettype none
 
 module pixel_processor_depth8 (
@@ -68,17 +68,17 @@ module pixel_processor_depth8 (
     localparam [1:0] FLAGGING_CONDITION = 2'd1;
     // Not used here: FLAGGING_ENABLED_CONDITION = 2.
 
-    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:253
-    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:254
-    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:255
-    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:311
+    reg [7:0] accumulator;                                       // rtl/src/pixelflow/pixel.rs:213
+    reg carry;                                                   // rtl/src/pixelflow/pixel.rs:214
+    reg flag;                                                    // rtl/src/pixelflow/pixel.rs:215
+    reg [7:0] enable;                                            // rtl/src/pixelflow/pixel.rs:271
 
     (* no_rw_check *)
-    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:251
+    reg [7:0] memory [0:255];                                    // rtl/src/pixelflow/pixel.rs:211
 
-    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:252
-    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:252
-    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:256
+    wire [7:0] memory_word = memory[control_read[7:0]];          // rtl/src/pixelflow/pixel.rs:212
+    wire [7:0] word = control_read[8] ? register_byte : memory_word; // rtl/src/pixelflow/pixel.rs:212
+    reg [7:0] operand;                                           // rtl/src/pixelflow/pixel.rs:216
     always @* begin
         case (control_source)
             SOURCE_CONSTANT: operand = control_constant;
@@ -90,7 +90,7 @@ module pixel_processor_depth8 (
             end
         endcase
     end
-    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:264
+    reg carried;                                                 // rtl/src/pixelflow/pixel.rs:224
     always @* begin
         case (control_begin)
             BEGIN_KEPT: carried = carry;
@@ -98,11 +98,11 @@ module pixel_processor_depth8 (
             default: carried = 1'b1; // BEGIN_ONE
         endcase
     end
-    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:273
-    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:274
-    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:275
-    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:276
-    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:276
+    wire subtracts = (control_function == FUNCTION_SUBTRACT) | (control_function == FUNCTION_COMPARE); // rtl/src/pixelflow/pixel.rs:233
+    wire [7:0] addend = subtracts ? ~operand : operand;          // rtl/src/pixelflow/pixel.rs:234
+    wire [7:0] sum = word + addend + {7'd0, carried};            // rtl/src/pixelflow/pixel.rs:235
+    wire [7:0] carry_out_or = (word & addend) | ((word | addend) & ~sum); // rtl/src/pixelflow/pixel.rs:236
+    wire carry_out = carry_out_or[7];                            // rtl/src/pixelflow/pixel.rs:236
     always @* begin
         case (control_function)
             FUNCTION_WORD: result = word;
@@ -117,7 +117,7 @@ module pixel_processor_depth8 (
             default: result = operand;
         endcase
     end
-    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:292
+    reg carry_next;                                              // rtl/src/pixelflow/pixel.rs:252
     always @* begin
         case (control_function)
             FUNCTION_ADD: carry_next = carry_out;
@@ -129,7 +129,7 @@ module pixel_processor_depth8 (
             default: carry_next = carry;
         endcase
     end
-    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:303
+    reg holds;                                                   // rtl/src/pixelflow/pixel.rs:263
     always @* begin
         case (control_condition)
             CONDITION_POSITIVE: holds = !operand[7];
@@ -137,8 +137,8 @@ module pixel_processor_depth8 (
             default: holds = !carry_next; // CONDITION_NO_CARRY
         endcase
     end
-    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:310
-    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:313
+    wire enters = control_by_sign ? !expression[7] : holds;      // rtl/src/pixelflow/pixel.rs:270
+    reg [7:0] enables;                                           // rtl/src/pixelflow/pixel.rs:273
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enables = enable;
@@ -150,7 +150,7 @@ module pixel_processor_depth8 (
             default: enables = {enable[7], enable[7:1]}; // ENABLING_POP
         endcase
     end
-    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:331
+    reg writes;                                                  // rtl/src/pixelflow/pixel.rs:291
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;
@@ -159,8 +159,8 @@ module pixel_processor_depth8 (
             default: writes = flag; // MASK_FLAGGED
         endcase
     end
-    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:340
-    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:342
+    wire stores = writes & control_stores;                       // rtl/src/pixelflow/pixel.rs:300
+    assign writes_register = stores & control_write[8];          // rtl/src/pixelflow/pixel.rs:302
 
     always @(posedge clk) begin
         if (stores & !control_write[8]) memory[control_write[7:0]] <= result;

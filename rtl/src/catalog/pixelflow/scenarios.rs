@@ -175,13 +175,13 @@ pub(super) fn two_expressions(evaluator: &LinearEvaluator) -> Scenario {
 }
 
 pub(super) fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
-    let everybody = Control { mask: Mask::Everybody.code(), stores: 1, ..Control::NOTHING };
+    let everybody = Control { mask: Mask::Everybody.code(), stores: 1, ..Control::ZERO };
     let add = Control { function: Function::Add.code(), begin: Begin::Zero.code(), ..everybody };
-    let subtract = Control { function: Function::Compare.code(), begin: Begin::One.code(), ..Control::NOTHING };
+    let subtract = Control { function: Function::Compare.code(), begin: Begin::One.code(), ..Control::ZERO };
     let source = Source::Expression.code();
-    let edge = Control { source, by_sign: 1, enabling: Enabling::Replace.code(), ..Control::NOTHING };
+    let edge = Control { source, by_sign: 1, enabling: Enabling::Replace.code(), ..Control::ZERO };
     let (flagging, condition) = (Flagging::EnabledCondition.code(), Condition::Carry.code());
-    let copy = Control { function: Function::Word.code(), mask: Mask::Flagged.code(), stores: 1, ..Control::NOTHING };
+    let copy = Control { function: Function::Word.code(), mask: Mask::Flagged.code(), stores: 1, ..Control::ZERO };
     let word = |control: Control<u64>, read: u64, write: u64, constant: u64| {
         [0, 1].map(|byte| {
             let begin = if byte == 0 { control.begin } else { Begin::Kept.code() };
@@ -196,7 +196,7 @@ pub(super) fn add_compare_and_copy(pixel: &PixelProcessor) -> Scenario {
         &[edge],
         &[compare[0], Control { flagging, condition, ..compare[1] }],
         &word(copy, 0, 256, 0),
-        &[Control::NOTHING],
+        &[Control::ZERO],
     ];
     let mut script = Script::new(pixel, ARRAY.period);
     for &control in program.iter().copied().flatten() {

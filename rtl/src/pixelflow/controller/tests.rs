@@ -252,7 +252,7 @@ proptest! {
         let taken = watched(&mut sim, &program, end + late + 2, |out| seen.push(out));
         prop_assert_eq!(taken, times.iter().map(|it| it.taken).collect::<Vec<_>>());
 
-        let mut expected = vec![Control::NOTHING; seen.len()];
+        let mut expected = vec![Control::ZERO; seen.len()];
         let (mut first, mut sends) = (vec![0; seen.len()], vec![0; seen.len()]);
         for (next, Times { begins, .. }) in program.iter().zip(&times) {
             if next.source == Source::Expression.code() {

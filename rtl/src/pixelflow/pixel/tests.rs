@@ -29,20 +29,20 @@ fn words_are_added_to_and_compared_from_their_lowest_byte_on() {
     let mut sim = started(2);
     let signals = ["control_constant", "word", "carried", "carry_next", "result", "stores", "flag"];
     let wave = sim.record(signals);
-    let everybody = Control { mask: Mask::Everybody.code(), stores: 1, ..Control::NOTHING };
+    let everybody = Control { mask: Mask::Everybody.code(), stores: 1, ..Control::ZERO };
     // 0x01f0 is written; 0x0020 is added, which makes 0x0210; 0x0211 is greater than that, and 0x0210 is not.
     let begins = |function: Function, begin: Begin| (function.code(), begin.code());
     let (function, begin) = begins(Function::Add, Begin::Zero);
     let add = Control { function, begin, ..everybody };
     let (function, begin) = begins(Function::Compare, Begin::One);
     let (flagging, condition) = (Flagging::Condition.code(), Condition::NoCarry.code());
-    let compare = Control { function, begin, flagging, condition, ..Control::NOTHING };
+    let compare = Control { function, begin, flagging, condition, ..Control::ZERO };
     let program = [
         bytes(everybody, 4, &[0xf0, 0x01]),
         bytes(add, 4, &[0x20, 0x00]),
         bytes(compare, 4, &[0x11, 0x02]),
         bytes(compare, 4, &[0x10, 0x02]),
-        vec![Control::NOTHING],
+        vec![Control::ZERO],
     ];
     for control in program.concat() {
         sim.drive(PixelProcessorIn { control, expression: 0, register_byte: 0 });
@@ -70,7 +70,7 @@ fn the_enable_flags_are_a_stack() {
         enabling: enabling.code(),
         by_sign,
         condition: condition.code(),
-        ..Control::NOTHING
+        ..Control::ZERO
     };
     let (positive, carry) = (Condition::Positive, Condition::Carry);
     // The input expression, and the enable flags afterwards, below the ones that were never set.
@@ -92,7 +92,7 @@ fn the_enable_flags_are_a_stack() {
         (on(Enabling::Invert, 0, positive), 0, 0b00),
     ];
     // A carry of 0 to begin with.
-    let shift = Control { function: Function::ShiftLeft.code(), ..Control::NOTHING };
+    let shift = Control { function: Function::ShiftLeft.code(), ..Control::ZERO };
     sim.drive(PixelProcessorIn { control: shift, expression: 0, register_byte: 0 });
     sim.step();
     for (number, (control, expression, flags)) in steps.into_iter().enumerate() {
