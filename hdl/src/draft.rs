@@ -50,6 +50,8 @@ pub(crate) struct Draft {
     /// further problem with them is reported. Registers and wires are declared, so their values do not count as
     /// computed.
     pub stand_ins: BTreeSet<NodeId>,
+    /// What [`Module::within`](crate::Module::within) puts before the names that are declared now.
+    pub prefix: String,
 }
 
 pub(crate) struct DraftRegister {
@@ -123,7 +125,13 @@ impl Draft {
             ignored: BTreeSet::new(),
             in_problems: BTreeSet::new(),
             stand_ins: BTreeSet::new(),
+            prefix: String::new(),
         }
+    }
+
+    /// The name with the prefix of the part that is being described.
+    pub fn prefixed(&self, name: &str) -> String {
+        if self.prefix.is_empty() { name.to_owned() } else { format!("{}_{name}", self.prefix) }
     }
 
     pub fn add(&mut self, op: Op, width: u32, shape: Shape, loc: Loc) -> NodeId {

@@ -125,7 +125,9 @@ impl Module {
                 node
             };
             let outputs: Vec<_> = ports.iter().zip(shapes).enumerate().map(output).collect();
-            let name = name.to_owned();
+            // The `u_` that tells an instance stays in front.
+            let prefixed = name.strip_prefix("u_").map(|rest| format!("u_{}", draft.prefixed(rest)));
+            let name = prefixed.unwrap_or_else(|| draft.prefixed(name));
             let (shape, inputs) = (array, Vec::new());
             let instance = Instance { name, module: child, shape, inputs, outputs: outputs.clone(), clocks, loc };
             draft.instances.push(instance);

@@ -35,7 +35,7 @@
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`low`](Signal::low) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
 //! | a choice | [`mux`], [`select`] (the first true condition), [`case`] (by value); between signals, numbers or records |
 //! | signed arithmetic | [`Signal::signed`], [`Width::signed`]; either both operands are signed or neither is |
-//! | a name, for the variable and its hardware at once | [`def!`]`(count = m.reg(8))`, `def!(at_end = count.eq(9))`; a computed name: `m.reg(&name, 8)`, [`Signal::named`] |
+//! | a name, for the variable and its hardware at once | [`def!`]`(count = m.reg(8))`, `def!(at_end = count.eq(9))`; a computed name: `m.reg(&name, 8)`, [`Signal::named`]; a prefix: [`Module::within`] |
 //! | a net read before it is driven | [`Module::wire`] |
 //! | a register | [`Module::reg`], then [`reset`](Reg::reset), [`enable`](Reg::enable), [`next`](Reg::next) or [`when`](Reg::when); [`Module::pipe`] for a pipeline stage, [`Module::toggle`] for a bit that toggles |
 //! | a pipeline | [`Module::stages`] of a record, [`Module::stream_stages`] between streams; [`any_stage`](Signal::any_stage) lets values of different stages meet |
@@ -122,6 +122,7 @@ mod tree;
 mod uneven;
 mod width;
 mod wire;
+mod within;
 
 pub use along::Along;
 pub use bits::{Bits, limbs_for, top_mask};

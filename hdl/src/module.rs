@@ -277,11 +277,11 @@ impl Module {
             let stand_in = (!is_sound).then(|| Signal::zero_in(e, 1, Shape::Plain, Kind::Number, loc).node);
             let (depth, width) = (sound_depth as u32, sound_width);
             let (stamp, draft) = (e.stamp, e.draft());
-            let index = draft.memories.len() as u32;
+            let (index, name) = (draft.memories.len() as u32, draft.prefixed(name));
             draft.memories.push(DraftMemory {
                 memory: Memory {
                     shape,
-                    name: name.to_owned(),
+                    name,
                     depth,
                     width,
                     policy,
@@ -366,7 +366,8 @@ impl Module {
         let loc = Loc::caller();
         let enters = condition(signal, "synchronize").id();
         let signal = elaboration::with(|e| {
-            e.draft().synchronizers.push(Synchronizer { name: name.to_owned(), enters, loc });
+            let name = e.draft().prefixed(name);
+            e.draft().synchronizers.push(Synchronizer { name, enters, loc });
             Signal::at(e, enters)
         });
         let entered = signal.quasi_static("enters a synchronizer");
@@ -413,6 +414,7 @@ impl Module {
 /// Declares a named node with this operation, width, lanes and kind; an invalid width is replaced by the nearest
 /// valid one.
 pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), width: Width, loc: Loc) -> NodeId {
+    let name = e.draft().prefixed(name);
     let what = format!("{what} `{name}`");
     let shape = sound_shape(e, &what, width.shape, loc);
     let bits = sound_width(e, &[], &what, width.bits.into(), loc);
@@ -422,7 +424,7 @@ pub(crate) fn declare(e: &mut Elaboration, op: Op, (what, name): (&str, &str), w
         draft.stand_ins.insert(id);
     }
     let node = draft.node_mut(id);
-    (node.name, node.kind) = (Some(name.to_owned()), width.kind);
+    (node.name, node.kind) = (Some(name), width.kind);
     id
 }
 

@@ -164,9 +164,10 @@ impl Signal {
             // A port or register keeps its own name, and the net becomes an alias.
             let has_own = node.name.is_some() || matches!(node.op, Op::Input(_) | Op::Const(_));
             let id = if has_own { e.draft().add(Op::Wire(id), self.width, self.shape, loc) } else { id };
+            let name = e.draft().prefixed(name);
             let node = e.draft().node_mut(id);
             node.kind = self.kind;
-            node.name = Some(name.to_owned());
+            node.name = Some(name);
             node.loc = loc;
             Signal::at(e, id)
         })

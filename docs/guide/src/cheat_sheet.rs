@@ -48,6 +48,12 @@ block! {
     }
 }
 
+/// High in the first clock in which `bit` is.
+fn rising(m: Module, bit: Signal) -> Signal {
+    def!(was = m.pipe(bit));
+    bit & !was
+}
+
 impl CheatSheet {
     fn build(&self, m: Module, i: CheatSheetIn) -> CheatSheetOut {
         // Registers.
@@ -58,6 +64,7 @@ impl CheatSheet {
         timer.when(i.write, 9).when(timer.ne(0), timer - 1); // the first that is high wins
         def!(late = m.pipe(i.write)); // one clock later
         def!(odd = m.toggle(i.write)); // a bit that inverts
+        def!(rises = m.within("write", || rising(m, i.write))); // the names of a helper: `write_was`
 
         // Expressions.
         let sum = count + 1; // wraps
@@ -104,7 +111,7 @@ impl CheatSheet {
         m.assert(m.past(i.write).implies(timer.eq(9)), "a write starts the timer");
 
         let all = smaller ^ first ^ by_number ^ at_edge ^ greatest;
-        let bits = wide.parity() ^ product.parity() ^ difference.parity() ^ any ^ odd;
+        let bits = wide.parity() ^ product.parity() ^ difference.parity() ^ any ^ odd ^ rises;
         CheatSheetOut { results, checks: cat![all, total.slice(0..7), bits] }
     }
 }

@@ -6,6 +6,7 @@ mod lane_loops;
 pub(crate) mod latency;
 pub(crate) mod loops;
 pub(crate) mod naming;
+mod numbering;
 pub(crate) mod outputs;
 pub(crate) mod stages;
 pub(crate) mod streams;

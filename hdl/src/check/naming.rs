@@ -1,5 +1,6 @@
 //! Names are legal, unique in their module, and not reserved.
 
+use crate::check::numbering;
 use crate::draft::Draft;
 use crate::ir::{Instance, Module, NodeId, Op};
 use crate::loc::Loc;
@@ -31,8 +32,11 @@ pub(crate) fn check(
     for (path, node) in outputs {
         names.port("output", &port_name("", path), draft.node(*node).loc);
     }
+    let ports = names.taken.keys().cloned().collect();
+    let driven: Vec<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, port_name("", path))).collect();
+    numbering::number(draft, &driven, &ports);
     name_reads(draft);
-    let driven: HashSet<(NodeId, String)> = outputs.iter().map(|(path, node)| (*node, port_name("", path))).collect();
+    let driven: HashSet<(NodeId, String)> = driven.into_iter().collect();
     for i in 0..draft.nodes.len() {
         let node = &draft.nodes[i];
         if let Some(name) = node.name.clone().filter(|_| !matches!(node.op, Op::Input(_))) {
@@ -155,7 +159,16 @@ impl Names<'_> {
             let problem =
                 Problem::new(Mistake::TakenName, loc, format!("{kind} `{name}` has the name of {another} {other}"));
             let note = format!("{the} {other} `{name}` is declared");
-            self.problems.push(problem.note(note, *first).help("rename one of them"));
+            let is_port = |kind: &str| matches!(kind, "input" | "output" | "clock" | "reset");
+            let help = match is_port(kind) && is_port(other) {
+                true => "rename one of them",
+                false => "rename one of them, or put a prefix before it: `m.within(\"first\", || ..)`",
+            };
+            let problem = problem.note(note, *first).help(help);
+            // A helper that is called twice makes the same mistake twice.
+            if !self.problems.contains(&problem) {
+                self.problems.push(problem);
+            }
             return;
         }
         self.taken.insert(name.to_owned(), (kind, loc));

@@ -95,11 +95,12 @@ fn name_word(fields: &[NodeId], name: &str) {
     elaboration::draft(|draft| {
         let slice = |id: &NodeId| if let Op::Slice { of, .. } = draft.node(*id).op { Some(of) } else { None };
         let Some(word) = fields.first().and_then(slice) else { return };
+        let name = draft.prefixed(name);
         let width: u32 = fields.iter().filter(|id| slice(id) == Some(word)).map(|id| draft.node(*id).width).sum();
         let node = draft.node_mut(word);
         let is_plain = node.name.is_none() && !matches!(node.op, Op::Input(_) | Op::Const(_));
         if is_plain && width == node.width {
-            node.name = Some(name.to_owned());
+            node.name = Some(name);
         }
     });
 }

@@ -15,6 +15,7 @@ mod limits;
 mod lists;
 mod loops;
 mod names;
+mod numbers;
 mod outputs;
 mod properties;
 mod ranges;

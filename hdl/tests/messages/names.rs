@@ -10,7 +10,7 @@ fn names_that_clash_or_are_illegal() {
         "net `sum` has the name of another net [T401]
          --> [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
          the other net `sum` is declared at [|_, i| (i.a.named(\"sum\") + 1).named(\"sum\"),]
-         help: rename one of them",
+         help: rename one of them, or put a prefix before it: `m.within(\"first\", || ..)`",
     );
     assert!(problems(&Case(|_, i| (!i.a).named("b"))).starts_with("net `b` has the name of an input [T401]"));
     assert!(

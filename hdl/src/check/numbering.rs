@@ -1,0 +1,112 @@
+//! Numbers for the names that one place in the source asks for several times: a helper that is called twice, a loop.
+
+use crate::draft::{Draft, UNDRIVEN};
+use crate::ir::{NodeId, Op};
+use crate::loc::Loc;
+use std::collections::{BTreeMap, BTreeSet, HashSet};
+
+/// An object of a draft that has a name.
+#[derive(Clone, Copy)]
+enum Object {
+    Node(NodeId),
+    Memory(usize),
+    Instance(usize),
+}
+
+/// Appends a number to each further name from one place in the source: `was`, `was_1`. The sequence is that of the
+/// description, so the numbers are the same for every elaboration. A port keeps its name: a net takes a number beside
+/// the input that it carries, and beside an output that another net of its place drives. All other names that clash
+/// stay as they are, for the check to report.
+pub(super) fn number(draft: &mut Draft, outputs: &[(NodeId, String)], ports: &BTreeSet<String>) {
+    let objects = objects(draft, outputs);
+    let asked: HashSet<String> = objects.keys().chain(ports).cloned().collect();
+    let mut renamed = Vec::new();
+    for (name, objects) in &objects {
+        let is_port = ports.contains(name);
+        if (objects.len() == 1 && !is_port) || !is_one_place(draft, objects) {
+            continue;
+        }
+        if is_port && !objects.iter().all(|object| is_beside(draft, *object, name, outputs)) {
+            continue;
+        }
+        let first = usize::from(!is_port);
+        let mut free = (1..).map(|number| format!("{name}_{number}")).filter(|name| !asked.contains(name));
+        renamed.extend(objects[first..].iter().map(|object| (*object, free.next().expect("endless"))));
+    }
+    renamed.into_iter().for_each(|(object, name)| object.rename(draft, name));
+}
+
+/// The named objects inside of the module, by their names. A net that is the output of its name is not among them.
+fn objects(draft: &Draft, outputs: &[(NodeId, String)]) -> BTreeMap<String, Vec<Object>> {
+    let outputs: HashSet<(NodeId, &str)> = outputs.iter().map(|(node, name)| (*node, name.as_str())).collect();
+    let mut objects: BTreeMap<String, Vec<Object>> = BTreeMap::new();
+    let mut add = |name: &str, object| match objects.get_mut(name) {
+        Some(known) => known.push(object),
+        None => drop(objects.insert(name.to_owned(), vec![object])),
+    };
+    for (i, node) in draft.nodes.iter().enumerate() {
+        let id = NodeId(i as u32);
+        let name = node.name.as_deref().filter(|_| !matches!(node.op, Op::Input(_)));
+        name.filter(|name| !outputs.contains(&(id, name))).into_iter().for_each(|name| add(name, Object::Node(id)));
+    }
+    for (i, draft) in draft.memories.iter().enumerate() {
+        add(&draft.memory.name, Object::Memory(i));
+    }
+    for (i, instance) in draft.instances.iter().enumerate() {
+        add(&instance.name, Object::Instance(i));
+    }
+    objects
+}
+
+fn is_one_place(draft: &Draft, objects: &[Object]) -> bool {
+    objects.windows(2).all(|pair| pair[0].loc(draft) == pair[1].loc(draft))
+}
+
+/// Whether the object may stand beside the port of its name.
+fn is_beside(draft: &Draft, object: Object, name: &str, outputs: &[(NodeId, String)]) -> bool {
+    let is_output = |(node, output): &(NodeId, String)| {
+        let driver = draft.node(*node);
+        output == name && driver.name.as_deref() == Some(name) && driver.loc == object.loc(draft)
+    };
+    let carries = matches!(object, Object::Node(node) if carries(draft, node, name));
+    carries || outputs.iter().any(is_output)
+}
+
+/// Whether a net is the input of this name: another name for it, the input in a later clock, or in another clock.
+fn carries(draft: &Draft, mut node: NodeId, input: &str) -> bool {
+    let mut seen = BTreeSet::new();
+    while seen.insert(node) {
+        node = match draft.node(node).op {
+            Op::Input(index) => return draft.inputs[index as usize].name == input,
+            Op::Wire(of) | Op::QuasiStatic(of, _) if of != UNDRIVEN => of,
+            Op::Register(id) => {
+                let register = &draft.registers[id.0 as usize];
+                let is_delay = register.is_synchronizer || draft.pipelines.delays.contains(&node);
+                match register.next.filter(|_| is_delay) {
+                    Some((next, _)) => next,
+                    None => return false,
+                }
+            }
+            _ => return false,
+        };
+    }
+    false
+}
+
+impl Object {
+    fn loc(self, draft: &Draft) -> Loc {
+        match self {
+            Object::Node(node) => draft.node(node).loc,
+            Object::Memory(memory) => draft.memories[memory].memory.loc,
+            Object::Instance(instance) => draft.instances[instance].loc,
+        }
+    }
+
+    fn rename(self, draft: &mut Draft, name: String) {
+        match self {
+            Object::Node(node) => draft.node_mut(node).name = Some(name),
+            Object::Memory(memory) => draft.memories[memory].memory.name = name,
+            Object::Instance(instance) => draft.instances[instance].name = name,
+        }
+    }
+}
