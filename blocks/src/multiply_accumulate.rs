@@ -107,8 +107,8 @@ impl MultiplyAccumulate {
         let before = mux(is_written, newest.value, held);
         let sum = Sum { valid: term.valid, to: term.to, value: mux(term.restart, 0, before) + term.value };
         sums.write(sum.valid, sum.to, sum.value);
-        let newest_sum = m.stages(1, None, sum.cleared(|sum| sum.valid).called("sum"), |_, sum| sum);
-        newest.drive(newest_sum.any_stage());
+        def!(sum = m.stages(1, None, sum.cleared(|sum| sum.valid), |_, sum| sum));
+        newest.drive(sum.any_stage());
         MultiplyAccumulateOut { done: newest.valid, at: newest.to, sum: newest.value }
     }
 }

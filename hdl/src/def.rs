@@ -1,5 +1,7 @@
 //! `def!`: one name for a variable and its hardware.
 
+use crate::names::unraw;
+
 /// `let NAME = ..` that also names the hardware: `def!(count = m.reg(8).reset(0));` is
 /// `let count = m.reg("count", 8).reset(0);`.
 ///
@@ -10,6 +12,33 @@
 /// [`synchronize`](crate::Module::synchronize) and [`synchronize_from`](crate::Module::synchronize_from). The module
 /// may be `m`, another variable, or `m.on(CLOCK)`. For any other expression it names the net, or for a record the net
 /// of each field: `entry_page`. Where a name is computed, as in a loop, call these methods directly.
+///
+/// An [`instance`](crate::Module::instance) or [`array`](crate::Module::array) is named with `u_` before the variable.
+/// The registers of [`stages`](crate::Module::stages) and [`stream_stages`](crate::Module::stream_stages) get the
+/// variable as a prefix, as by [`within`](crate::Module::within):
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # let example = tilewright_sim::traced(|m| {
+/// # block! {
+/// #     struct Double;
+/// #     in DoubleIn { x: bits(8) }
+/// #     out DoubleOut { twice: bits(8) }
+/// # }
+/// # impl Double {
+/// #     fn build(&self, m: Module, i: DoubleIn) -> DoubleOut {
+/// #         DoubleOut { twice: m.pipe("twice", i.x << 1) }
+/// #     }
+/// # }
+/// bundle! { struct Sum<T> { value: T } }
+///
+/// def!(double = m.instance(&Double, DoubleIn { x: lit(8, 20) }));
+/// def!(more = m.stages(2, None, Sum { value: double.twice }, |_, sum| Sum { value: sum.value + 1 }));
+/// # m.ignore(&more);
+/// # });
+/// assert_eq!(example.values("u_double.twice"), [0, 40, 40]);
+/// assert_eq!(example.values("more_value2"), [0, 1, 2, 42]);
+/// ```
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -56,7 +85,25 @@ macro_rules! def {
     ($name:ident = $m:ident $(.on($clock:expr))? .synchronize_from($reset:expr, $($given:tt)*) $($then:tt)*) => {
         let $name = $m$(.on($clock))?.synchronize_from($reset, stringify!($name), $($given)*) $($then)*;
     };
+    ($name:ident = $m:ident $(.on($clock:expr))? .instance($block:expr, $inputs:expr $(,)?) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.instance(&$crate::instance_name(stringify!($name)), $block, $inputs) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .array($shape:expr, $block:expr, $feed:expr $(,)?) $($then:tt)*) => {
+        let $name = $m$(.on($clock))?.array(&$crate::instance_name(stringify!($name)), $shape, $block, $feed) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .stages($($given:tt)*) $($then:tt)*) => {
+        let $name = $m.within(stringify!($name), || $m$(.on($clock))?.stages($($given)*)) $($then)*;
+    };
+    ($name:ident = $m:ident $(.on($clock:expr))? .stream_stages($($given:tt)*) $($then:tt)*) => {
+        let $name = $m.within(stringify!($name), || $m$(.on($clock))?.stream_stages($($given)*)) $($then)*;
+    };
     ($name:ident = $value:expr) => {
         let $name = $value.named(stringify!($name));
     };
+}
+
+/// The name of an instance that is called as the variable.
+#[doc(hidden)]
+pub fn instance_name(variable: &str) -> String {
+    format!("u_{}", unraw(variable))
 }

@@ -17,7 +17,8 @@ use crate::stream::{backwards, take};
 use crate::uneven::{Uneven, uneven};
 
 impl Module {
-    /// Instantiates `block`. The instance's own clock is this handle's; its named clocks are this module's clocks of
+    /// Instantiates `block`. [`def!`](crate::def!) names the instance after the variable: `u_first`. Where the name is
+    /// computed, it is the first argument: `m.instance(&format!("u_node{number}"), ..)`. The instance's own clock is this handle's; its named clocks are this module's clocks of
     /// the same names.
     ///
     /// ```
@@ -36,8 +37,8 @@ impl Module {
     ///     }
     /// }
     ///
-    /// let first = m.instance("u_first", &Adder { width: 8 }, AdderIn { a: lit(8, 200), b: lit(8, 100) });
-    /// let second = m.instance("u_second", &Adder { width: 9 }, AdderIn { a: first.sum, b: lit(9, 212) });
+    /// def!(first = m.instance(&Adder { width: 8 }, AdderIn { a: lit(8, 200), b: lit(8, 100) }));
+    /// def!(second = m.instance(&Adder { width: 9 }, AdderIn { a: first.sum, b: lit(9, 212) }));
     /// m.assert(second.sum.eq(512), "two modules, because the parameters differ");
     /// # });
     /// ```
@@ -74,8 +75,8 @@ impl Module {
     ///     }
     /// }
     ///
-    /// let cells = m.array("u_cell", 3, &Cell, |cells| CellIn { left: cells.held.previous(7) });
-    /// def!(all = cells.held.pack());
+    /// def!(cell = m.array(3, &Cell, |cells| CellIn { left: cells.held.previous(7) }));
+    /// def!(all = cell.held.pack());
     /// # });
     /// assert_eq!(example.values("u_cell[1].held"), [0, 0, 7, 7]);
     /// assert_eq!(example.values("all"), [0x000, 0x007, 0x077, 0x777]);

@@ -46,7 +46,7 @@
 //! | lanes | `bits(8).of(row(4))`, [`row`], [`grid`]; elementwise operations are written as for one lane; [`previous`](Signal::previous), [`take`](Signal::take), [`pick`](Signal::pick), [`sum`](Signal::sum), [`rows`](Signal::rows), [`columns`](Signal::columns), [`stack`], [`tree`]; of records by [`Lanes`] |
 //! | a stream: a payload with `valid` and `ready` | `stream(Job { .. })` in [`block!`] declares a field of type `Stream<Job<T>, T>`; [`Stream::take_when`], [`Module::offer`]; [`Module::stream_wire`] in a loop of blocks, [`Stream::lanes`] for the streams of an array |
 //! | a number in another radix | [`hex`]`(0x3f)`, [`binary`]`(0b101)` |
-//! | an instance, an array of instances | [`Module::instance`], [`Module::array`] |
+//! | an instance, an array of instances | [`def!`]`(adder = m.instance(..))`; [`Module::instance`], [`Module::array`] |
 //! | another clock | [`Module::on`], [`Mem::on`], [`Width::on`]; [`Module::synchronize`], [`Module::synchronize_from`], [`Signal::quasi_static`] to cross |
 //! | a property: an assertion, an assumption, a cover | [`Module::assert`], [`Module::assume`], [`Module::cover`], with [`implies`](Signal::implies), [`Module::past`], [`Module::rose`] |
 //!
@@ -139,6 +139,8 @@ pub use data::Given;
 pub use data::{Data, Fits, Layout};
 #[doc(hidden)]
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
+#[doc(hidden)]
+pub use def::instance_name;
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;
 pub use integers::Integer;

@@ -18,8 +18,8 @@ use crate::signal::Signal;
 use crate::width::Width;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The input of a pipeline: a record, the fields that a reset clears in each stage, and a prefix for the registers'
-/// names. A plain record is a start without cleared fields: see [`Module::stages`].
+/// The input of a pipeline: a record, and the fields that a reset clears in each stage. A plain record is a start
+/// without cleared fields: see [`Module::stages`].
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -27,8 +27,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// bundle! { struct Sum<T> { valid: T, value: T } }
 ///
 /// let start = Sum { valid: lit(1, 1), value: lit(8, 40) };
-/// let start = start.cleared(|sum| sum.valid).called("twice");
-/// let _ = m.stages(2, None, start, |_, sum| Sum { value: sum.value + 1, ..sum });
+/// let start: Start<Sum> = start.cleared(|sum| sum.valid);
+/// def!(twice = m.stages(2, None, start, |_, sum| Sum { value: sum.value + 1, ..sum }));
+/// # m.ignore(&twice);
 /// # });
 /// assert_eq!(example.values("twice_valid2"), [0, 0, 1, 1]);
 /// assert_eq!(example.values("twice_value2"), [0, 1, 42, 42]); // not cleared: its first values are not valid
@@ -36,41 +37,13 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Debug, Clone)]
 pub struct Start<B> {
     pub(crate) record: B,
-    pub(crate) name: String,
     /// For each field, in the sequence of declaration.
     cleared: Vec<bool>,
 }
 
 impl<B: Bundle> From<B> for Start<B> {
     fn from(record: B) -> Start<B> {
-        Start { cleared: vec![false; record.leaves().len()], ..Start::plain(record) }
-    }
-}
-
-impl<B> Start<B> {
-    pub(crate) fn plain(record: B) -> Start<B> {
-        Start { record, name: String::new(), cleared: Vec::new() }
-    }
-
-    /// Sets a prefix for the registers' names, for a module with two pipelines that have the same fields:
-    /// `depth_left1`.
-    ///
-    /// ```
-    /// # use tilewright_hdl::*;
-    /// # let example = tilewright_sim::traced(|m| {
-    /// bundle! { struct Depth<T> { z: T } }
-    ///
-    /// let near = Start::from(Depth { z: lit(8, 3) }).called("near");
-    /// let far = Start::from(Depth { z: lit(8, 9) }).called("far");
-    /// for start in [near, far] {
-    ///     let _ = m.stages(2, None, start, |_, depth| depth);
-    /// }
-    /// # });
-    /// assert_eq!(example.values("near_z2"), [0, 0, 3, 3]);
-    /// assert_eq!(example.values("far_z1"), [0, 9, 9, 9]);
-    /// ```
-    pub fn called(self, name: &str) -> Start<B> {
-        Start { name: name.to_owned(), ..self }
+        Start { cleared: vec![false; record.leaves().len()], record }
     }
 }
 
@@ -86,7 +59,7 @@ pub fn cleared<B: Bundle, F: Fields<usize>>(record: B, which: impl FnOnce(B::Of<
 impl Module {
     /// A pipeline of `count` stages. Each stage applies `stage` to the record of the previous one and stores each
     /// field in a register. The registers are named by field and stage, from `left1` on; `stage` gets this number.
-    /// The pipeline advances where `enable` is high, or always if `enable` is `None`.
+    /// `def!(near = m.stages(..))` names them `near_left1`. The pipeline advances where `enable` is high, or always if `enable` is `None`.
     ///
     /// The registers have no reset, except for the fields that the start clears: `start.cleared(|race| race.valid)`,
     /// or `|race| [race.valid, race.last]`. These are 0 in all stages after a reset.
@@ -140,12 +113,12 @@ impl Module {
         if let Some(enable) = &mut enable {
             *enable = condition(*enable, "stages");
         }
-        let Start { mut record, name, cleared } = start.into();
+        let Start { mut record, cleared } = start.into();
         let stages = sound_stages(count, loc);
         let pipeline = Pipeline::begin(enable, &record, loc);
         for number in 1..=stages {
             let next = stage(number, record);
-            let registers = self.stage_registers(pipeline, number, &name, &next, loc);
+            let registers = self.stage_registers(pipeline, number, &next, loc);
             for (field, register) in registers.iter().enumerate() {
                 // A list may have become longer.
                 if cleared.get(field) == Some(&true) {
@@ -161,18 +134,11 @@ impl Module {
     }
 
     /// The registers of a stage, one for each field of its result.
-    pub(crate) fn stage_registers<V: Data>(
-        self,
-        pipeline: Pipeline,
-        number: u32,
-        name: &str,
-        next: &V,
-        loc: Loc,
-    ) -> Vec<Reg> {
+    pub(crate) fn stage_registers<V: Data>(self, pipeline: Pipeline, number: u32, next: &V, loc: Loc) -> Vec<Reg> {
         let mut registers = Vec::new();
         next.map_fields("", &mut |path, signal| {
             // A payload that is one signal has no field name.
-            let field = port_name(name, if path.is_empty() { "payload" } else { path });
+            let field = port_name("", if path.is_empty() { "payload" } else { path });
             let register = self.register(&format!("{field}{number}"), Width::like(*signal), loc);
             register.give(signal.id_at(loc), loc);
             pipeline.holds(register.signal, number);

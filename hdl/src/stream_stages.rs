@@ -4,23 +4,17 @@ use crate::data::Data;
 use crate::integers::Integer;
 use crate::limits::sound_stages;
 use crate::loc::Loc;
-use crate::module::{Module, port_name};
+use crate::module::Module;
 use crate::record::from_leaves;
-use crate::stages::{Pipeline, Start};
+use crate::stages::Pipeline;
 use crate::stream::Stream;
 use crate::width::bit;
-
-impl<P: Data> From<Stream<P>> for Start<Stream<P>> {
-    fn from(stream: Stream<P>) -> Start<Stream<P>> {
-        Start::plain(stream)
-    }
-}
 
 impl Module {
     /// A pipeline of `count` stages between streams. Each stage applies `stage` to the payload of the previous one
     /// and stores each field in a register, beside a register that says whether the stage is full. As in
-    /// [`Module::stages`], registers are named by field and stage, as `full1` and `left1`, after the prefix of
-    /// [`Start::called`]. Payloads of different stages do not mix. (`valid` signals may: the stages use them to agree
+    /// [`Module::stages`], registers are named by field and stage, as `full1` and `left1`, and [`def!`](crate::def!) puts
+    /// the name of the variable in front. Payloads of different stages do not mix. (`valid` signals may: the stages use them to agree
     /// with each other, and a description can read whether anything is under way.)
     ///
     /// ```text
@@ -66,17 +60,17 @@ impl Module {
     pub fn stream_stages<P: Data>(
         self,
         count: impl Integer,
-        start: impl Into<Start<Stream<P>>>,
+        start: Stream<P>,
         stage: impl Fn(u32, P) -> P,
     ) -> Stream<P> {
         let loc = Loc::caller();
         let stages = sound_stages(count, loc);
-        let Start { record: mut stream, name, .. } = start.into();
+        let mut stream = start;
         let pipeline = Pipeline::begin(None, &stream.payload, loc);
         for number in 1..=stages {
-            let full = self.register(&port_name(&name, &format!("full{number}")), bit(), loc).reset(0);
+            let full = self.register(&format!("full{number}"), bit(), loc).reset(0);
             let next = stage(number, stream.payload.clone());
-            let registers = self.stage_registers(pipeline, number, &name, &next, loc);
+            let registers = self.stage_registers(pipeline, number, &next, loc);
             let held = from_leaves(&next, registers.iter().map(|register| register.signal));
             let (out, sent) = self.offer(full, held);
             let taken = stream.take_when(!full | out.ready).taken;

@@ -205,7 +205,7 @@ fn two_pipelines_of_one_record_need_names() {
     let build = |m: Module, i: In| {
         let first = m.stages(1, None, Entry { resident: i.c, page: i.a }, |_, now| now);
         m.ignore(&first.resident);
-        m.stages(1, None, Start::from(first).called("late"), |_, now| now).page
+        m.within("late", || m.stages(1, None, first, |_, now| now)).page
     };
     elaborate(&Case(build)).unwrap();
 }

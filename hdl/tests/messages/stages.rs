@@ -16,15 +16,15 @@ fn operators_name_both_stages() {
     expect(
         |m, i| {
             let first = m.stages(1, None, start(i), |_, race| race);
-            let last = m.stages(2, None, Start::from(first).called("late"), |stage, race| Race {
+            def!(late = m.stages(2, None, first, |stage, race| Race {
                 left: if stage == 2 { race.left + first.right } else { race.left },
                 ..race
-            });
-            last.left & last.right
+            }));
+            late.left & late.right
         },
         "`late_left1 + right1` mixes stages of a pipeline: `late_left1` is of stage 1, `right1` of stage 0 [T751]
          --> [left: if stage == 2 { race.left + first.right } else { race.left },]
-         `late_left1` is made at [let last = m.stages(2, None, Start::from(first).called(\"late\"), |stage, race| Race {]
+         `late_left1` is made at [def!(late = m.stages(2, None, first, |stage, race| Race {]
          `right1` is made at [let first = m.stages(1, None, start(i), |_, race| race);]
          help: bring the earlier one along as a field of the pipeline's record; `.any_stage()` allows values of two records to meet",
     );

@@ -106,19 +106,19 @@ impl Block for Allowed {
         let kept = m.pipe_when(i.enable, "kept", i.start.value);
         let first = m.stages(1, i.enable, i.start, |_, access| access);
         let start = Access { value: mux(i.mode, found + kept, first.value), ..first };
-        let last = m.stages(2, i.enable, Start::from(start).called("late"), |_, access| access);
-        words.write(i.mode, last.address, last.value);
+        def!(late = m.stages(2, i.enable, start, |_, access| access));
+        words.write(i.mode, late.address, late.value);
         // A register accumulates: it takes values of one stage and meets every stage. So does a delay with another
         // condition.
         let total = m.reg("total", 8).reset(0);
-        total.when(i.mode, total + last.value);
-        let other = m.pipe_when(i.mode, "other", last.value);
+        total.when(i.mode, total + late.value);
+        let other = m.pipe_when(i.mode, "other", late.value);
         // A feedback, and a neighbour in time.
         let start = Access { value: *total ^ i.start.value, ..i.start };
-        let fed = m.stages(2, None, Start::from(start).called("fed"), |_, access| access);
+        def!(fed = m.stages(2, None, start, |_, access| access));
         let risen = fed.any_stage().value - i.start.value;
         AccessOut {
-            sum: total ^ last.value ^ other,
+            sum: total ^ late.value ^ other,
             found: found & first.value,
             risen: risen ^ fed.address.any_stage().zext(8),
         }
@@ -149,9 +149,8 @@ impl Block for Elastic {
     }
 
     fn build(&self, m: Module, i: StreamIn) -> StreamOut {
-        let sums =
-            m.stream_stages(2, Start::from(i.points).called("sum"), |_, pair| Pair { y: pair.x + pair.y, ..pair });
-        StreamOut { sums }
+        def!(sum = m.stream_stages(2, i.points, |_, pair| Pair { y: pair.x + pair.y, ..pair }));
+        StreamOut { sums: sum }
     }
 }
 

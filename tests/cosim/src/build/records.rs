@@ -103,20 +103,22 @@ impl Builder<'_> {
             let fields = [(head, start.head), (low, start.pairs[1].low)].into_iter();
             fields.filter(|(meaning, _)| *meaning != Meaning::Code).map(|(_, field)| field).collect::<Vec<_>>()
         };
-        let start = found.cleared(cleared).called(&pipe_name);
-        let last = m.stages(records.stages, enable, start, |stage, now| {
+        let start = found.cleared(cleared);
+        let stage = |stage, now: Mixed| {
             let [left, right] = now.pairs;
             let pairs = [right, Pair { low: if stage % 2 == 0 { left.low } else { low.changed(left.low) }, ..left }];
             Mixed { pairs, ..now }
-        });
+        };
+        let last = m.within(&pipe_name, || m.stages(records.stages, enable, start, stage));
         // Later steps let these meet what entered.
         self.push_fields(d, &last.any_stage());
 
         let (sent, _) = m.offer(enable, last.clone());
-        let taken = m.stream_stages(records.stages, Start::from(sent).called(&stream_name), |_, now| {
+        let stage = |_, now: Mixed| {
             let [left, right] = now.pairs;
             Mixed { pairs: [right, left], head: head.changed(now.head), ..now }
-        });
+        };
+        let taken = m.within(&stream_name, || m.stream_stages(records.stages, sent, stage));
         let taken = taken.take_when(accepts);
         self.push(d, taken.taken.any_stage());
         self.push_fields(d, &taken.any_stage());

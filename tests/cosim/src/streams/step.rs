@@ -76,16 +76,16 @@ impl Step {
             }
             Step::Stages { count, records: true } => {
                 Feature::StreamStages.used();
-                let start = Start::from(to_records(words)).called(name);
-                to_words(m.stream_stages(count, start, |_, now: Record| Record {
+                let stage = |_, now: Record| Record {
                     hue: mux(now.hue.is(Hue::Cyan), Hue::Yellow, now.hue),
                     height: now.height - 1,
                     ..now
-                }))
+                };
+                to_words(m.within(name, || m.stream_stages(count, to_records(words), stage)))
             }
             Step::Stages { count, records: false } => {
                 Feature::StreamStages.used();
-                m.stream_stages(count, Start::from(words).called(name), |stage, word| word + u64::from(stage % 2))
+                m.within(name, || m.stream_stages(count, words, |stage, word| word + u64::from(stage % 2)))
             }
             // There is no other clock.
             Step::Cross(_) => words,
