@@ -58,10 +58,11 @@ use crate::width::Width;
 /// Elaboration checks the result of `build` against the widths of the outputs.
 ///
 /// The clauses are optional and come in any sequence. A clause whose expressions use `self` has `(self)` after its
-/// first word, because a macro cannot supply that word: `latency(self) = format!("{} clocks", self.clocks());`. A
-/// constant latency needs no clause, because it is counted ([`Design::latencies`](crate::Design::latencies)). The
-/// clause `ranges` gives the legal values of a parameter, with a reason if it is not obvious. Elaboration checks the
-/// ranges; the method `checked` checks them earlier:
+/// first word, because a macro cannot supply that word: `latency(self) = format!("{} clocks", self.clocks());`.
+/// A constant latency needs no clause, because it is counted ([`Design::latencies`](crate::Design::latencies)). The
+/// clause `ranges` gives the legal values of a parameter, with a reason if it is not obvious: a range,
+/// [`powers_of_two`](crate::powers_of_two), [`multiples_of`](crate::multiples_of) or [`any_of`](crate::any_of).
+/// Elaboration checks them; the method `checked` checks them earlier:
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -137,8 +138,26 @@ use crate::width::Width;
 /// # Ok::<(), Problems>(())
 /// ```
 ///
-/// A block may have type parameters with bounds, as in `struct Queue<C: Codes> { .. }`. A block whose module needs a
-/// name of its own implements [`Block`](crate::Block) by hand.
+/// A block may have type parameters with bounds, as in `struct Queue<C: Codes> { .. }`. The clause `name` gives its
+/// module a name of its own, as the top of a design wants it. Without the clause, the name is made of the parameters.
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// block! {
+///     /// Sends bytes over a line.
+///     pub struct Uart { pub clocks_per_bit: u32 }
+///     name = "uart";
+///     out UartOut { tx: bit() }
+/// }
+/// # impl Uart {
+/// #     fn build(&self, _: Module, (): ()) -> UartOut {
+/// #         UartOut { tx: lit(1, u32::from(self.clocks_per_bit > 0)) }
+/// #     }
+/// # }
+///
+/// assert_eq!(elaborate(&Uart { clocks_per_bit: 868 })?.top().name, "uart");
+/// # Ok::<(), Problems>(())
+/// ```
 #[macro_export]
 macro_rules! block {
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident; $($clauses:tt)*) => {
@@ -146,7 +165,7 @@ macro_rules! block {
         #[derive(Debug, Clone, PartialEq, Eq, Hash)]
         $vis struct $name;
 
-        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] []] [""] [""] [] [] $($clauses)* }
+        $crate::block! { @clauses [[$([$($attribute)*])*] [$vis] $name [] [] []] [""] [""] [] [] $($clauses)* }
     };
     ($(#[$($attribute:tt)*])* $vis:vis struct $name:ident $(<$($of:ident: $first:ident $(+ $bound:ident)*),+>)? {
         $($fields:tt)*
@@ -156,17 +175,24 @@ macro_rules! block {
         $vis struct $name $(<$($of: $first $(+ $bound)*),+>)? { $($fields)* }
 
         $crate::block! {
-            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] []] [""] [""] [] [] $($clauses)*
+            @clauses [[$([$($attribute)*])*] [$vis] $name [$($($of: [$first $($bound)*])+)?] [] []] [""] [""] [] [] $($clauses)*
         }
     };
 
-    // The clauses, in sequence: the ranges of parameters, the latency, the source, the inputs and the outputs.
-    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt []] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
+    // The clauses, in sequence: the ranges of parameters, the name, the latency, the source, the inputs and the outputs.
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt [] $called:tt] $latency:tt $source:tt $in:tt $out:tt ranges $(($this:ident))? {
         $($(#[$($said:tt)*])* $parameter:ident: $range:expr),* $(,)?
     } $($rest:tt)*) => {
         $crate::block! {
-            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*]]
+            @clauses [$attributes $vis $name $of [[$($this)?] $({[$([$($said)*])*] $parameter [$range]})*] $called]
             $latency $source $in $out $($rest)*
+        }
+    };
+    (@clauses [$attributes:tt $vis:tt $name:ident $of:tt $ranges:tt []] $latency:tt $source:tt $in:tt $out:tt
+        name $(($this:ident))? = $said:expr; $($rest:tt)*
+    ) => {
+        $crate::block! {
+            @clauses [$attributes $vis $name $of $ranges [$($this)? => $said]] $latency $source $in $out $($rest)*
         }
     };
     (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt latency $(($this:ident))? = $said:expr; $($rest:tt)*) => {
@@ -376,7 +402,7 @@ macro_rules! block {
     };
 
     // Everything is known.
-    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt]
+    (@clauses [[$([$($attribute:tt)*])*] $vis:tt $name:ident [$($of:ident: [$($bound:ident)+])*] $ranges:tt $called:tt]
         $latency:tt [$source:expr] $in:tt $out:tt
     ) => {
         $crate::block! { @bundle $vis "The inputs of [`" $name $in }
@@ -389,6 +415,7 @@ macro_rules! block {
             $crate::block! { @inputs $in }
             $crate::block! { @outputs $out }
             $crate::block! { @ranges $ranges }
+            $crate::block! { @name $called }
             $crate::block! { @about [$([$($attribute)*])*] $latency [$source] }
 
             fn declared(&self) -> ::std::option::Option<$crate::Loc> {
@@ -401,6 +428,14 @@ macro_rules! block {
                 use $crate::AddTheBuildOfThisBlock as _;
                 Self::build(self, m, i)
             }
+        }
+    };
+
+    (@name []) => {};
+    (@name [=> $said:expr]) => { $crate::block! { @name [self => $said] } };
+    (@name [$this:ident => $said:expr]) => {
+        fn name(&$this) -> String {
+            $said.to_string()
         }
     };
 

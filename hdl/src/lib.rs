@@ -29,7 +29,7 @@
 //! | to describe | write |
 //! |---|---|
 //! | a block | [`block!`] and its `build` |
-//! | the legal range of a parameter | `ranges(self) { depth: 2..=self.words }` in [`block!`] |
+//! | the legal range of a parameter | `ranges(self) { depth: 2..=self.words }` in [`block!`]; [`powers_of_two`], [`multiples_of`], [`any_of`] |
 //! | a port | its name and width in [`block!`]: [`bit`]`()`, [`bits`]`(n)`, [`below`]`(n)`, [`up_to`]`(n)`, or a record of these |
 //! | an expression | `+ - & \| ^ ! << >>` and the methods of [`Signal`]; an integer takes the width of the other operand |
 //! | a change of width | [`zext`](Signal::zext) [`sext`](Signal::sext) [`trunc`](Signal::trunc) [`slice`](Signal::slice) [`low`](Signal::low) [`part`](Signal::part) [`bit`](Signal::bit) [`cat!`] [`repeat`](Signal::repeat) |
@@ -160,7 +160,7 @@ pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use radix::{Radix, Written, binary, hex};
-pub use ranges::OutOfRange;
+pub use ranges::{AnyOf, MultiplesOf, OutOfRange, PowersOfTwo, Values, any_of, multiples_of, powers_of_two};
 #[doc(hidden)]
 pub use ranges::in_range;
 pub use record::{Lanes, Record, RecordUpdates};

@@ -63,7 +63,9 @@ pub(crate) fn check_module_names(e: &mut Elaboration) {
                 .note(format!("`{}` is described", module.parameters), module.loc)
                 .note("the other one is instantiated", e.instantiated[other])
                 .note("the other one is described", first.loc);
-            problems.push(problem.help("distinguish them in the block's `fn name`, or in its `Debug` text"));
+            problems.push(
+                problem.help("distinguish them by `name(self) = ..` in `block!`, or in the block's `Debug` text"),
+            );
         } else if is_reserved(&module.name) || !is_legal(&module.name) {
             let message = format!("`{}` cannot be the name of a module", module.name);
             let problem = Problem::new(Mistake::IllegalName, module.loc, message);

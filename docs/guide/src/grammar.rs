@@ -31,6 +31,7 @@ block! {
         columns: self.rows..=4096,
         rows: 1..,
     }
+    name = "everything";
     latency(self) = format!("none, whatever the {} rows are", self.rows);
     source = "Appendix E of the guide";
     in(self) EverythingIn {

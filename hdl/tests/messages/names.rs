@@ -163,7 +163,7 @@ fn different_blocks_that_print_alike() {
          `Rom { words: 2 }` is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
          the other one is instantiated at [let one = m.instance(\"u_one\", &Rom(&[1, 2]), Link { x: i.a }).out;]
          the other one is described at [Out { out: case(i.x, (0..).zip(self.0.iter().map(|word| lit(8, *word))), 0) }]
-         help: distinguish them in the block's `fn name`, or in its `Debug` text",
+         help: distinguish them by `name(self) = ..` in `block!`, or in the block's `Debug` text",
     );
     let same = elaborate(&Case(|m, i| {
         let one = m.instance("u_one", &Rom(&[1, 2]), Link { x: i.a }).out;

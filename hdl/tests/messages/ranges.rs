@@ -47,6 +47,48 @@ fn the_first_parameter_out_of_its_range_is_named_with_what_would_do() {
     assert_eq!(problem(Queue { r#loop: 1000, ..QUEUE }), "`loop` of `Queue` is 1000: it has to be below 1000");
 }
 
+block! {
+    /// Draws.
+    struct Renderer { side: u32, line: i16, edge: u8, any: u64 }
+    ranges {
+        side: powers_of_two(2..=256),
+        /// A line is sent 8 pixels at a time.
+        line: multiples_of(8, -16..64),
+        edge: any_of([4, 8, 16]),
+        any: powers_of_two(..),
+    }
+    name(self) = format!("renderer_{}", self.side);
+}
+
+impl Renderer {
+    fn build(&self, _: Module, (): ()) {}
+}
+
+#[test]
+fn parameters_that_are_powers_multiples_or_a_few_values() {
+    const RENDERER: Renderer = Renderer { side: 2, line: -8, edge: 16, any: 1 << 63 };
+    assert_eq!(RENDERER.clone().checked(), Ok(RENDERER));
+    let problem = |renderer: Renderer| renderer.checked().unwrap_err().to_string();
+    for (side, line, edge) in [(256, 56, 4), (16, 0, 8)] {
+        assert!(Renderer { side, line, edge, ..RENDERER }.checked().is_ok(), "{side} {line} {edge}");
+    }
+    for side in [0, 1, 3, 255, 512] {
+        let sentence = format!("`side` of `Renderer` is {side}: it has to be a power of two, from 2 to 256");
+        assert_eq!(problem(Renderer { side, ..RENDERER }), sentence);
+    }
+    for line in [-24, 4, 64] {
+        let sentence = "it has to be a multiple of 8, at least -16 and below 64. A line is sent 8 pixels at a time.";
+        assert!(problem(Renderer { line, ..RENDERER }).ends_with(sentence), "{line}");
+    }
+    assert!(problem(Renderer { edge: 5, ..RENDERER }).ends_with("is 5: it has to be 4, 8 or 16"));
+    assert!(problem(Renderer { any: 0, ..RENDERER }).ends_with("is 0: it has to be a power of two"));
+}
+
+#[test]
+fn a_block_may_name_its_module() {
+    assert_eq!(Renderer { side: 64, line: 0, edge: 4, any: 1 }.name(), "renderer_64");
+}
+
 #[test]
 fn a_block_out_of_its_ranges_is_not_built() {
     expect(
