@@ -59,6 +59,8 @@ use crate::width::Width;
 ///
 /// The clauses are optional and come in any sequence. A clause whose expressions use `self` has `(self)` after its
 /// first word, because a macro cannot supply that word: `latency(self) = format!("{} clocks", self.clocks());`.
+/// Without it, rustc says `expected value, found module self` (E0424).
+///
 /// A constant latency needs no clause, because it is counted ([`Design::latencies`](crate::Design::latencies)). The
 /// clause `ranges` gives the legal values of a parameter, with a reason if it is not obvious: a range,
 /// [`powers_of_two`](crate::powers_of_two), [`multiples_of`](crate::multiples_of) or [`any_of`](crate::any_of).
@@ -429,6 +431,35 @@ macro_rules! block {
                 Self::build(self, m, i)
             }
         }
+    };
+
+    // None of these clauses. What it says is left out, so that nothing follows from it.
+    (@clauses $block:tt $latency:tt $source:tt $in:tt $out:tt $clause:tt $($rest:tt)*) => {
+        $crate::no_clause! { $clause $clause }
+        $crate::block! { @after $block $latency $source $in $out $clause $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt [] $out:tt input $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source [] $out in $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt [] $out:tt inputs $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source [] $out in $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt $in:tt [] output $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in [] out $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt $in:tt [] outputs $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in [] out $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt $in:tt $out:tt $clause:ident $(($($this:tt)*))? $($name:ident)? {
+        $($inner:tt)*
+    } $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in $out $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt $in:tt $out:tt $clause:ident $(($($this:tt)*))? = $said:expr; $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in $out $($rest)* }
+    };
+    (@after $block:tt $latency:tt $source:tt $in:tt $out:tt $($rest:tt)*) => {
+        $crate::block! { @clauses $block $latency $source $in $out }
     };
 
     (@name []) => {};

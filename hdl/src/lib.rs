@@ -70,6 +70,7 @@ mod check;
 mod choose;
 mod chosen;
 mod circuit;
+mod clause;
 pub mod clock;
 mod codes;
 mod compare;
@@ -77,6 +78,7 @@ mod contents;
 mod data;
 mod declare;
 mod def;
+mod divide;
 mod draft;
 mod elaboration;
 mod fields;
@@ -132,6 +134,8 @@ pub use bundle::Bundle;
 pub use bundle::join;
 #[doc(hidden)]
 pub use choose::ChosenArm;
+#[doc(hidden)]
+pub use clause::ClauseOfABlock;
 pub use clock::{Clock, Period};
 pub use codes::{Codes, one_of};
 #[doc(hidden)]
@@ -160,9 +164,9 @@ pub use operand::Value;
 pub use operand::{IntoSignal, Operand, ShiftAmount};
 pub use problem::{Problem, Problems};
 pub use radix::{Radix, Written, binary, hex};
-pub use ranges::{AnyOf, MultiplesOf, OutOfRange, PowersOfTwo, Values, any_of, multiples_of, powers_of_two};
 #[doc(hidden)]
 pub use ranges::in_range;
+pub use ranges::{AnyOf, MultiplesOf, OutOfRange, PowersOfTwo, Values, any_of, multiples_of, powers_of_two};
 pub use record::{Lanes, Record, RecordUpdates};
 #[doc(hidden)]
 pub use record::{Numbers, Zero, named, pack, rules, unpack};

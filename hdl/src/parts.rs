@@ -54,6 +54,15 @@ impl Signal {
     #[track_caller]
     pub fn slice<N: Integer>(self, range: Range<N>) -> Signal {
         let (low, high) = (range.start.integer(), range.end.integer());
+        if low > high {
+            let end = low.saturating_add(1);
+            return self.bits().bad_width(
+                Mistake::SliceOutside,
+                format!("the slice {low}..{high} takes no bits of"),
+                end.saturating_sub(high).clamp(1, WIDEST.into()) as u32,
+                format!("the lower bound comes first: bits {low} down to {high} are `.slice({high}..{end})`"),
+            );
+        }
         self.between(low, high.saturating_sub(low))
     }
 

@@ -173,8 +173,14 @@ impl Literal {
         let sign = if kind == Kind::Signed { "signed" } else { "unsigned" };
         let problem =
             Problem::new(Mistake::TooLarge, loc, format!("`{self}` does not fit in {}, {sign}", bits_text(width)));
+        let help = match self {
+            Literal::Integer(..=-1, _) if kind != Kind::Signed => {
+                "subtract a positive number, or read the signal as signed, by `.signed()`"
+            }
+            _ => "an integer takes the width of the signal it meets",
+        };
         elaboration::with(|e| {
-            e.report_instead_of(&operands, problem.help("an integer takes the width of the signal it meets"));
+            e.report_instead_of(&operands, problem.help(help));
             Signal::zero_in(e, width, Shape::Plain, kind, loc)
         })
     }

@@ -29,6 +29,24 @@ pub fn build(m: Module, a: Signal, pair: Pair) {
     let _ = bits(8).of(2.5);
     let _ = lit(8, 2.5);
     let _ = a.bit(a);
+    let _ = a / 3;
+    let _ = count % 3;
+    let _ = if a { 1 } else { 2 };
+    let _ = a && a;
+}
+pub fn numbers(m: Module, c: Signal) {
+    m.reg(TEXT, 8).when(c, mux(c, 0, 2));
+}
+block! {
+    pub struct Sum { pub width: u32 }
+    input(self) SumIn { a: bits(self.width), b: bits(self.width) }
+    speed = 1;
+    outputs SumOut { sum: bits(8) }
+}
+impl Sum {
+    fn build(&self, _: Module, i: SumIn) -> SumOut {
+        SumOut { sum: i.a + i.b }
+    }
 }
 fn of_a_record<B: Bundle>(_: B) {}
 const TEXT: &str = stringify!(words);
@@ -69,6 +87,14 @@ fn rustc_says_what_to_write() {
         ("bits(8).of(2.5);", "`{float}` does not say how many lanes there are", "`row(n)`, or `grid(rows, columns)`"),
         ("lit(8, 2.5);", "a `{float}` is not an integer", "known while the block is built"),
         ("a.bit(a);", "a `tilewright_hdl::Signal` is not an integer", "known while the block is built"),
+        ("let _ = a / 3;", "signals are not divided by `/` or `%`", "a quotient is `a >> n`"),
+        ("let _ = count % 3;", "signals are not divided by `/` or `%`", "instantiate `Divider`"),
+        ("let _ = if a { 1 } else { 2 };", "expected `bool`, found `Signal`", "E0308"),
+        ("let _ = a && a;", "expected `bool`, found `Signal`", "E0308"),
+        ("when(c, mux(c, 0, 2));", "type annotations needed", "E0283"),
+        ("input(self) SumIn", "`input` is no clause of a block", "`in Name { .. }`"),
+        ("speed = 1;", "`speed` is no clause of a block", "`latency = ..;`"),
+        ("outputs SumOut", "`outputs` is no clause of a block", "`out Name { .. }`"),
     ] {
         let found =
             said.split("\n\n").any(|error| error.contains(message) && error.contains(remedy) && error.contains(line));
@@ -97,7 +123,15 @@ fn what_it_names_compiles() {
         .replace("of_a_record(a)", "of_a_record(pair)")
         .replace("of(2.5)", "of(2)")
         .replace("lit(8, 2.5)", "lit(8, 2)")
-        .replace("a.bit(a)", "a.bit(1)");
+        .replace("a.bit(a)", "a.bit(1)")
+        .replace("a / 3", "a >> 2")
+        .replace("count % 3", "count.trunc(2)")
+        .replace("if a { 1 } else { 2 }", "mux(a.bit(0), a, a)")
+        .replace("a && a", "a & a")
+        .replace("mux(c, 0, 2)", "mux(c, lit(8, 0), 2)")
+        .replace("input(self)", "in(self)")
+        .replace("speed = 1;", "")
+        .replace("outputs", "out");
     assert_eq!(compile(&right), "");
 }
 
@@ -214,6 +248,27 @@ fn records_that_are_declared_as_it_says_compile() {
         .replace("enum Kind { One, Two }", "struct Kind { one: bit() }")
         .replace("Listed<u64> = Listed::ZERO", "Kind<u64> = Kind::ZERO");
     assert_eq!(compile(&right), "");
+}
+
+/// What is not written as a clause is, and a clause that needs `self`.
+const NO_CLAUSES: &str = r"
+use tilewright_hdl::*;
+block! {
+    struct Sum { width: u32 }
+    in SumIn { a: bits(self.width) }
+    in More { b: bit() }
+    latency = 1
+}
+";
+
+#[test]
+fn rustc_says_how_a_clause_is_written() {
+    let said = compile(NO_CLAUSES);
+    assert!(said.contains("a block has one clause `in`, as in `in AdderIn {"), "{said}");
+    let said = compile(&NO_CLAUSES.replace("    in More { b: bit() }\n", ""));
+    assert!(said.contains("a block has one clause `latency`, as in `latency = \"2 clocks\";`"), "{said}");
+    let said = compile(&NO_CLAUSES.replace("    in More { b: bit() }\n    latency = 1\n", ""));
+    assert!(said.contains("E0424") && said.contains("expected value, found module `self`"), "{said}");
 }
 
 /// A test with a process where a group is expected.

@@ -76,7 +76,7 @@ fn the_index_has_every_number_with_tested_messages() {
     let files = tests.chain([folder().join("../../hdl/tests/latency.rs")]);
     let tests: String = files.map(|file| fs::read_to_string(file).unwrap()).collect();
     let index = fs::read_to_string(folder().join("c-messages.md")).unwrap();
-    let rows = index.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| number |"));
+    let rows = index.lines().filter(|line| line.starts_with("| T"));
     let mut numbers = Vec::new();
     for row in rows {
         let [number, message, _, _] = row.trim_matches(['|', ' ']).split(" | ").collect::<Vec<_>>()[..] else {
@@ -88,6 +88,21 @@ fn the_index_has_every_number_with_tested_messages() {
     assert!(numbers.is_sorted(), "a reader looks for a number from top to bottom");
     numbers.dedup();
     assert_eq!(numbers, Mistake::ALL.iter().map(Mistake::to_string).collect::<Vec<_>>());
+}
+
+/// What rustc says is in the tests that compare it.
+#[test]
+fn the_index_has_messages_of_rustc_that_are_tested() {
+    let tests = fs::read_to_string(folder().join("../../hdl/tests/rustc_words.rs")).unwrap();
+    let index = fs::read_to_string(folder().join("c-messages.md")).unwrap();
+    let rows: Vec<_> = index.lines().filter(|line| line.starts_with("| E")).collect();
+    for row in &rows {
+        let [_, message, _, _] = row.trim_matches(['|', ' ']).split(" | ").collect::<Vec<_>>()[..] else {
+            panic!("a row has a number, a message, its cause and its mend: {row}")
+        };
+        assert!(tests.contains(message), "no test compares\n{message}");
+    }
+    assert!(rows.len() > 5, "only {} are found", rows.len());
 }
 
 /// The last column of the translations is code that is built.

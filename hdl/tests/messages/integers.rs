@@ -4,8 +4,9 @@ use crate::messages::common::*;
 use tilewright_hdl::*;
 
 #[test]
+#[expect(clippy::reversed_empty_ranges, reason = "it is the mistake")]
 fn numbers_that_fit_nowhere() {
-    let cases: [(&str, Build); 16] = [
+    let cases: [(&str, Build); 17] = [
         ("the slice -1..0 is outside of `a`, which has 8 bits", |_, i| i.a.bit(-1)),
         ("the slice 4294967296..4294967297 is outside of `a`, which has 8 bits", |_, i| i.a.bit(1u64 << 32)),
         ("the slice -2..3 is outside of `a`, which has 8 bits", |_, i| i.a.slice(-2..3)),
@@ -15,6 +16,7 @@ fn numbers_that_fit_nowhere() {
         ("lane -1 of a signal of 3 lanes", |_, i| i.a.of(3).lane(-1)),
         ("lane 4294967296 of a signal of 3 lanes", |_, i| i.a.of(3).lane(1u64 << 32)),
         ("`-1` does not fit in 8 bits, unsigned [T102]", |_, _| lit(8, -1)),
+        ("the slice 7..4 takes no bits of `a`, which has 8 bits [T103]", |_, i| i.a.slice(7..4)),
         ("`128` does not fit in 8 bits, signed", |_, _| lit(bits(8).signed(), 128).bits()),
         ("`256` does not fit in 8 bits, unsigned", |_, _| constants(bits(8).of(4), |lane| 254 + lane).sum()),
         ("`-1` does not fit in 8 bits, unsigned [T102]", |_, _| constants(bits(8).of(4), |_| -1).sum()),
@@ -32,6 +34,36 @@ fn numbers_that_fit_nowhere() {
         let (first, place) = text.split_once("\n  --> ").expect("a message has a place");
         assert!(first.starts_with(message) && place.starts_with('['), "{text}");
     }
+}
+
+/// The stand-in has the bits that were meant: a register as wide as it takes it.
+#[test]
+#[expect(clippy::reversed_empty_ranges, reason = "it is the mistake")]
+fn a_slice_from_high_to_low_is_one_problem() {
+    expect(
+        |m, i| {
+            let high = i.a.slice(7..4);
+            let held = m.reg("held", 4);
+            let same = m.reg("same", high.width());
+            held.next(same);
+            same.next(high);
+            held.zext(8)
+        },
+        "the slice 7..4 takes no bits of `a`, which has 8 bits [T103]
+         --> [let high = i.a.slice(7..4);]
+         `a` is made at [In { a: bits(8), b: bits(7), c: bit() }]
+         help: the lower bound comes first: bits 7 down to 4 are `.slice(4..8)`",
+    );
+}
+
+#[test]
+fn a_negative_number_beside_an_unsigned_signal() {
+    expect(
+        |_, i| i.a + -1,
+        "`-1` does not fit in 8 bits, unsigned [T102]
+         --> [|_, i| i.a + -1,]
+         help: subtract a positive number, or read the signal as signed, by `.signed()`",
+    );
 }
 
 #[test]
