@@ -2,7 +2,7 @@
 
 use crate::names::{is_reserved, short};
 
-/// A longer name ends in a number instead of its last words.
+/// A longer name has a number in place of the parameters.
 const LONGEST: usize = 80;
 
 /// `Counter { width: 8, limit: 10 }` makes `counter_width8_limit10`.
@@ -16,8 +16,10 @@ const LONGEST: usize = 80;
 ///   `read_video`.
 /// - A value with the same name as its field appears once: a clock `read` as `read`.
 /// - Type arguments follow the block's name: `Queue<Pixel>` makes `queue_pixel`.
-/// - If the name cannot show everything (text with spaces, lists of lists, too many parameters), a number made from
-///   the whole `Debug` text distinguishes it.
+/// - If the name cannot show everything (text with spaces, lists of lists), a number made from the whole `Debug` text
+///   distinguishes it.
+/// - A name that would be too long is the block's and that number: `video_timing_cf621dd1`. The header of the Verilog
+///   has the parameters.
 pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
     let mut name = snake_case(short(type_name));
     let arguments = type_name.split_once('<').map_or("", |(_, arguments)| arguments);
@@ -29,13 +31,13 @@ pub(crate) fn module_name(type_name: &'static str, parameters: &str) -> String {
     }
     let values = parameters.strip_prefix(short(type_name)).unwrap_or(parameters);
     let (parameters_in_words, is_whole) = in_words(values);
-    name += &parameters_in_words;
-    if !is_whole || name.len() > LONGEST {
-        let number = format!("_{:08x}", hash(&format!("{arguments} {parameters}")));
-        let room = LONGEST - number.len();
-        let end = if name.len() <= room { name.len() } else { name[..=room].rfind('_').unwrap_or(room) };
-        name.truncate(end);
+    let number = format!("_{:08x}", hash(&format!("{arguments} {parameters}")));
+    let end = if is_whole { parameters_in_words } else { parameters_in_words + &number };
+    if name.len() + end.len() > LONGEST {
+        name.truncate(LONGEST - number.len());
         name += &number;
+    } else {
+        name += &end;
     }
     if is_reserved(&name) { format!("{name}_") } else { name }
 }
@@ -343,7 +345,10 @@ mod tests {
         }
         assert_ne!(printed("Ports([1, 2], [3])"), printed("Ports([1], [2, 3])"));
         let long = |last: u32| named(Table { of: (0..100).chain([last]).collect::<Vec<u32>>() });
-        assert!(long(1).len() <= LONGEST && long(1) != long(2), "{}", long(1));
-        assert!(long(1).starts_with("table_vec_u32_of0_1_2_3_"));
+        assert_ne!(long(1), long(2));
+        let number = long(1).strip_prefix("table_vec_u32_").map(str::len);
+        assert_eq!(number, Some(8), "{}", long(1));
+        let timing = "VideoTiming { h_visible: 640, h_front: 16, h_sync: 96, h_back: 48, v_visible: 480, v_front: 10, v_sync: 2 }";
+        assert_eq!(printed(timing), format!("video_timing_{:08x}", hash(&format!(" {timing}"))));
     }
 }

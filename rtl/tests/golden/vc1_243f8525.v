@@ -1,4 +1,4 @@
-// vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
+// vc1_243f8525
 //
 // The frame buffer subsystem of a VC-1: virtual local frame buffers, pipelined image merger,
 // global frame buffer, swap control.
@@ -9,7 +9,7 @@
 // Described   rtl/src/vc1/mod.rs:81
 `default_nettype none
 
-module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525 (
+module vc1_243f8525 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     input  wire        crt_clk,
@@ -254,7 +254,7 @@ module vc1_width16_height8_edge4_pages4_processors2_queue4_word_clocks6_243f8525
         .senders_2_ready  (command_ready)
     );
 
-    swap_control_local_lfb_swap_patches8_local_merge_clocks948_sent_376173f8 u_swap ( // rtl/src/vc1/mod.rs:229
+    swap_control_376173f8 u_swap (                               // rtl/src/vc1/mod.rs:229
         .pe_clk    (pe_clk),
         .pe_rst    (pe_rst),
         .merge_clk (merge_clk),

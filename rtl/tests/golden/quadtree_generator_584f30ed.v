@@ -1,4 +1,4 @@
-// quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed
+// quadtree_generator_584f30ed
 //
 // The matrix of video processors of a sparse-raster quadtree generator, with its video
 // controller.
@@ -9,7 +9,7 @@
 // Described   rtl/src/quadtree/generator.rs:35
 `default_nettype none
 
-module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
+module quadtree_generator_584f30ed (
     input  wire         clk,
     input  wire         rst,
     // Polygons.
@@ -164,7 +164,7 @@ module quadtree_generator_format8x8_2x2_edges3_form_pipe2_test_serial_584f30ed (
                 assign u_processor_packets_planes_origin[j * 40 +: 40] = u_processor_packets_planes_origin_part[j * 40 +: 40];
             end
 
-            video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89 lane (
+            video_processor_4b528d89 lane (
                 .clk                   (clk),
                 .rst                   (rst),
                 .packets_valid         (all_have_and_2),

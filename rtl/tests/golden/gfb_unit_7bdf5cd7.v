@@ -1,4 +1,4 @@
-// gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5cd7
+// gfb_unit_7bdf5cd7
 //
 // A double-buffered frame buffer with depth: paces the scan, feeds the chain of merging
 // units and stores its output.
@@ -9,7 +9,7 @@
 // Described   rtl/src/gfb/unit.rs:94
 `default_nettype none
 
-module gfb_unit_width16_height8_units4_overhead20_accumulation_period7934_7bdf5cd7 (
+module gfb_unit_7bdf5cd7 (
     input  wire        merge_clk,
     input  wire        merge_rst,
     input  wire        crt_clk,

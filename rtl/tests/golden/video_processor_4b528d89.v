@@ -1,4 +1,4 @@
-// video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89
+// video_processor_4b528d89
 //
 // Draws a polygon's pixels in its own raster: every p-th pixel of every q-th line.
 //
@@ -8,7 +8,7 @@
 // Described   rtl/src/quadtree/processor.rs:38
 `default_nettype none
 
-module video_processor_format8x8_2x2_edges3_form_pipe2_test_serial_broadcast2_4b528d89 (
+module video_processor_4b528d89 (
     input  wire         clk,
     input  wire         rst,
     // Polygons.

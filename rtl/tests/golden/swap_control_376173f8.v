@@ -1,14 +1,14 @@
-// swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f1eef5f4
+// swap_control_376173f8
 //
 // Decides when each local frame buffer, and when the global one, exchange their buffers.
 //
-// Parameters  SwapControl { local: LfbSwap { patches: 3, merge_clocks: 13, sent_clocks: 53, overflow_clocks: 119 }, global: GfbSwap { processors: 2, merge_clocks: 4, way: 4, late: 8 } }
+// Parameters  SwapControl { local: LfbSwap { patches: 8, merge_clocks: 948, sent_clocks: 1108, overflow_clocks: 5203 }, global: GfbSwap { processors: 2, merge_clocks: 296, way: 140, late: 45 } }
 // Latency     0 clocks from the last guard to a swap
 // Source      VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)
 // Described   rtl/src/swap/control.rs:32
 `default_nettype none
 
-module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f1eef5f4 (
+module swap_control_376173f8 (
     input  wire       pe_clk,
     input  wire       pe_rst,
     input  wire       merge_clk,
@@ -19,7 +19,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
     input  wire [1:0] overflow,  // A pixel waits, because all pages are taken.
     input  wire [1:0] draws,     // A pixel is accepted.
     input  wire [1:0] clears,    // An entry of the patch table is cleared.
-    input  wire [3:0] patch,     // The patch whose entry is cleared.
+    input  wire [5:0] patch,     // The patch whose entry is cleared.
     input  wire       bus,       // The broadcast bus is idle.
     input  wire       host,      // The host releases the sync line.
     input  wire [1:0] sending,   // For each local frame buffer: a part of its back buffer is not sent yet.
@@ -44,7 +44,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
             wire [1:0] lane_state;
             wire frame;
 
-            lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 lane (
+            lfb_swap_patches8_merge_clocks948_sent_clocks1108_overflow_clocks5203 lane (
                 .pe_clk    (pe_clk),
                 .pe_rst    (pe_rst),
                 .merge_clk (merge_clk),
@@ -54,7 +54,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
                 .overflow  (overflow[i]),
                 .draws     (draws[i]),
                 .clears    (clears[i]),
-                .patch     (patch[i * 2 +: 2]),
+                .patch     (patch[i * 3 +: 3]),
                 .line      (line),
                 .shown     (shown),
                 .sending   (sending[i]),
@@ -77,7 +77,7 @@ module swap_control_local_lfb_swap_patches3_local_merge_clocks13_sent_clocks53_f
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks4_way4_late8 u_gfb_swap (   // rtl/src/swap/control.rs:113
+    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/swap/control.rs:113
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (u_lfb_swap[0].frame),
