@@ -174,8 +174,8 @@ impl GfbUnit {
         let (merge, crt) = (m.on(MERGE), m.on(self.display.clock()));
         let Host { accesses, background, multipass } = i.host;
         let access = accesses.take_when(1);
-        let round = merge.instance("u_sequencer", &self.sequencer(), GfbSequencerIn { restart: i.swap });
-        let enable = round.scan.enable;
+        def!(sequencer = merge.instance(&self.sequencer(), GfbSequencerIn { restart: i.swap }));
+        let enable = sequencer.scan.enable;
 
         // Two banks. The chain uses its port of the bank being filled; the host uses its port of the bank on display. A
         // pixel is stored long before it is fed again. Only a sum can coincide with a write, that of the host.
@@ -186,8 +186,8 @@ impl GfbUnit {
         def!(writes = access.taken & access.writes);
         def!(reads = access.taken & !access.writes);
         banks.on(MERGE).write(
-            mux(is_filled, round.stores, writes),
-            mux(is_filled, round.store, access.address),
+            mux(is_filled, sequencer.stores, writes),
+            mux(is_filled, sequencer.store, access.address),
             mux(is_filled, i.merged, access.word),
         );
 
@@ -199,22 +199,22 @@ impl GfbUnit {
         merge.cover("the host reads right behind a write", reads & merge.past(writes));
         merge.cover("the host writes in the clock of a swap", writes & i.swap);
         merge.assert(
-            merge.past(i.swap).implies(round.blank),
+            merge.past(i.swap).implies(sequencer.blank),
             "blank pixels enter the chain in the first round after a swap",
         );
 
         // On the bank on display, the accumulation buffer uses the chain's port.
         let adds = self.accumulation.then(|| merge.wire("adds", self.adding()));
         let (reads_old, old_address) = match &adds {
-            Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, round.feed, adds.address)),
-            None => (enable & is_filled, round.feed),
+            Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, sequencer.feed, adds.address)),
+            None => (enable & is_filled, sequencer.feed),
         };
         def!(fed_bank = merge.pipe_when(enable, filled_bank));
         def!(old = banks.on(MERGE).read_when(reads_old, old_address));
-        def!(old_is_blank = merge.pipe_when(enable, round.blank));
+        def!(old_is_blank = merge.pipe_when(enable, sequencer.blank));
         def!(left = merge.pipe_when(enable, mux(old_is_blank, background, old.pick(fed_bank))));
 
-        self.state_what_is_stale(m, (&round, i.swap), left, i.merged);
+        self.state_what_is_stale(m, (&sequencer, i.swap), left, i.merged);
 
         // The display.
         def!(shown_bank = crt.synchronize_from(true, !filled_bank));
@@ -235,8 +235,9 @@ impl GfbUnit {
         };
         word.drive(word_shown);
 
-        let view = View { read_valid: *read_valid, read_word: read_words.pick(read_bank), first_round: round.blank };
-        GfbUnitOut { view, scan: round.scan, left, blanking, pixel: read_out.pixel }
+        let view =
+            View { read_valid: *read_valid, read_word: read_words.pick(read_bank), first_round: sequencer.blank };
+        GfbUnitOut { view, scan: sequencer.scan, left, blanking, pixel: read_out.pixel }
     }
 
     /// Asserts that whatever entered the chain before the swap leaves it unchanged.
@@ -261,14 +262,14 @@ impl GfbUnit {
     /// The accumulation buffer and its control.
     fn average(&self, m: Module, control: MultipassControlIn, added: Signal, read_out: &CrtReadOutOut) -> Average {
         let crt = m.on(self.display.clock());
-        let control = m.on(MERGE).instance("u_multipass", &MultipassControl, control);
-        let MultipassControlOut { start, first, passes, averages, may_swap } = control;
+        def!(multipass = m.on(MERGE).instance(&MultipassControl, control));
+        let MultipassControlOut { start, first, passes, averages, may_swap } = multipass;
         let sums = AccumulationIn { start, first, word: added, passes, read_address: read_out.address };
-        let sums = m.instance("u_accumulation", &self.sums(), sums);
+        def!(accumulation = m.instance(&self.sums(), sums));
         def!(shows_average = crt.synchronize(averages));
         crt.assert(crt.stable(shows_average) | read_out.dark, "no refresh shows both an average and a pass");
-        let adds = Adding { busy: sums.busy, address: sums.address };
-        Average { adds, shows: shows_average, colour: sums.colour, may_swap }
+        let adds = Adding { busy: accumulation.busy, address: accumulation.address };
+        Average { adds, shows: shows_average, colour: accumulation.colour, may_swap }
     }
 }
 

@@ -118,11 +118,11 @@ impl PatchTable {
 
         def!(allocate = stage1.is(Allocate));
         let taking = PageIdGeneratorIn { restart: i.restart, take: allocate };
-        let free = m.instance("u_page_id_generator", &PageIdGenerator { pages: self.pages }, taking);
+        def!(page_id_generator = m.instance(&PageIdGenerator { pages: self.pages }, taking));
         let moves = stage1.next(|state| match state {
             Idle => when(look_up.taken, Read),
             Read => when(table_free, Examine),
-            Examine => when(entry.resident, Found).or_when(free.exhausted, Overflow).or_else(Allocate),
+            Examine => when(entry.resident, Found).or_when(page_id_generator.exhausted, Overflow).or_else(Allocate),
             Allocate => goto(Found),
             Found => when(look_up.taken, Read).or_else(Idle),
             Overflow => when(i.resume, Read),
@@ -130,10 +130,10 @@ impl PatchTable {
         read.drive(moves.leaves(Read));
         m.cover("a look-up finds no free page", moves.enters(Overflow));
 
-        def!(page = m.pipe_when(stage1.is(Examine), mux(entry.resident, entry.page, free.page)));
+        def!(page = m.pipe_when(stage1.is(Examine), mux(entry.resident, entry.page, page_id_generator.page)));
         entries.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
         def!(scan_entry = entries.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
-        PatchTableOut { overflow, idle, pages_used: free.used, found, page, scan_entry }
+        PatchTableOut { overflow, idle, pages_used: page_id_generator.used, found, page, scan_entry }
     }
 }
 

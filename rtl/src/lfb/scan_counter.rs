@@ -131,18 +131,19 @@ mod tests {
         fn build(&self, m: Module, i: ScanControl) -> Pixels {
             let widths = ScanCounter::position(self.screen);
             let preset = |position| ScanCounter::preset(self.screen, position);
-            let counters =
-                m.array("u_scan_counter", self.length, &ScanCounter { screen: self.screen }, |_| ScanCounterIn {
+            def!(
+                scan_counter = m.array(self.length, &ScanCounter { screen: self.screen }, |_| ScanCounterIn {
                     scan: i,
                     preset: Position {
                         x: constants(widths.x.of(self.length), |lane| preset(lane).x),
                         y: constants(widths.y.of(self.length), |lane| preset(lane).y),
                     },
-                });
-            let (x, y) = (counters.pixel.x.to_vec(), counters.pixel.y.to_vec());
+                })
+            );
+            let (x, y) = (scan_counter.pixel.x.to_vec(), scan_counter.pixel.y.to_vec());
             Pixels {
                 pixel: x.into_iter().zip(y).map(|(x, y)| Position { x, y }).collect(),
-                armed: counters.armed.to_vec(),
+                armed: scan_counter.armed.to_vec(),
             }
         }
     }

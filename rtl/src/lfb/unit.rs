@@ -102,9 +102,9 @@ impl LfbUnit {
 
         // The scan: one clock for the patch table, one clock for the image memory.
         let counter = ScanCounter { screen: self.patches.screen() };
-        let counted = merge.instance("u_scan_counter", &counter, ScanCounterIn { scan: i.scan, preset: i.preset });
-        let sought = self.patches.locate(counted.pixel);
-        def!(sought_armed = merge.reg(bit()).reset(0).when(enable, counted.armed));
+        def!(scan_counter = merge.instance(&counter, ScanCounterIn { scan: i.scan, preset: i.preset }));
+        let sought = self.patches.locate(scan_counter.pixel);
+        def!(sought_armed = merge.reg(bit()).reset(0).when(enable, scan_counter.armed));
         def!(sought_offset = merge.pipe_when(enable, sought.offset));
         def!(sought_buffer = merge.pipe_when(enable, back));
 
@@ -114,7 +114,7 @@ impl LfbUnit {
         def!(was_front = merge.reg(bit()).reset(0));
         was_front.next(merge_front);
         def!(swapped = was_front.ne(merge_front));
-        def!(passes = enable & counted.armed);
+        def!(passes = enable & scan_counter.armed);
         def!(pixels_left = merge.reg(up_to(pixels)).reset(0));
         def!(all_sent = pixels_left.eq(0));
         pixels_left
@@ -136,35 +136,36 @@ impl LfbUnit {
         let table = PatchTable { patches: self.patches.count(), pages: self.pages };
         let asked =
             PatchTableIn { look_up, clear: i.clear, front, settled, restart: i.swap, resume: i.resume, scan: seek };
-        let table = m.instance("u_patch_table", &table, asked);
+        def!(patch_table = m.instance(&table, asked));
         def!(wanted_offset = pe.pipe_when(accept, wanted.offset));
         def!(wanted_word = pe.pipe_when(accept, i.request.word));
 
         // A pixel looked up before the buffers were swapped is not sent: its page may belong to another patch by now.
-        def!(resident = sought_armed & table.scan_entry.resident & sought_buffer.eq(back));
-        let draw = Draw { valid: table.found, page: table.page, offset: wanted_offset, word: wanted_word };
-        let send = SendPixel { enable, resident, page: table.scan_entry.page, offset: sought_offset, buffer: back };
+        def!(resident = sought_armed & patch_table.scan_entry.resident & sought_buffer.eq(back));
+        let draw = Draw { valid: patch_table.found, page: patch_table.page, offset: wanted_offset, word: wanted_word };
+        let send =
+            SendPixel { enable, resident, page: patch_table.scan_entry.page, offset: sought_offset, buffer: back };
         let image = ImageMemory { pages: self.pages, page_pixels: self.patches.pixels() };
-        let image = m.instance("u_image_memory", &image, ImageMemoryIn { draw, front, send });
+        def!(image_memory = m.instance(&image, ImageMemoryIn { draw, front, send }));
 
         // A pixel that was sent is cleared: if it passes again before the next swap, it is empty.
         def!(again = all_sent & !swapped);
         def!(sought_again = merge.reg(bit()).reset(0).when(enable, again));
         def!(sent_again = merge.reg(bit()).reset(0).when(enable, sought_again));
-        merge.assert(sent_again.implies(image.sent.eq(empty())), "a back buffer that has been sent is cleared");
+        merge.assert(sent_again.implies(image_memory.sent.eq(empty())), "a back buffer that has been sent is cleared");
         merge.cover("a pixel goes by once more", passes & again);
-        let idle = table.idle & image.idle;
-        pe.assume(i.swap.implies(table.overflow | idle), "the buffers are swapped when idle or in overflow");
+        let idle = patch_table.idle & image_memory.idle;
+        pe.assume(i.swap.implies(patch_table.overflow | idle), "the buffers are swapped when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         LfbUnitOut {
-            overflow: table.overflow,
-            pages_used: table.pages_used,
+            overflow: patch_table.overflow,
+            pages_used: patch_table.pages_used,
             idle,
             draws: accept,
             clears,
-            word: image.sent,
+            word: image_memory.sent,
             sending: *sending,
-            scanned: counted.pixel,
+            scanned: scan_counter.pixel,
         }
     }
 }

@@ -38,12 +38,14 @@ block! {
 
 impl ImageMerger {
     fn build(&self, m: Module, i: ImageMergerIn) -> ImageMergerOut {
-        let units = m.array("u_merging_unit", self.units, &MergingUnit, |units| MergingUnitIn {
-            left: units.nearer.previous(i.left),
-            right: stack(i.samples),
-            enable: i.enable,
-        });
-        ImageMergerOut { merged: units.nearer.last() }
+        def!(
+            merging_unit = m.array(self.units, &MergingUnit, |units| MergingUnitIn {
+                left: units.nearer.previous(i.left),
+                right: stack(i.samples),
+                enable: i.enable,
+            })
+        );
+        ImageMergerOut { merged: merging_unit.nearer.last() }
     }
 }
 

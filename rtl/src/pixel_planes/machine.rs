@@ -130,10 +130,10 @@ impl PixelPlanes5 {
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();
         def!(room = m.wire(bit().of(row(renderers))));
         let messages = RingIn { bins: i.bins, room: *room, finished: finished.iter().map(|planes| **planes).collect() };
-        let sent = m.instance("u_ring", &ring, messages);
+        def!(ring = m.instance(&ring, messages));
 
         let (mut rooms, mut takes, mut idles) = (Vec::new(), Vec::new(), Vec::new());
-        for ((number, instructions), planes) in numbers.zip(sent.instructions).zip(finished) {
+        for ((number, instructions), planes) in numbers.zip(ring.instructions).zip(finished) {
             let inputs = RendererIn { instructions, side_by_side: i.side_by_side };
             let out = m.instance(&format!("u_renderer{number}"), &renderer, inputs);
             planes.drive(out.planes);
@@ -145,17 +145,16 @@ impl PixelPlanes5 {
         def!(idle = stack(idles));
 
         let allocation = RegionAllocatorIn { regions: i.regions, free: idle & !i.open };
-        let allocation = m.instance("u_allocator", &RegionAllocator { renderers }, allocation);
-        let plane_goes = sent.planes.valid;
-        let frame =
-            m.instance("u_frame_buffer", &self.frame_buffer(), FrameBufferIn { planes: sent.planes, read: i.read });
+        def!(allocator = m.instance(&RegionAllocator { renderers }, allocation));
+        let plane_goes = ring.planes.valid;
+        def!(frame_buffer = m.instance(&self.frame_buffer(), FrameBufferIn { planes: ring.planes, read: i.read }));
         PixelPlanes5Out {
-            given: allocation.given,
-            region: allocation.region,
+            given: allocator.given,
+            region: allocator.region,
             takes: stack(takes),
             idle,
             plane_goes,
-            words: frame.words,
+            words: frame_buffer.words,
         }
     }
 }

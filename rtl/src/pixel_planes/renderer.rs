@@ -132,22 +132,26 @@ impl Renderer {
         def!(store_free = m.wire(bit()));
         let control =
             ImageGenerationControllerIn { instructions, side_by_side: i.side_by_side, store_free: *store_free };
-        let controller = m.instance("u_controller", &self.controller(), control);
+        def!(controller = m.instance(&self.controller(), control));
 
         let (coefficients, first) = (controller.coefficients, controller.first);
         let expression = match controller.curve[..] {
             [curve] => {
-                m.instance("u_tree", &QuadraticTree { side }, QuadraticTreeIn { coefficients, curve, first }).value
+                def!(tree = m.instance(&QuadraticTree { side }, QuadraticTreeIn { coefficients, curve, first }));
+                tree.value
             }
-            _ => m.instance("u_tree", &LinearTree { side }, LinearTreeIn { coefficients, first }).value,
+            _ => {
+                def!(tree = m.instance(&LinearTree { side }, LinearTreeIn { coefficients, first }));
+                tree.value
+            }
         };
         let control = controller.control.map(|field| field.of(pixels));
         let pixel = PixelProcessorIn { control, expression };
-        let pixel = m.array("u_pixel", pixels, &PixelProcessor, |_| pixel);
+        def!(pixel = m.array(pixels, &PixelProcessor, |_| pixel));
 
         let number = controller.control.write.trunc(below(fields::WORD.bits));
         let store = BackingStoreIn { save: controller.save, number, word: pixel.word };
-        let store = m.instance("u_store", &BackingStore { side }, store);
+        def!(store = m.instance(&BackingStore { side }, store));
         store_free.drive(store.free);
         RendererOut { planes: store.planes, room, takes, idle: controller.idle }
     }

@@ -125,13 +125,13 @@ impl PixelArray {
         let array = m.on(ARRAY);
         let PixelArrayIn { instructions, side_by_side, bank_done, texture_done, .. } = i;
         let controller = ArrayControllerIn { instructions, side_by_side, bank_done, texture_done };
-        let controller = array.instance("u_controller", &ArrayController { width, height }, controller);
+        def!(controller = array.instance(&ArrayController { width, height }, controller));
         let evaluator = LinearEvaluatorIn {
             coefficients: controller.coefficients,
             first: controller.first,
             sends: controller.sends,
         };
-        let evaluator = array.instance("u_evaluator", &LinearEvaluator { width, height }, evaluator);
+        def!(evaluator = array.instance(&LinearEvaluator { width, height }, evaluator));
 
         let control = controller.control;
         let [result, writes] = [("result", bits(8)), ("writes_register", bit())]
@@ -157,12 +157,13 @@ impl PixelArray {
         let read = control.read;
         let of_banks = mux(read.bit(low), banks[1].word, banks[0].word);
 
-        let pixel =
-            array.array("u_pixel", pixels, &PixelProcessor { depth: PixelProcessor::DEPTH }, |_| PixelProcessorIn {
+        def!(
+            pixel = array.array(pixels, &PixelProcessor { depth: PixelProcessor::DEPTH }, |_| PixelProcessorIn {
                 control: control.map(|field| field.of(pixels)),
                 expression: evaluator.value,
                 register_byte: mux(read.bit(high), texture.word, of_banks),
-            });
+            })
+        );
         result.drive(pixel.result);
         writes.drive(pixel.writes_register);
         PixelArrayOut {

@@ -87,15 +87,16 @@ impl LinearEvaluator {
         let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
         let tree = |name, root, added: &[(&Vec<Signal>, u32)]| {
             let begins = levels - added.len() as u32;
-            let root = delays(m, &format!("{name}_root"), begins, root)[begins as usize];
+            let root = m.within(name, || delays(m, "root", begins, root))[begins as usize];
             added.iter().zip(0..).fold(root.of(row(1)), |parents, (&(coefficient, places), level)| {
                 let at = (begins + level) as usize;
                 let weighted = sent.weighted(coefficient, places, at);
-                children(m, &format!("{name}{level}"), parents, weighted, sent.marks(at))
+                m.within(&format!("{name}{level}"), || children(m, parents, weighted, sent.marks(at)))
             })
         };
         let (places, chip) = (tree("pixel", c, &in_chip), tree("chip", lit(8, 0), &of_chips));
-        let value = sum(m, "value", places.to_rows(chips), chip.to_columns(pixels), sent.marks(levels as usize));
+        let (rows, columns) = (places.to_rows(chips), chip.to_columns(pixels));
+        let value = m.within("value", || sum(m, rows, columns, sent.marks(levels as usize)));
         LinearEvaluatorOut { value }
     }
 }
@@ -132,20 +133,19 @@ impl Sent {
 }
 
 /// The sums of a level's nodes, a clock later: a left child takes its parent's, and a right child adds the coefficient.
-fn children(m: Module, name: &str, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
+fn children(m: Module, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| node % 2 * 0xff);
-    let adds = (is_right & weighted).named(&format!("{name}_adds"));
-    sum(m, name, parents.take(nodes, |node| node / 2), adds, marks)
+    def!(adds = is_right & weighted);
+    sum(m, parents.take(nodes, |node| node / 2), adds, marks)
 }
 
 /// The sum of words that come byte by byte, a clock later.
-fn sum(m: Module, name: &str, left: Signal, right: Signal, marks: Marks) -> Signal {
-    let named = |what: &str| format!("{name}_{what}");
-    let sum = m.reg(&named("sum"), bits(8).of(left.shape()));
-    let carry = m.reg(&named("carry"), bit().of(left.shape()));
-    let total = (left + right + (*carry & !marks.first).zext(8)).named(&named("total"));
-    let carries = ((left & right) | ((left | right) & !total)).named(&named("carries"));
+fn sum(m: Module, left: Signal, right: Signal, marks: Marks) -> Signal {
+    def!(sum = m.reg(bits(8).of(left.shape())));
+    def!(carry = m.reg(bit().of(left.shape())));
+    def!(total = left + right + (carry & !marks.first).zext(8));
+    def!(carries = (left & right) | ((left | right) & !total));
     carry.enable(marks.sends).next(carries.msb());
     sum.enable(marks.sends).next(total);
     *sum

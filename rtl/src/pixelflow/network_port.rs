@@ -86,14 +86,16 @@ impl NetworkPort {
         m.assume(!(loads & i.upstream.valid), "nothing comes while a node loads");
 
         let each = |signal: Signal| signal.of(row(chips));
-        let compositor = m.array("u_compositor", row(chips), &Compositor { pixels, width }, |_| CompositorIn {
-            mode: each(i.mode),
-            advances: each(advances),
-            first: each(is_first),
-            pixel: each(*pixel),
-            upstream: i.upstream.bytes,
-            own: i.own,
-        });
+        def!(
+            compositor = m.array(row(chips), &Compositor { pixels, width }, |_| CompositorIn {
+                mode: each(i.mode),
+                advances: each(advances),
+                first: each(is_first),
+                pixel: each(*pixel),
+                upstream: i.upstream.bytes,
+                own: i.own,
+            })
+        );
         let valid = m.reg("downstream_valid", bit()).reset(0);
         valid.next(advances);
         let downstream =

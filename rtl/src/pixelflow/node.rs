@@ -160,12 +160,12 @@ impl Node {
     fn build(&self, m: Module, i: NodeIn) -> NodeOut {
         let (array, network) = (m.on(ARRAY), m.on(NETWORK));
         let NodeIn { store, frames, side_by_side, texture, texture_done, network: directions } = i;
-        let dma = array.instance("u_dma", &self.dma(), CommandDmaIn { store, frames });
+        def!(dma = array.instance(&self.dma(), CommandDmaIn { store, frames }));
         def!(given = array.wire(bits(BANKS)));
         def!(done = network.wire(bits(BANKS)));
-        let bank_done = turned(array, network, "done", *done);
+        let bank_done = m.within("done", || turned(array, network, *done));
         def!(held = network.reg(bits(BANKS)).reset(0));
-        held.next((*held & !*done) | turned(network, array, "given", *given));
+        held.next((*held & !*done) | m.within("given", || turned(network, array, *given)));
 
         // Each direction gets the byte that its bank shows, and selects it.
         let seen: Vec<Wire> =
@@ -238,12 +238,12 @@ impl Side {
 }
 
 /// Pulses of one clock as pulses of this clock: a flag toggles with each, and two registers synchronize it.
-fn turned(here: Module, there: Module, name: &str, marks: Signal) -> Signal {
+fn turned(here: Module, there: Module, marks: Signal) -> Signal {
     let mut bits = Vec::new();
     for bit in (0..marks.width()).rev() {
-        let flag = there.toggle(&format!("{name}_flag{bit}"), marks.bit(bit));
-        let flag = here.synchronize(&format!("{name}_here{bit}"), flag);
-        let before = here.reg(&format!("{name}_before{bit}"), self::bit()).reset(0);
+        let flag = there.toggle(&format!("flag{bit}"), marks.bit(bit));
+        let flag = here.synchronize(&format!("here{bit}"), flag);
+        let before = here.reg(&format!("before{bit}"), self::bit()).reset(0);
         before.next(flag);
         bits.push(flag ^ *before);
     }

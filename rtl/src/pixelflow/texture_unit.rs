@@ -117,11 +117,11 @@ impl TextureUnit {
             texture: byte(5),
         };
         let TextureUnitIn { write, describe, .. } = i;
-        let found = m.instance("u_memory", &self.memory, TextureMemoryIn { write, describe, request });
+        def!(memory = m.instance(&self.memory, TextureMemoryIn { write, describe, request }));
 
         // Texels are collected a chip a clock, and written a byte a clock.
         def!(collected = m.reg(bits(8 * TEXELS).of(row(chips))));
-        collected.when(found.valid, collected.following(found.texels.pack()));
+        collected.when(memory.valid, collected.following(memory.texels.pack()));
         def!(writes = busy & number.ge(2) & clock.ge(ASKED) & clock.lt(ASKED + TEXELS));
         def!(given = m.reg(bits(8 * TEXELS).of(row(chips))));
         given.when(clock.eq(COLLECTED), *collected).when(writes, *given >> 8);

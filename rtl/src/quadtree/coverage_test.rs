@@ -115,7 +115,7 @@ impl CoverageTest {
         let tally = (0..self.sizes).map(|level| {
             let here = if self.sizes == 1 { lit(1, 1) } else { window.size.eq(self.from - level) };
             let is = Tally { busy: busy & !waits & here, stalled: waits & here, results: sent & here };
-            Tally::count(m, &format!("size{}", self.from - level), is)
+            m.within(&format!("size{}", self.from - level), || Tally::count(m, is))
         });
         DividerOut { parts, idle: !busy & !i.works.valid, tally: tally.collect() }
     }

@@ -118,34 +118,36 @@ impl QuadtreeGenerator {
         has.when(gone.taken, 0).when(sent, 1);
         def!(waits = packets.valid & !all_have);
         let broadcast = Tally { busy: gone.taken, stalled: waits, results: gone.taken };
-        let broadcast = Tally::count(m, "broadcast", broadcast);
+        let broadcast = m.within("broadcast", || Tally::count(m, broadcast));
 
         def!(scan = m.wire(VideoController { format }.scan()));
         let places = format.place().map(|width| width.of(each));
         let p = matrix.columns();
-        let processors = m.array("u_processor", matrix.processors(), &self.video_processor, |_| VideoProcessorIn {
-            packets: copies,
-            place: constants(places, |lane| format.place_of(lane % p, lane / p)),
-            strict: i.strict,
-            back,
-            scan: *scan,
-        });
-        let control = VideoControllerIn { show: i.show, words: processors.word };
-        let control = m.instance("u_controller", &VideoController { format }, control);
-        scan.drive(control.scan);
+        def!(
+            processor = m.array(matrix.processors(), &self.video_processor, |_| VideoProcessorIn {
+                packets: copies,
+                place: constants(places, |lane| format.place_of(lane % p, lane / p)),
+                strict: i.strict,
+                back,
+                scan: *scan,
+            })
+        );
+        let control = VideoControllerIn { show: i.show, words: processor.word };
+        def!(controller = m.instance(&VideoController { format }, control));
+        scan.drive(controller.scan);
 
-        def!(idle = !packets.valid & processors.idle.and_all());
-        m.assume(i.swap.implies(idle & !control.busy), "the banks are swapped when nothing is drawn or read");
+        def!(idle = !packets.valid & processor.idle.and_all());
+        m.assume(i.swap.implies(idle & !controller.busy), "the banks are swapped when nothing is drawn or read");
         let counted = |unit: &Tally| unit.map(|count| count.pick(i.probe.processor));
-        let tallies: Vec<Tally> = processors.tally.iter().map(counted).collect();
+        let tallies: Vec<Tally> = processor.tally.iter().map(counted).collect();
         let units = (1..).zip(tallies[1..].iter().copied());
         let tally = case(i.probe.unit, units, tallies[0]);
         QuadtreeGeneratorOut {
-            pixels: control.pixels,
+            pixels: controller.pixels,
             idle,
-            showing: control.busy,
+            showing: controller.busy,
             tally,
-            fragments: processors.fragments.pick(i.probe.processor),
+            fragments: processor.fragments.pick(i.probe.processor),
             broadcast,
         }
     }

@@ -77,14 +77,14 @@ impl VideoProcessor {
     fn build(&self, m: Module, i: VideoProcessorIn) -> VideoProcessorOut {
         let VideoProcessor { format, test, queues, .. } = *self;
         let packets = m.fifo("u_queue", queues.packets, i.packets);
-        let set_up = m.instance("u_set_up", &SetUp { format }, SetUpIn { packets, place: i.place });
+        def!(set_up = m.instance(&SetUp { format }, SetUpIn { packets, place: i.place }));
 
         let raster = RasterProcessor { format, form: self.form.clone(), test, queue: queues.windows };
-        let raster = m.instance("u_raster", &raster, DividerIn { works: set_up.roots });
+        def!(raster = m.instance(&raster, DividerIn { works: set_up.roots }));
         let pixel = PixelProcessorIn { leaves: raster.parts };
-        let pixel = m.instance("u_pixel", &PixelProcessor { format }, pixel);
+        def!(pixel = m.instance(&PixelProcessor { format }, pixel));
         let buffer = VideoBufferIn { draw: pixel.fragment, strict: i.strict, back: i.back, scan: i.scan };
-        let buffer = m.instance("u_buffer", &VideoBuffer { format }, buffer);
+        def!(buffer = m.instance(&VideoBuffer { format }, buffer));
 
         // A fragment takes a clock in the pixel processor, and another in the buffer.
         def!(drawn = m.reg(bit()).reset(0));

@@ -111,7 +111,8 @@ impl SetUp {
         step.when(sent, 0).when(works & !is_last, step + 1);
 
         def!(waits = works & is_last & !sent);
-        let tally = Tally::count(m, "set_up", Tally { busy: works & !waits, stalled: waits, results: sent });
+        let tally =
+            m.within("set_up", || Tally::count(m, Tally { busy: works & !waits, stalled: waits, results: sent }));
         SetUpOut { roots, idle: !works, tally }
     }
 }

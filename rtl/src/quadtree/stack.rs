@@ -26,7 +26,7 @@ block! {
     pub struct Stack {
         /// The generator's format.
         pub format: Format,
-        /// How the edges are tested.
+        /// How the edges are test.
         pub test: Test,
         /// The size of the windows that come in: the binary logarithm of their side.
         pub from: u32,
@@ -48,10 +48,10 @@ impl Stack {
         let Stack { format, test, from, levels } = *self;
         def!(next = m.stream_wire(format.work()));
         let unit = CoverageTest { format, test, from, sizes: levels };
-        let tested = m.instance("u_test", &unit, DividerIn { works: *next });
+        def!(test = m.instance(&unit, DividerIn { works: *next }));
 
         // A quarter is a leaf, or is divided again.
-        let part = &tested.parts;
+        let part = &test.parts;
         def!(is_done = part.window.size.eq(from - levels));
         let (parts, _) = m.offer(part.valid & is_done, part.payload);
         part.take_when(!is_done | parts.ready);
@@ -76,6 +76,6 @@ impl Stack {
         used.when(pushes, used + 1).when(pops, used - 1);
         m.assert(pushes.implies(used.ne(depth)), "of each size three windows are held at most");
         m.cover("the stack is full", m.rose(used.eq(depth)));
-        DividerOut { parts, idle: tested.idle, tally: tested.tally }
+        DividerOut { parts, idle: test.idle, tally: test.tally }
     }
 }

@@ -24,9 +24,9 @@ impl Tally<Width> {
 
 impl Tally {
     /// Counts the clocks in which each of the three is high.
-    pub(super) fn count(m: Module, name: &str, is: Tally) -> Tally {
+    pub(super) fn count(m: Module, is: Tally) -> Tally {
         let counter = |what: &str, is: Signal| {
-            let count = m.reg(&format!("{name}_{what}"), 32).reset(0);
+            let count = m.reg(what, 32).reset(0);
             count.when(is, count + 1);
             *count
         };

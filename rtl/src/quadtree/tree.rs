@@ -51,16 +51,17 @@ impl Tree {
         let Tree { format, test, from, levels, queue } = *self;
         let works = m.fifo("u_queue", queue, i.works);
         let unit = CoverageTest { format, test, from, sizes: 1 };
-        let DividerOut { parts, idle, mut tally } = m.instance("u_test", &unit, DividerIn { works });
+        def!(test = m.instance(&unit, DividerIn { works }));
+        let DividerOut { parts, idle, mut tally } = test;
         if levels == 1 {
             return DividerOut { parts, idle, tally };
         }
         let quarter = |work: &Work| cat![work.window.y.bit(from - 1), work.window.x.bit(from - 1)];
         let quarters: [_; 4] = m.split_by(parts, quarter);
         let tree = Tree { from: from - 1, levels: levels - 1, ..*self };
-        let branches = m.array("u_branch", 4, &tree, |_| DividerIn { works: stack(quarters) });
-        tally.extend(branches.tally.iter().map(|unit| unit.map(|count| count.sum())));
-        let parts = m.arbiter("u_arbiter", Turns::RoundRobin, branches.parts.lanes());
-        DividerOut { parts, idle: idle & branches.idle.and_all(), tally }
+        def!(branch = m.array(4, &tree, |_| DividerIn { works: stack(quarters) }));
+        tally.extend(branch.tally.iter().map(|unit| unit.map(|count| count.sum())));
+        let parts = m.arbiter("u_arbiter", Turns::RoundRobin, branch.parts.lanes());
+        DividerOut { parts, idle: idle & branch.idle.and_all(), tally }
     }
 }

@@ -94,31 +94,34 @@ impl SwapControl {
         def!(line = pe.wire(bit()));
         def!(shown = merge.wire(bit()));
         let (line_here, shown_here) = (*line, *shown);
-        let each = m.array("u_lfb_swap", processors, &self.local, |_| LfbSwapIn {
-            done,
-            idle,
-            overflow,
-            draws,
-            clears,
-            patch,
-            line: line_here,
-            shown: shown_here,
-            sending,
-        });
-        let sync = SyncLineIn { ready: each.ready.to_vec(), bus: i.bus, host: i.host };
-        line.drive(pe.instance("u_sync_line", &SyncLine { processors }, sync).line);
+        def!(
+            lfb_swap = m.array(processors, &self.local, |_| LfbSwapIn {
+                done,
+                idle,
+                overflow,
+                draws,
+                clears,
+                patch,
+                line: line_here,
+                shown: shown_here,
+                sending,
+            })
+        );
+        let sync = SyncLineIn { ready: lfb_swap.ready.to_vec(), bus: i.bus, host: i.host };
+        def!(sync_line = pe.instance(&SyncLine { processors }, sync));
+        line.drive(sync_line.line);
 
-        let (frames, sending) = (each.frame.to_vec(), sending.to_vec());
+        let (frames, sending) = (lfb_swap.frame.to_vec(), sending.to_vec());
         let banks = GfbSwapIn { frames, sending, enable: i.enable, blanking: i.blanking };
-        let banks = merge.instance("u_gfb_swap", &self.global, banks);
-        shown.drive(banks.shown);
+        def!(gfb_swap = merge.instance(&self.global, banks));
+        shown.drive(gfb_swap.shown);
         SwapControlOut {
             line: *line,
-            swap: each.swap,
-            resume: each.resume,
-            state: each.state,
-            gfb_swap: banks.swap,
-            merged: banks.merged,
+            swap: lfb_swap.swap,
+            resume: lfb_swap.resume,
+            state: lfb_swap.state,
+            gfb_swap: gfb_swap.swap,
+            merged: gfb_swap.merged,
             shown: *shown,
         }
     }

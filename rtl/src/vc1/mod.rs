@@ -195,19 +195,21 @@ impl Vc1 {
         def!(merged = merge.wire(WORD));
         def!(gfb_swap = merge.wire(bit()));
         let gfb = GfbUnitIn { swap: *gfb_swap, host: i.host, merged: *merged };
-        let gfb = m.instance("u_gfb", &self.gfb(), gfb);
+        def!(gfb = m.instance(&self.gfb(), gfb));
 
         def!(swap = pe.wire(lanes));
         def!(resume = pe.wire(lanes));
         let ProcessorIn { request, clear, sends, done } = stack(i.processors);
         let senders = sends.lanes().into_iter().chain([i.command]).collect();
-        let bus = pe.instance("u_bus", &self.bus(), BroadcastBusIn { senders });
+        def!(bus = pe.instance(&self.bus(), BroadcastBusIn { senders }));
         let patch = clear.patch;
-        let lfb = m.array("u_lfb", self.processors, &self.lfb, |_| {
-            let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
-            let preset = constants(widths, |position| ScanCounter::preset(screen, position));
-            LfbUnitIn { request, clear, swap: *swap, resume: *resume, scan: gfb.scan, preset }
-        });
+        def!(
+            lfb = m.array(self.processors, &self.lfb, |_| {
+                let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
+                let preset = constants(widths, |position| ScanCounter::preset(screen, position));
+                LfbUnitIn { request, clear, swap: *swap, resume: *resume, scan: gfb.scan, preset }
+            })
+        );
         let LfbUnitOut { overflow, idle, draws, clears, sending, word, scanned, .. } = lfb;
         self.state_how_they_scan(merge, scanned, gfb.scan.restart);
 
@@ -239,7 +241,8 @@ impl Vc1 {
 
         let chain = ImageMerger { units: self.processors };
         let inputs = ImageMergerIn { left: gfb.left, samples: word.to_vec(), enable: gfb.scan.enable };
-        merged.drive(merge.instance("u_merger", &chain, inputs).merged);
+        def!(merger = merge.instance(&chain, inputs));
+        merged.drive(merger.merged);
 
         let processor = |position| ProcessorOut {
             state: control.state.lane(position),

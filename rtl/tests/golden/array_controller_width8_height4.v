@@ -100,46 +100,46 @@ module array_controller_width8_height4 (
     localparam [2:0] SYNC_AWAIT_TEXTURE = 3'd3;
     localparam [2:0] SYNC_START_TEXTURE = 3'd4;
 
-    reg [1:0] evaluator_action_source;                           // rtl/src/pixelflow/controller/slot.rs:100
-    reg [3:0] evaluator_action_function;                         // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] evaluator_action_begin;                            // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] evaluator_action_mask;                             // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_accumulates;                            // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_stores;                                 // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] evaluator_action_condition;                        // rtl/src/pixelflow/controller/slot.rs:100
-    reg [2:0] evaluator_action_enabling;                         // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_by_sign;                                // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] evaluator_action_flagging;                         // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_on_memory;                              // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_descends;                               // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_gives;                                  // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] evaluator_action_bank;                             // rtl/src/pixelflow/controller/slot.rs:100
-    reg evaluator_action_starts;                                 // rtl/src/pixelflow/controller/slot.rs:100
-    reg [3:0] evaluator_length;                                  // rtl/src/pixelflow/controller/slot.rs:100
+    reg [1:0] evaluator_action_source;                           // rtl/src/pixelflow/controller/slot.rs:99
+    reg [3:0] evaluator_action_function;                         // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] evaluator_action_begin;                            // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] evaluator_action_mask;                             // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_accumulates;                            // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_stores;                                 // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] evaluator_action_condition;                        // rtl/src/pixelflow/controller/slot.rs:99
+    reg [2:0] evaluator_action_enabling;                         // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_by_sign;                                // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] evaluator_action_flagging;                         // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_on_memory;                              // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_descends;                               // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_gives;                                  // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] evaluator_action_bank;                             // rtl/src/pixelflow/controller/slot.rs:99
+    reg evaluator_action_starts;                                 // rtl/src/pixelflow/controller/slot.rs:99
+    reg [3:0] evaluator_length;                                  // rtl/src/pixelflow/controller/slot.rs:99
     reg [4:0] evaluator_left;                                    // rtl/src/pixelflow/controller/slot.rs:101
     reg [39:0] evaluator_bytes;                                  // rtl/src/pixelflow/controller/slot.rs:103
-    reg [8:0] evaluator_read;                                    // rtl/src/pixelflow/controller/slot.rs:109
-    reg [8:0] evaluator_write;                                   // rtl/src/pixelflow/controller/slot.rs:110
-    reg [1:0] memory_action_source;                              // rtl/src/pixelflow/controller/slot.rs:100
-    reg [3:0] memory_action_function;                            // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] memory_action_begin;                               // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] memory_action_mask;                                // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_accumulates;                               // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_stores;                                    // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] memory_action_condition;                           // rtl/src/pixelflow/controller/slot.rs:100
-    reg [2:0] memory_action_enabling;                            // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_by_sign;                                   // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] memory_action_flagging;                            // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_on_memory;                                 // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_descends;                                  // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_gives;                                     // rtl/src/pixelflow/controller/slot.rs:100
-    reg [1:0] memory_action_bank;                                // rtl/src/pixelflow/controller/slot.rs:100
-    reg memory_action_starts;                                    // rtl/src/pixelflow/controller/slot.rs:100
-    reg [3:0] memory_length;                                     // rtl/src/pixelflow/controller/slot.rs:100
+    reg [8:0] evaluator_read;                                    // rtl/src/pixelflow/controller/slot.rs:105
+    reg [8:0] evaluator_write;                                   // rtl/src/pixelflow/controller/slot.rs:106
+    reg [1:0] memory_action_source;                              // rtl/src/pixelflow/controller/slot.rs:99
+    reg [3:0] memory_action_function;                            // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] memory_action_begin;                               // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] memory_action_mask;                                // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_accumulates;                               // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_stores;                                    // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] memory_action_condition;                           // rtl/src/pixelflow/controller/slot.rs:99
+    reg [2:0] memory_action_enabling;                            // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_by_sign;                                   // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] memory_action_flagging;                            // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_on_memory;                                 // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_descends;                                  // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_gives;                                     // rtl/src/pixelflow/controller/slot.rs:99
+    reg [1:0] memory_action_bank;                                // rtl/src/pixelflow/controller/slot.rs:99
+    reg memory_action_starts;                                    // rtl/src/pixelflow/controller/slot.rs:99
+    reg [3:0] memory_length;                                     // rtl/src/pixelflow/controller/slot.rs:99
     reg [4:0] memory_left;                                       // rtl/src/pixelflow/controller/slot.rs:101
     reg [39:0] memory_bytes;                                     // rtl/src/pixelflow/controller/slot.rs:103
-    reg [8:0] memory_read;                                       // rtl/src/pixelflow/controller/slot.rs:109
-    reg [8:0] memory_write;                                      // rtl/src/pixelflow/controller/slot.rs:110
+    reg [8:0] memory_read;                                       // rtl/src/pixelflow/controller/slot.rs:105
+    reg [8:0] memory_write;                                      // rtl/src/pixelflow/controller/slot.rs:106
     reg waits;                                                   // rtl/src/pixelflow/controller.rs:132
     reg [1:0] waiting_action_source;                             // rtl/src/pixelflow/controller.rs:133
     reg [3:0] waiting_action_function;                           // rtl/src/pixelflow/controller.rs:133
@@ -163,8 +163,8 @@ module array_controller_width8_height4 (
     reg [39:0] waiting_constant;                                 // rtl/src/pixelflow/controller.rs:133
     reg [1:0] banks_under_way;                                   // rtl/src/pixelflow/controller.rs:217
     reg texture_under_way;                                       // rtl/src/pixelflow/controller.rs:218
-    reg [39:0] a;                                                // rtl/src/pixelflow/controller/slot.rs:168
-    reg [39:0] b;                                                // rtl/src/pixelflow/controller/slot.rs:168
+    reg [39:0] a;                                                // rtl/src/pixelflow/controller/slot.rs:163
+    reg [39:0] b;                                                // rtl/src/pixelflow/controller/slot.rs:163
     reg [1:0] sent1_control_source;                              // rtl/src/pixelflow/controller.rs:199
     reg [7:0] sent1_control_constant;                            // rtl/src/pixelflow/controller.rs:199
     reg [3:0] sent1_control_function;                            // rtl/src/pixelflow/controller.rs:199
@@ -245,7 +245,7 @@ module array_controller_width8_height4 (
     wire on_enable_or = (instructions_enabling != ENABLING_KEEP) | (instructions_mask == MASK_ENABLED); // rtl/src/pixelflow/controller.rs:117
     wire on_enable = on_enable_or | (instructions_flagging == FLAGGING_ENABLED_CONDITION); // rtl/src/pixelflow/controller.rs:115
     wire on_evaluator = expression | on_enable;                  // rtl/src/pixelflow/controller.rs:119
-    wire evaluator_ends = evaluator_left <= 5'd1;                // rtl/src/pixelflow/controller/slot.rs:107
+    wire evaluator_ends = evaluator_left <= 5'd1;                // rtl/src/pixelflow/controller/slot.rs:104
     wire writes_or = instructions_accumulates | instructions_stores; // rtl/src/pixelflow/controller.rs:113
     wire writes = (instructions_mask != MASK_NOBODY) & writes_or; // rtl/src/pixelflow/controller.rs:113
     wire quiet_and_2 = (instructions_function == FUNCTION_OPERAND) & !writes; // rtl/src/pixelflow/controller.rs:114
@@ -258,7 +258,7 @@ module array_controller_width8_height4 (
     wire [4:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 5'd0); // rtl/src/pixelflow/controller.rs:137
     wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 5'd1); // rtl/src/pixelflow/controller.rs:138
     wire evaluator_may = evaluator_ends & (!on_memory | ends_in_time); // rtl/src/pixelflow/controller.rs:139
-    wire memory_ends = memory_left <= 5'd1;                      // rtl/src/pixelflow/controller/slot.rs:107
+    wire memory_ends = memory_left <= 5'd1;                      // rtl/src/pixelflow/controller/slot.rs:104
     wire memory_may_inverse = !((evaluator_left != 5'd0) & evaluator_action_on_memory); // rtl/src/pixelflow/controller.rs:140
     wire memory_may = (!waits | memory_ends) & (evaluator_ends | memory_may_inverse); // rtl/src/pixelflow/controller.rs:140
     wire both_end = evaluator_ends & memory_ends & !waits;       // rtl/src/pixelflow/controller.rs:141
@@ -271,9 +271,9 @@ module array_controller_width8_height4 (
     wire may = may_and & may_inverse;                            // rtl/src/pixelflow/controller.rs:144
     assign instructions_ready = may;                             // rtl/src/pixelflow/controller.rs:145
     wire evaluator_is_word_at_most = evaluator_left <= {1'd0, evaluator_length}; // rtl/src/pixelflow/controller/slot.rs:102
-    wire evaluator_is_word = (evaluator_left != 5'd0) & evaluator_is_word_at_most; // rtl/src/pixelflow/controller/slot.rs:108
-    assign coefficients_c = evaluator_bytes[7:0];                // rtl/src/pixelflow/controller/slot.rs:112
-    wire memory_is_word = (memory_left != 5'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixelflow/controller/slot.rs:108
+    wire evaluator_is_word = (evaluator_left != 5'd0) & evaluator_is_word_at_most; // rtl/src/pixelflow/controller/slot.rs:102
+    assign coefficients_c = evaluator_bytes[7:0];                // rtl/src/pixelflow/controller/slot.rs:107
+    wire memory_is_word = (memory_left != 5'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixelflow/controller/slot.rs:102
     wire instructions_taken = instructions_valid & may;          // rtl/src/pixelflow/controller.rs:145
     wire [1:0] banks_under_way_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:77
     wire banks_under_way_and = instructions_taken & (instructions_sync == SYNC_GIVE_BANK); // rtl/src/pixelflow/controller.rs:235
@@ -289,14 +289,14 @@ module array_controller_width8_height4 (
     wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixelflow/controller.rs:155
     wire [3:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixelflow/controller.rs:157
     wire [4:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixelflow/controller/slot.rs:70
-    assign coefficients_a = a[7:0];                              // rtl/src/pixelflow/controller/slot.rs:170
-    assign coefficients_b = b[7:0];                              // rtl/src/pixelflow/controller/slot.rs:170
-    wire asserted_and = (evaluator_left != 5'd0) & evaluator_action_on_memory; // rtl/src/pixelflow/controller/slot.rs:130
-    wire sent1_given_banks_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_gives; // rtl/src/pixelflow/controller/slot.rs:162
-    wire [1:0] sent1_given_banks_choice = sent1_given_banks_and ? evaluator_action_bank : 2'd0; // rtl/src/pixelflow/controller/slot.rs:162
-    wire sent1_given_texture_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
-    wire sent1_given_banks_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_gives; // rtl/src/pixelflow/controller/slot.rs:162
-    wire sent1_given_texture_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_starts; // rtl/src/pixelflow/controller/slot.rs:162
+    assign coefficients_a = a[7:0];                              // rtl/src/pixelflow/controller/slot.rs:165
+    assign coefficients_b = b[7:0];                              // rtl/src/pixelflow/controller/slot.rs:165
+    wire asserted_and = (evaluator_left != 5'd0) & evaluator_action_on_memory; // rtl/src/pixelflow/controller/slot.rs:125
+    wire sent1_given_banks_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_gives; // rtl/src/pixelflow/controller/slot.rs:157
+    wire [1:0] sent1_given_banks_choice = sent1_given_banks_and ? evaluator_action_bank : 2'd0; // rtl/src/pixelflow/controller/slot.rs:157
+    wire sent1_given_texture_and = evaluator_is_word & (evaluator_left == 5'd1) & evaluator_action_starts; // rtl/src/pixelflow/controller/slot.rs:157
+    wire sent1_given_banks_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_gives; // rtl/src/pixelflow/controller/slot.rs:157
+    wire sent1_given_texture_and_2 = memory_is_word & (memory_left == 5'd1) & memory_action_starts; // rtl/src/pixelflow/controller/slot.rs:157
     wire asserted_and_4 = (sent5_control_function <= FUNCTION_ADD_HALVED) & (sent5_control_begin <= BEGIN_ONE); // rtl/src/pixelflow/controller.rs:260
     wire asserted_and_3 = asserted_and_4 & (sent5_control_condition <= CONDITION_NO_CARRY); // rtl/src/pixelflow/controller.rs:260
     wire asserted_and_2 = asserted_and_3 & (sent5_control_enabling <= ENABLING_POP); // rtl/src/pixelflow/controller.rs:260

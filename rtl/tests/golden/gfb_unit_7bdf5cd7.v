@@ -49,17 +49,17 @@ module gfb_unit_7bdf5cd7 (
     reg read_valid;                                              // rtl/src/gfb/unit.rs:197
     reg fed_bank;                                                // rtl/src/gfb/unit.rs:212
     reg old_is_blank;                                            // rtl/src/gfb/unit.rs:214
-    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:246
+    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:247
     (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:220
     (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:220
     (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:226
     (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:226
-    (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:268
-    (* ASYNC_REG = "TRUE" *) reg shows_average;                  // rtl/src/gfb/unit.rs:268
-    reg shows_average_past;                                      // rtl/src/gfb/unit.rs:269
+    (* ASYNC_REG = "TRUE" *) reg shows_average_meta;             // rtl/src/gfb/unit.rs:269
+    (* ASYNC_REG = "TRUE" *) reg shows_average;                  // rtl/src/gfb/unit.rs:269
+    reg shows_average_past;                                      // rtl/src/gfb/unit.rs:270
 
     (* no_rw_check *)
-    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:245
+    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:246
 
     wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:177
     wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:177
@@ -68,13 +68,13 @@ module gfb_unit_7bdf5cd7 (
     wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:222
     wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:222
     wire u_crt_window;                                           // rtl/src/gfb/unit.rs:222
-    wire u_multipass_start;                                      // rtl/src/gfb/unit.rs:264
-    wire u_multipass_first;                                      // rtl/src/gfb/unit.rs:264
-    wire [1:0] u_multipass_passes;                               // rtl/src/gfb/unit.rs:264
-    wire u_multipass_averages;                                   // rtl/src/gfb/unit.rs:264
+    wire u_multipass_start;                                      // rtl/src/gfb/unit.rs:265
+    wire u_multipass_first;                                      // rtl/src/gfb/unit.rs:265
+    wire [1:0] u_multipass_passes;                               // rtl/src/gfb/unit.rs:265
+    wire u_multipass_averages;                                   // rtl/src/gfb/unit.rs:265
     wire adds_busy;                                              // rtl/src/gfb/unit.rs:207
     wire [6:0] adds_address;                                     // rtl/src/gfb/unit.rs:207
-    wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:267
+    wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:268
 
     wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:215
     wire [47:0] word_picked;                                     // rtl/src/gfb/unit.rs:225
@@ -82,11 +82,11 @@ module gfb_unit_7bdf5cd7 (
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:176
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:186
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:187
-    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:248
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:254
+    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:249
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:255
     wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : word_picked; // rtl/src/gfb/unit.rs:221
     wire u_accumulation_word_inverse = !filled_bank;             // rtl/src/gfb/unit.rs:230
-    wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:269
+    wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:270
 
     genvar i;
 
@@ -139,7 +139,7 @@ module gfb_unit_7bdf5cd7 (
         .window      (u_crt_window)
     );
 
-    multipass_control u_multipass (                              // rtl/src/gfb/unit.rs:264
+    multipass_control u_multipass (                              // rtl/src/gfb/unit.rs:265
         .clk              (merge_clk),
         .rst              (merge_rst),
         .swap             (swap),
@@ -154,7 +154,7 @@ module gfb_unit_7bdf5cd7 (
         .may_swap         (blanking)
     );
 
-    accumulation_width16_height8_crt u_accumulation (            // rtl/src/gfb/unit.rs:267
+    accumulation_width16_height8_crt u_accumulation (            // rtl/src/gfb/unit.rs:268
         .merge_clk    (merge_clk),
         .merge_rst    (merge_rst),
         .crt_clk      (crt_clk),
@@ -195,7 +195,7 @@ module gfb_unit_7bdf5cd7 (
             assign view_read_word_lanes[i] = row[i].read_words;
         end
     endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:238
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:239
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -268,8 +268,8 @@ module gfb_unit_7bdf5cd7 (
 `ifndef SYNTHESIS
     reg writes_past;                                             // rtl/src/gfb/unit.rs:199
     reg swap_past;                                               // rtl/src/gfb/unit.rs:202
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:247
-    reg was_full;                                                // rtl/src/gfb/unit.rs:251
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:248
+    reg was_full;                                                // rtl/src/gfb/unit.rs:252
     reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:223
     reg has_past;                                                // rtl/src/gfb/unit.rs:199
     reg has_past_2;                                              // rtl/src/gfb/unit.rs:223
@@ -308,12 +308,12 @@ module gfb_unit_7bdf5cd7 (
         if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:199
         if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:200
         if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:201
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:255
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:256
     end
     always @(posedge crt_clk) begin
         if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:223
         if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:224
-        if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:269
+        if (!crt_rst) assert (!has_past_2 | asserted_or);            // rtl/src/gfb/unit.rs:270
     end
 `else
     reg is_covered;
@@ -339,7 +339,7 @@ module gfb_unit_7bdf5cd7 (
             $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
             stop;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:255
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:256
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
             stop;
         end
@@ -355,7 +355,7 @@ module gfb_unit_7bdf5cd7 (
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!crt_rst && !(!has_past_2 | asserted_or)) begin          // rtl/src/gfb/unit.rs:269
+        if (!crt_rst && !(!has_past_2 | asserted_or)) begin          // rtl/src/gfb/unit.rs:270
             $display("FAIL: time %0t: %m: no refresh shows both an average and a pass", $time);
             stop;
         end

@@ -46,14 +46,14 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     reg read_valid;                                              // rtl/src/gfb/unit.rs:197
     reg fed_bank;                                                // rtl/src/gfb/unit.rs:212
     reg old_is_blank;                                            // rtl/src/gfb/unit.rs:214
-    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:246
+    reg [2:0] place;                                             // rtl/src/gfb/unit.rs:247
     (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:220
     (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:220
     (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:226
     (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:226
 
     (* no_rw_check *)
-    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:245
+    reg [47:0] entered [0:7];                                    // rtl/src/gfb/unit.rs:246
 
     wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:177
     wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:177
@@ -68,8 +68,8 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:176
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:186
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:187
-    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:248
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:254
+    wire is_last = scan_enable & (place == 3'd7);                // rtl/src/gfb/unit.rs:249
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:255
 
     genvar i;
 
@@ -142,7 +142,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             assign view_read_word_lanes[i] = row[i].read_words;
         end
     endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:238
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:239
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -208,8 +208,8 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
 `ifndef SYNTHESIS
     reg writes_past;                                             // rtl/src/gfb/unit.rs:199
     reg swap_past;                                               // rtl/src/gfb/unit.rs:202
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:247
-    reg was_full;                                                // rtl/src/gfb/unit.rs:251
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:248
+    reg was_full;                                                // rtl/src/gfb/unit.rs:252
     reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:223
     reg has_past;                                                // rtl/src/gfb/unit.rs:199
     reg has_past_2;                                              // rtl/src/gfb/unit.rs:223
@@ -248,7 +248,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
         if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:199
         if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:200
         if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:201
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:255
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:256
     end
     always @(posedge crt_clk) begin
         if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:223
@@ -278,7 +278,7 @@ module gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start (
             $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
             stop;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:255
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:256
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
             stop;
         end

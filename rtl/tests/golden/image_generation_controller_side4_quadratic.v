@@ -74,38 +74,38 @@ module image_generation_controller_side4_quadratic (
     localparam [2:0] ENABLING_RESTRICT = 3'd4;
     // Not used here: ENABLING_SET = 1, ENABLING_CLEAR = 2, ENABLING_REPLACE = 3.
 
-    reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [1:0] tree_microcode_source;                             // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_adds;                                     // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_begins;                                   // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [1:0] tree_microcode_mask;                               // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_compares;                                 // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_gates;                                    // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [2:0] tree_microcode_enabling;                           // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_captures;                                 // rtl/src/pixel_planes/controller/slot.rs:54
-    reg tree_microcode_saves;                                    // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [6:0] tree_length;                                       // rtl/src/pixel_planes/controller/slot.rs:54
+    reg tree_microcode_on_tree;                                  // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_on_memory;                                // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [1:0] tree_microcode_source;                             // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_adds;                                     // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_begins;                                   // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [1:0] tree_microcode_mask;                               // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_compares;                                 // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_gates;                                    // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [2:0] tree_microcode_enabling;                           // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_captures;                                 // rtl/src/pixel_planes/controller/slot.rs:53
+    reg tree_microcode_saves;                                    // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [6:0] tree_length;                                       // rtl/src/pixel_planes/controller/slot.rs:53
     reg [7:0] tree_left;                                         // rtl/src/pixel_planes/controller/slot.rs:55
     reg [39:0] tree_bits;                                        // rtl/src/pixel_planes/controller/slot.rs:57
-    reg [7:0] tree_read;                                         // rtl/src/pixel_planes/controller/slot.rs:63
-    reg [7:0] tree_write;                                        // rtl/src/pixel_planes/controller/slot.rs:64
-    reg memory_microcode_on_tree;                                // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_on_memory;                              // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [1:0] memory_microcode_source;                           // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_adds;                                   // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_begins;                                 // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [1:0] memory_microcode_mask;                             // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_compares;                               // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_gates;                                  // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [2:0] memory_microcode_enabling;                         // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_captures;                               // rtl/src/pixel_planes/controller/slot.rs:54
-    reg memory_microcode_saves;                                  // rtl/src/pixel_planes/controller/slot.rs:54
-    reg [6:0] memory_length;                                     // rtl/src/pixel_planes/controller/slot.rs:54
+    reg [7:0] tree_read;                                         // rtl/src/pixel_planes/controller/slot.rs:59
+    reg [7:0] tree_write;                                        // rtl/src/pixel_planes/controller/slot.rs:60
+    reg memory_microcode_on_tree;                                // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_on_memory;                              // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [1:0] memory_microcode_source;                           // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_adds;                                   // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_begins;                                 // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [1:0] memory_microcode_mask;                             // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_compares;                               // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_gates;                                  // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [2:0] memory_microcode_enabling;                         // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_captures;                               // rtl/src/pixel_planes/controller/slot.rs:53
+    reg memory_microcode_saves;                                  // rtl/src/pixel_planes/controller/slot.rs:53
+    reg [6:0] memory_length;                                     // rtl/src/pixel_planes/controller/slot.rs:53
     reg [7:0] memory_left;                                       // rtl/src/pixel_planes/controller/slot.rs:55
     reg [39:0] memory_bits;                                      // rtl/src/pixel_planes/controller/slot.rs:57
-    reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:63
-    reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:64
+    reg [7:0] memory_read;                                       // rtl/src/pixel_planes/controller/slot.rs:59
+    reg [7:0] memory_write;                                      // rtl/src/pixel_planes/controller/slot.rs:60
     reg waits;                                                   // rtl/src/pixel_planes/controller.rs:114
     reg waiting_microcode_on_tree;                               // rtl/src/pixel_planes/controller.rs:115
     reg waiting_microcode_on_memory;                             // rtl/src/pixel_planes/controller.rs:115
@@ -123,8 +123,8 @@ module image_generation_controller_side4_quadratic (
     reg [7:0] waiting_read;                                      // rtl/src/pixel_planes/controller.rs:115
     reg [7:0] waiting_write;                                     // rtl/src/pixel_planes/controller.rs:115
     reg [39:0] waiting_constant;                                 // rtl/src/pixel_planes/controller.rs:115
-    reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:112
-    reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:112
+    reg [39:0] a;                                                // rtl/src/pixel_planes/controller/slot.rs:107
+    reg [39:0] b;                                                // rtl/src/pixel_planes/controller/slot.rs:107
     reg curve_waits;                                             // rtl/src/pixel_planes/controller.rs:178
     reg curve_goes;                                              // rtl/src/pixel_planes/controller.rs:180
     reg [39:0] d;                                                // rtl/src/pixel_planes/controller.rs:184
@@ -254,12 +254,12 @@ module image_generation_controller_side4_quadratic (
 
     wire [14:0] decoded = (instructions_operation < 5'd19) ? microcode[instructions_operation] : 15'd0; // rtl/src/pixel_planes/controller.rs:112
     wire decoded_on_tree = decoded[14];                          // rtl/src/pixel_planes/controller.rs:112
-    wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:61
+    wire tree_ends = tree_left <= 8'd1;                          // rtl/src/pixel_planes/controller/slot.rs:58
     wire decoded_on_memory = decoded[13];                        // rtl/src/pixel_planes/controller.rs:112
     wire [7:0] ahead = memory_left + (waits ? {1'd0, waiting_length} : 8'd0); // rtl/src/pixel_planes/controller.rs:118
     wire ends_in_time = ahead <= ({2'd0, instructions_skip} + 8'd1); // rtl/src/pixel_planes/controller.rs:119
     wire tree_may = tree_ends & (!decoded_on_memory | ends_in_time); // rtl/src/pixel_planes/controller.rs:120
-    wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:61
+    wire memory_ends = memory_left <= 8'd1;                      // rtl/src/pixel_planes/controller/slot.rs:58
     wire memory_may_or = tree_ends | !((tree_left != 8'd0) & tree_microcode_on_memory); // rtl/src/pixel_planes/controller.rs:121
     wire memory_may_and = (!waits | memory_ends) & memory_may_or; // rtl/src/pixel_planes/controller.rs:121
     wire decoded_saves = decoded[0];                             // rtl/src/pixel_planes/controller.rs:112
@@ -275,9 +275,9 @@ module image_generation_controller_side4_quadratic (
     wire decoded_gates = decoded[5];                             // rtl/src/pixel_planes/controller.rs:112
     wire [2:0] decoded_enabling = decoded[4:2];                  // rtl/src/pixel_planes/controller.rs:112
     wire decoded_captures = decoded[1];                          // rtl/src/pixel_planes/controller.rs:112
-    wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:62
-    assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:66
-    wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:62
+    wire tree_is_word = (tree_left != 8'd0) & (tree_left <= {1'd0, tree_length}); // rtl/src/pixel_planes/controller/slot.rs:56
+    assign coefficients_c = tree_bits[0];                        // rtl/src/pixel_planes/controller/slot.rs:61
+    wire memory_is_word = (memory_left != 8'd0) & (memory_left <= {1'd0, memory_length}); // rtl/src/pixel_planes/controller/slot.rs:56
     wire instructions_taken = instructions_valid & may;          // rtl/src/pixel_planes/controller.rs:124
     wire tree_begins = instructions_taken & decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:128
     wire for_memory = instructions_taken & !decoded_on_tree;     // rtl/src/pixel_planes/controller.rs:129
@@ -285,15 +285,15 @@ module image_generation_controller_side4_quadratic (
     wire memory_begins = memory_ends & (waits | for_memory);     // rtl/src/pixel_planes/controller.rs:133
     wire [6:0] memory_length_choice = waits ? waiting_length : instructions_length; // rtl/src/pixel_planes/controller.rs:135
     wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
-    assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
-    assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:114
+    assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
+    assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
     wire curve_waits_and = instructions_taken & (instructions_operation == OPERATION_CURVE); // rtl/src/pixel_planes/controller.rs:176
     wire curve_waits_and_2 = instructions_taken & (decoded_source == SOURCE_EXPRESSION); // rtl/src/pixel_planes/controller.rs:177
     assign curve_0_d = d[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
     assign curve_0_e = e[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
     assign curve_0_f = f[0] & curve_goes;                        // rtl/src/pixel_planes/controller.rs:186
     wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:147
-    wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:93
+    wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:88
     wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:205
     wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:206
     wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:209

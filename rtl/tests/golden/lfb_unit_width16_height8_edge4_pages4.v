@@ -63,7 +63,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
     wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:139
     wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:139
     wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:139
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:148
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:149
 
     wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:100
     wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:101
@@ -75,8 +75,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
     wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:133
     assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:134
     wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:144
-    wire again = all_sent & !swapped;                            // rtl/src/lfb/unit.rs:151
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:156
+    wire again = all_sent & !swapped;                            // rtl/src/lfb/unit.rs:152
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:157
 
     scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:105
         .clk          (merge_clk),
@@ -116,7 +116,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:148
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:149
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -201,8 +201,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `endif
 
 `ifndef SYNTHESIS
-    reg sought_again;                                            // rtl/src/lfb/unit.rs:152
-    reg sent_again;                                              // rtl/src/lfb/unit.rs:153
+    reg sought_again;                                            // rtl/src/lfb/unit.rs:153
+    reg sent_again;                                              // rtl/src/lfb/unit.rs:154
 
     always @(posedge merge_clk) begin
         if (merge_rst) begin
@@ -216,15 +216,15 @@ module lfb_unit_width16_height8_edge4_pages4 (
 
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:157
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:158
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:158
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:159
     end
     always @(posedge merge_clk) begin
         if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:126
         if (!merge_rst) assume (!scan_restart | (all_sent & !swapped)); // rtl/src/lfb/unit.rs:127
         if (!merge_rst) cover (swapped & passes);                    // rtl/src/lfb/unit.rs:128
-        if (!merge_rst) assert (!sent_again | (word == 48'hffffffffffff)); // rtl/src/lfb/unit.rs:154
-        if (!merge_rst) cover (passes & again);                      // rtl/src/lfb/unit.rs:155
+        if (!merge_rst) assert (!sent_again | (word == 48'hffffffffffff)); // rtl/src/lfb/unit.rs:155
+        if (!merge_rst) cover (passes & again);                      // rtl/src/lfb/unit.rs:156
     end
 `else
     reg is_covered;
@@ -232,11 +232,11 @@ module lfb_unit_width16_height8_edge4_pages4 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:157
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:158
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:158
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:159
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             stop;
         end
@@ -256,11 +256,11 @@ module lfb_unit_width16_height8_edge4_pages4 (
             `endif
             is_covered <= 1'b1;
         end
-        if (!merge_rst && !(!sent_again | (word == 48'hffffffffffff))) begin // rtl/src/lfb/unit.rs:154
+        if (!merge_rst && !(!sent_again | (word == 48'hffffffffffff))) begin // rtl/src/lfb/unit.rs:155
             $display("FAIL: time %0t: %m: a back buffer that has been sent is cleared", $time);
             stop;
         end
-        if (!merge_rst && (passes & again) && !is_covered_2) begin   // rtl/src/lfb/unit.rs:155
+        if (!merge_rst && (passes & again) && !is_covered_2) begin   // rtl/src/lfb/unit.rs:156
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a pixel goes by once more", $time);
             `endif

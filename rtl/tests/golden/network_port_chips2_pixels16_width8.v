@@ -35,7 +35,7 @@ module network_port_chips2_pixels16_width8 (
     wire loads = mode == MODE_LOAD;                              // rtl/src/pixelflow/network_port.rs:81
     assign advances = loads ? sends : upstream_valid;            // rtl/src/pixelflow/network_port.rs:82
     wire is_first = loads ? first : upstream_first;              // rtl/src/pixelflow/network_port.rs:83
-    assign unloaded = (mode == MODE_UNLOAD) & upstream_valid;    // rtl/src/pixelflow/network_port.rs:101
+    assign unloaded = (mode == MODE_UNLOAD) & upstream_valid;    // rtl/src/pixelflow/network_port.rs:103
 
     genvar i;
 

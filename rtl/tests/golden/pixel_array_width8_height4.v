@@ -100,7 +100,7 @@ module pixel_array_width8_height4 (
     genvar j;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:161
+        for (i = 0; i < 2; i = i + 1) begin : u_pixel                // rtl/src/pixelflow/array.rs:160
             for (j = 0; j < 16; j = j + 1) begin : col
                 wire [7:0] lane_result;
                 wire lane_writes_register;

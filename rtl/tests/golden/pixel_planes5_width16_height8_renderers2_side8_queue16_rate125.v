@@ -95,13 +95,13 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     wire u_renderer1_takes;                                      // rtl/src/pixel_planes/machine.rs:138
     wire u_renderer1_idle;                                       // rtl/src/pixel_planes/machine.rs:138
     wire u_renderer1_instructions_ready;                         // rtl/src/pixel_planes/machine.rs:138
-    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:151
+    wire u_frame_buffer_planes_ready;                            // rtl/src/pixel_planes/machine.rs:150
 
     wire [1:0] u_ring_room;                                      // rtl/src/pixel_planes/machine.rs:131
     wire [7:0] u_ring_finished_0_bits;                           // rtl/src/pixel_planes/machine.rs:130
     wire [7:0] u_ring_finished_1_bits;                           // rtl/src/pixel_planes/machine.rs:130
     wire [1:0] u_allocator_free;                                 // rtl/src/pixel_planes/machine.rs:147
-    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:155
+    assign takes = {u_renderer1_takes, u_renderer0_takes};       // rtl/src/pixel_planes/machine.rs:154
     assign idle = {u_renderer1_idle, u_renderer0_idle};          // rtl/src/pixel_planes/machine.rs:145
 
     genvar i;
@@ -264,7 +264,7 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
         .regions_ready   (regions_ready)
     );
 
-    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:151
+    frame_buffer_width16_height8_side8 u_frame_buffer (          // rtl/src/pixel_planes/machine.rs:150
         .clk           (clk),
         .rst           (rst),
         .planes_valid  (plane_goes),

@@ -69,14 +69,14 @@ module renderer_side4_queue16_quadratic (
     wire [15:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:140
     wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:132
 
-    wire [15:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:146
+    wire [15:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:150
     assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:131
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:146
+        for (i = 0; i < 4; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:150
             for (j = 0; j < 4; j = j + 1) begin : col
                 wire word;
 
@@ -167,7 +167,7 @@ module renderer_side4_queue16_quadratic (
         .value          (u_tree_value)
     );
 
-    backing_store_side4 u_store (                                // rtl/src/pixel_planes/renderer.rs:150
+    backing_store_side4 u_store (                                // rtl/src/pixel_planes/renderer.rs:154
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

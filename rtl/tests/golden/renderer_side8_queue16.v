@@ -63,17 +63,17 @@ module renderer_side8_queue16 (
     wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:135
     wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:135
     wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:135
-    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:142
+    wire [63:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:144
     wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:132
 
-    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:146
+    wire [63:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:150
     assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:131
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:146
+        for (i = 0; i < 8; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:150
             for (j = 0; j < 8; j = j + 1) begin : col
                 wire word;
 
@@ -148,7 +148,7 @@ module renderer_side8_queue16 (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:142
+    linear_tree_side8 u_tree (                                   // rtl/src/pixel_planes/renderer.rs:144
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -158,7 +158,7 @@ module renderer_side8_queue16 (
         .value          (u_tree_value)
     );
 
-    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:150
+    backing_store_side8 u_store (                                // rtl/src/pixel_planes/renderer.rs:154
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

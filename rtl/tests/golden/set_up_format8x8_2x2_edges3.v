@@ -100,7 +100,7 @@ module set_up_format8x8_2x2_edges3 (
     assign roots_valid = packets_valid & is_last;                // rtl/src/quadtree/set_up.rs:109
     wire roots_taken = roots_valid & roots_ready;                // rtl/src/quadtree/set_up.rs:109
     wire waits = packets_valid & is_last & !roots_taken;         // rtl/src/quadtree/set_up.rs:113
-    assign idle = !packets_valid;                                // rtl/src/quadtree/set_up.rs:115
+    assign idle = !packets_valid;                                // rtl/src/quadtree/set_up.rs:116
 
     genvar i;
 

@@ -67,7 +67,7 @@ module swap_control_376173f8 (
         end
     endgenerate
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:109
+    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:111
         .clk     (pe_clk),
         .rst     (pe_rst),
         .ready_0 (u_lfb_swap[0].ready),
@@ -77,7 +77,7 @@ module swap_control_376173f8 (
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/swap/control.rs:113
+    gfb_swap_processors2_merge_clocks296_way140_late45 u_gfb_swap ( // rtl/src/swap/control.rs:116
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (u_lfb_swap[0].frame),

@@ -67,7 +67,7 @@ module swap_control_f1eef5f4 (
         end
     endgenerate
 
-    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:109
+    sync_line_processors2 u_sync_line (                          // rtl/src/swap/control.rs:111
         .clk     (pe_clk),
         .rst     (pe_rst),
         .ready_0 (u_lfb_swap[0].ready),
@@ -77,7 +77,7 @@ module swap_control_f1eef5f4 (
         .line    (line)
     );
 
-    gfb_swap_processors2_merge_clocks4_way4_late8 u_gfb_swap (   // rtl/src/swap/control.rs:113
+    gfb_swap_processors2_merge_clocks4_way4_late8 u_gfb_swap (   // rtl/src/swap/control.rs:116
         .clk       (merge_clk),
         .rst       (merge_rst),
         .frames_0  (u_lfb_swap[0].frame),

@@ -97,22 +97,22 @@ module vc1_243f8525 (
     wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:198
     wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:204
     wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:204
-    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:229
-    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:229
-    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:229
+    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:231
+    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:231
+    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:231
     wire gfb_swap;                                               // rtl/src/vc1/mod.rs:196
     wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:195
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:272
-    wire brought_all;                                            // rtl/src/vc1/mod.rs:233
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:235
-    wire covered_all;                                            // rtl/src/vc1/mod.rs:238
-    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:215
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:275
+    wire brought_all;                                            // rtl/src/vc1/mod.rs:235
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:237
+    wire covered_all;                                            // rtl/src/vc1/mod.rs:240
+    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:217
     wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:206
     wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:206
     wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:206
     wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:206
-    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:233
+    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:235
 
     genvar i;
 
@@ -254,7 +254,7 @@ module vc1_243f8525 (
         .senders_2_ready  (command_ready)
     );
 
-    swap_control_376173f8 u_swap (                               // rtl/src/vc1/mod.rs:229
+    swap_control_376173f8 u_swap (                               // rtl/src/vc1/mod.rs:231
         .pe_clk    (pe_clk),
         .pe_rst    (pe_rst),
         .merge_clk (merge_clk),
@@ -279,7 +279,7 @@ module vc1_243f8525 (
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:242
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:244
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),
@@ -298,28 +298,28 @@ module vc1_243f8525 (
             assign asserted_all_lanes[i] = sum_row[i].asserted_equal;
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:272
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:275
     wire [1:0] brought_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : brought_all_of
             assign brought_all_lanes[i] = u_bus_empty[i];
         end
     endgenerate
-    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:233
+    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:235
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
             assign u_lfb_idle_all_lanes[i] = u_lfb[i].idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:235
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:237
     wire [1:0] covered_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : covered_all_of
             assign covered_all_lanes[i] = covered_listed_row[i].covered_and;
         end
     endgenerate
-    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:238
+    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:240
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_swap_idle_of
             assign u_swap_idle[i] = finished_row[i].finished;
@@ -368,7 +368,7 @@ module vc1_243f8525 (
 `endif
 
 `ifndef SYNTHESIS
-    reg is_scanning;                                             // rtl/src/vc1/mod.rs:269
+    reg is_scanning;                                             // rtl/src/vc1/mod.rs:272
 
     always @(posedge merge_clk) begin
         if (merge_rst) is_scanning <= 1'b0;
@@ -377,27 +377,27 @@ module vc1_243f8525 (
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:271
+        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:274
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:234
-        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:238
+        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:236
+        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:240
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:271
+        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:274
             $display("FAIL: time %0t: %m: each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame", $time);
             stop;
         end
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:234
+        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:236
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end
-        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:238
+        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:240
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a word on the bus or in a queue keeps the line low", $time);
             `endif

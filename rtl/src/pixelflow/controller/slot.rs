@@ -96,21 +96,16 @@ pub struct Slot {
 impl Slot {
     pub fn new(m: Module, name: &str) -> Slot {
         let widths = Order::widths();
-        let named = |what: &str| format!("{name}_{what}");
         let held = m.reg(name, Held { action: widths.action, length: widths.length }).reset(0);
-        let left = m.reg(&named("left"), up_to(2 * LONGEST)).reset(0);
-        let is_word = left.ne(0) & left.le(Order::clocks(held.length));
-        let bytes = m.reg(&named("bytes"), widths.constant);
-        Slot {
-            held,
-            left,
-            ends: left.le(1).named(&named("ends")),
-            is_word: is_word.named(&named("is_word")),
-            read: m.reg(&named("read"), widths.read),
-            write: m.reg(&named("write"), widths.write),
-            bytes,
-            constant: bytes.slice(0..8).bits(),
-        }
+        m.within(name, || {
+            def!(left = m.reg(up_to(2 * LONGEST)).reset(0));
+            def!(is_word = left.ne(0) & left.le(Order::clocks(held.length)));
+            def!(bytes = m.reg(widths.constant));
+            def!(ends = left.le(1));
+            def!(read = m.reg(widths.read));
+            def!(write = m.reg(widths.write));
+            Slot { held, left, ends, is_word, read, write, bytes, constant: bytes.slice(0..8).bits() }
+        })
     }
 
     /// Takes new work at an edge where `begins` is high; otherwise continues.
