@@ -19,7 +19,8 @@ block! {
     /// # use tilewright_blocks::{Narrow, StreamIn};
     /// # let example = tilewright_sim::traced(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(12, 0xabc));
-    /// let out = m.instance("u_narrow", &Narrow::new(3, 4), StreamIn { into }).out;
+    /// def!(narrow = m.instance(&Narrow::new(3, 4), StreamIn { into }));
+    /// let out = narrow.out;
     /// def!(part = *out.take_when(1));
     /// # });
     /// assert_eq!(example.values("part"), [0xc, 0xb, 0xa, 0xc]);
@@ -83,7 +84,8 @@ block! {
     /// def!(count = m.reg(4).reset(1));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
-    /// let word = m.instance("u_widen", &Widen::new(2, 4), StreamIn { into }).out.take_when(1);
+    /// def!(widen = m.instance(&Widen::new(2, 4), StreamIn { into }));
+    /// let word = widen.out.take_when(1);
     /// def!(words = mux(word.taken, *word, 0));
     /// # });
     /// assert_eq!(example.values("words"), [0, 0, 0x21, 0, 0x43, 0]);

@@ -44,7 +44,7 @@ impl Counter {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Counter, CounterIn};
     /// # tilewright_sim::example(|m| {
-    /// let counter = m.instance("u_counter", &Counter::new(12), CounterIn { restart: lit(1, 0), enable: lit(1, 1) });
+    /// def!(counter = m.instance(&Counter::new(12), CounterIn { restart: lit(1, 0), enable: lit(1, 1) }));
     /// m.assert(counter.count.lt(12), "0 to 11, in 4 bits");
     /// # });
     /// ```

@@ -27,7 +27,8 @@ block! {
     /// # use tilewright_blocks::{Divider, DividerIn, Operands};
     /// # let example = tilewright_sim::traced(|m| {
     /// let (operands, _) = m.offer(lit(1, 1), Operands { dividend: lit(4, 14), divisor: lit(4, 4) });
-    /// let result = m.instance("u_divider", &Divider::new(4), DividerIn { operands }).results.take_when(1);
+    /// def!(divider = m.instance(&Divider::new(4), DividerIn { operands }));
+    /// let result = divider.results.take_when(1);
     /// m.assert(result.taken.implies(result.quotient.eq(3) & result.remainder.eq(2)), "14 = 3 * 4 + 2");
     /// def!(taken = result.taken);
     /// # });

@@ -21,7 +21,8 @@ block! {
     /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
-    /// let out = m.instance("u_fork", &Fork::new(2, 4), StreamIn { into }).out;
+    /// def!(fork = m.instance(&Fork::new(2, 4), StreamIn { into }));
+    /// let out = fork.out;
     /// def!(slow = m.reg(1).reset(0));
     /// slow.next(!*slow);
     /// def!(fast_takes = out[0].take_when(1).taken);

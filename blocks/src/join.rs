@@ -24,7 +24,8 @@ block! {
     /// half.next(!*half);
     /// let (left, _) = m.offer(lit(1, 1), lit(8, 0xab));
     /// let (right, _) = m.offer(*half, lit(4, 0xc));
-    /// let word = m.instance("u_join", &Join::new(8, 4), JoinIn { left, right }).out.take_when(1);
+    /// def!(join = m.instance(&Join::new(8, 4), JoinIn { left, right }));
+    /// let word = join.out.take_when(1);
     /// def!(words = mux(word.taken, *word, 0));
     /// # });
     /// assert_eq!(example.values("words"), [0, 0xabc, 0, 0xabc]); // one waits for the other

@@ -52,7 +52,7 @@ block! {
     /// # use tilewright_hdl::*;
     /// # use tilewright_blocks::{Lfsr, LfsrIn};
     /// # tilewright_sim::example(|m| {
-    /// let lfsr = m.instance("u_lfsr", &Lfsr::new(16), LfsrIn { enable: lit(1, 1) });
+    /// def!(lfsr = m.instance(&Lfsr::new(16), LfsrIn { enable: lit(1, 1) }));
     /// m.assert(lfsr.number.ne(0), "from 0 it would not get away");
     /// # });
     /// ```

@@ -111,7 +111,7 @@ block! {
     /// def!(count = m.reg(4).reset(3));
     /// count.next(count + 1);
     /// let words = stack([lit(4, 9), *count, lit(4, 4), lit(4, 7)]);
-    /// let least = m.instance("u_least", &PipelinedMinimum::new(4, 4), PipelinedMinimumIn { valid: lit(1, 1), words });
+    /// def!(least = m.instance(&PipelinedMinimum::new(4, 4), PipelinedMinimumIn { valid: lit(1, 1), words }));
     /// def!(found = least.found);
     /// def!(index = mux(least.found, least.index, 0));
     /// # });

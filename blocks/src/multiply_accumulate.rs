@@ -36,8 +36,8 @@ block! {
     /// let product = MultiplyAccumulateIn { // 0, 2, 4 .. times 10, the even and the odd ones
     ///     valid: lit(1, 1), to: count.bit(0), restart: count.lt(2), left: count.trunc(3).zext(4) << 1, right: lit(4, 10),
     /// };
-    /// let added = m.instance("u_sums", &MultiplyAccumulate::new(2, 4, 12), product);
-    /// def!(sum = mux(added.done, added.sum, 0));
+    /// def!(sums = m.instance(&MultiplyAccumulate::new(2, 4, 12), product));
+    /// def!(sum = mux(sums.done, sums.sum, 0));
     /// # });
     /// assert_eq!(example.values("sum"), [0, 0, 0, 20, 40, 80, 120]); // 0, 20, 0 + 40, 20 + 60, 40 + 80
     /// ```

@@ -11,7 +11,8 @@ bundle! {
     /// # tilewright_sim::example(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
     /// let queue = Fifo::new(4, 8, Storage::Registers);
-    /// let word = m.instance("u_queue", &queue, StreamIn { into }).out.take_when(1);
+    /// def!(queue = m.instance(&queue, StreamIn { into }));
+    /// let word = queue.out.take_when(1);
     /// m.assert(word.taken.implies(word.eq(7)), "`m.fifo(..)` does the same, and takes records too");
     /// # });
     /// ```
@@ -28,8 +29,8 @@ bundle! {
     /// # let example = tilewright_sim::traced(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(8, 7));
     /// let queue = Fifo::new(4, 8, Storage::Registers);
-    /// let StreamOut { out } = m.instance("u_queue", &queue, StreamIn { into });
-    /// def!(taken = out.take_when(1).taken);
+    /// def!(queue = m.instance(&queue, StreamIn { into }));
+    /// def!(taken = queue.out.take_when(1).taken);
     /// # });
     /// assert_eq!(example.values("taken"), [0, 1, 1, 1]); // latency 1 clock
     /// ```

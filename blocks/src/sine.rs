@@ -77,7 +77,8 @@ block! {
     /// # use tilewright_blocks::{SineCosine, StreamIn};
     /// # tilewright_sim::example(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(16, 0x2000));
-    /// let point = m.instance("u_sine", &SineCosine::new(16), StreamIn { into }).points.take_when(1);
+    /// def!(sine = m.instance(&SineCosine::new(16), StreamIn { into }));
+    /// let point = sine.points.take_when(1);
     /// let near = point.sine.ge(11583) & point.sine.le(11587);
     /// m.assert(point.taken.implies(near), "half the root of two");
     /// # });

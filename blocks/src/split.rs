@@ -22,7 +22,8 @@ block! {
     /// def!(count = m.reg(4).reset(0));
     /// let (into, sent) = m.offer(lit(1, 1), Addressed { to: count.bit(0), word: *count });
     /// count.when(sent, count + 1);
-    /// let out = m.instance("u_split", &Split::new(2, 4), SplitIn { into }).out;
+    /// def!(split = m.instance(&Split::new(2, 4), SplitIn { into }));
+    /// let out = split.out;
     /// def!(even_taken = out[0].take_when(1).taken);
     /// def!(slow = m.reg(1).reset(0));
     /// slow.next(!*slow);

@@ -41,7 +41,7 @@ block! {
     /// # use tilewright_blocks::{SquareRoot, StreamIn};
     /// # tilewright_sim::example(|m| {
     /// let (into, _) = m.offer(lit(1, 1), lit(16, 1000));
-    /// let root = m.instance("u_root", &SquareRoot::new(8), StreamIn { into }).roots.take_when(1);
+    /// def!(root = m.instance(&SquareRoot::new(8), StreamIn { into }).roots.take_when(1));
     /// m.assert(root.taken.implies(root.root.eq(31) & root.remainder.eq(39)), "31 * 31 + 39 = 1000");
     /// # });
     /// ```

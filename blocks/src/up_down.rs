@@ -25,7 +25,7 @@ block! {
     /// def!(turns = m.reg(1).reset(1));
     /// turns.next(0);
     /// let moves = UpDownCounterIn { restart: lit(1, 0), up: *turns, down: !*turns };
-    /// let counter = m.instance("u_counter", &UpDownCounter::new(10), moves);
+    /// def!(counter = m.instance(&UpDownCounter::new(10), moves));
     /// def!(count = counter.count);
     /// def!(next = counter.next);
     /// # });

@@ -20,10 +20,10 @@ block! {
     /// # let example = tilewright_sim::traced(|m| {
     /// let registers = VectorRegisters::new(8, 4, 8); // 8 registers of 4 lanes of 8 bits
     /// let (seven, mask) = (lit(3, 7), lit(4, 0b0101));
-    /// let read = m.instance("u_registers", &registers, VectorRegistersIn {
+    /// def!(registers = m.instance(&registers, VectorRegistersIn {
     ///     left: seven, right: lit(3, 0), to: seven, mask, value: lit(32, 0x1122_3344),
-    /// });
-    /// def!(held = read.left_value);
+    /// }));
+    /// def!(held = registers.left_value);
     /// # });
     /// assert_eq!(example.values("held"), [0, 0x0022_0044]);
     /// ```
