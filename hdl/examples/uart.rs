@@ -86,9 +86,14 @@ block! {
 impl Uart {
     fn build(&self, m: Module, i: UartIn) -> UartOut {
         let Uart { clocks_per_bit } = *self;
-        let tx = m.instance("u_transmitter", &Transmitter { clocks_per_bit }, TransmitterIn { bytes: i.send }).tx;
-        let receiver = m.instance("u_receiver", &Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx });
-        UartOut { tx, received: receiver.bytes, framing_error: receiver.framing_error, overrun: receiver.overrun }
+        def!(transmitter = m.instance(&Transmitter { clocks_per_bit }, TransmitterIn { bytes: i.send }));
+        def!(receiver = m.instance(&Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx }));
+        UartOut {
+            tx: transmitter.tx,
+            received: receiver.bytes,
+            framing_error: receiver.framing_error,
+            overrun: receiver.overrun,
+        }
     }
 }
 

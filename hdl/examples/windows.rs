@@ -78,8 +78,9 @@ impl Block for TwoLevels {
     }
 
     fn build(&self, m: Module, i: TestIn) -> TestOut {
-        let windows = m.instance("u_upper", &CoverageTest { half: 4 }, i).quarters;
-        m.instance("u_lower", &CoverageTest { half: 2 }, TestIn { windows })
+        def!(upper = m.instance(&CoverageTest { half: 4 }, i));
+        def!(lower = m.instance(&CoverageTest { half: 2 }, TestIn { windows: upper.quarters }));
+        lower
     }
 }
 

@@ -61,7 +61,7 @@ mod tests {
             def!(words = m.memory(256, 8, ReadUnderWrite::Any));
             words.write(c, a, b);
             let word = words.read(a);
-            let sub = m.instance("u_sub", &Sub, SubIn { given: a });
+            def!(sub = m.instance(&Sub, SubIn { given: a }));
             let total = lanes.sum();
             def!(flag = m.pipe(c));
             let seen = m.on(OTHER).synchronize("seen", flag);

@@ -13,7 +13,7 @@ block! {
 impl Apart {
     fn build(&self, m: Module, i: ApartIn) -> ApartOut {
         let ticks = BitTicks { clocks_per_bit: self.clocks_per_bit };
-        let ticks = m.instance("u_ticks", &ticks, BitTicksIn { run: i.run });
+        def!(ticks = m.instance(&ticks, BitTicksIn { run: i.run }));
         m.assert(!(ticks.middle & ticks.last), "the middle of a bit is not its end");
         ApartOut { middle: ticks.middle, last: ticks.last }
     }

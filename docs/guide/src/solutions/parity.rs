@@ -34,7 +34,7 @@ impl ParityTransmitter {
         let ticks = BitTicks { clocks_per_bit: self.clocks_per_bit };
         def!(part = m.fsm(Part::Idle));
         def!(busy = !part.is(Part::Idle));
-        let ticks = m.instance("u_ticks", &ticks, BitTicksIn { run: busy });
+        def!(ticks = m.instance(&ticks, BitTicksIn { run: busy }));
 
         def!(place = m.reg(below(8)).reset(0));
         def!(next_bit = part.is(Part::Data) & ticks.last);

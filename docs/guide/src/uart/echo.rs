@@ -28,10 +28,10 @@ block! {
 impl Echo {
     fn build(&self, m: Module, i: EchoIn) -> EchoOut {
         let Echo { clocks_per_bit, depth } = *self;
-        let receiver = m.instance("u_receiver", &Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx });
+        def!(receiver = m.instance(&Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx }));
         let queued = m.fifo("u_queue", depth, receiver.bytes);
         let bytes = queued.with(queued.data);
-        let sender = m.instance("u_sender", &Sender { clocks_per_bit }, SenderIn { bytes });
+        def!(sender = m.instance(&Sender { clocks_per_bit }, SenderIn { bytes }));
         EchoOut { tx: sender.line, overrun: receiver.overrun }
     }
 }

@@ -43,7 +43,7 @@ block! {
 impl QueueCounts {
     fn build(&self, m: Module, i: QueueCountsIn) -> QueueCountsOut {
         let QueueIn { push, byte_in, pop } = i.of;
-        let queue = m.instance("u_queue", &ByteQueue { depth: self.depth }, ByteQueueIn { push, byte_in, pop });
+        def!(queue = m.instance(&ByteQueue { depth: self.depth }, ByteQueueIn { push, byte_in, pop }));
         m.ignore(&queue.oldest);
         let used = queue.used;
         m.assert(used.le(self.depth), "there are no more bytes than there is room for");
@@ -77,7 +77,7 @@ block! {
 impl QueueKeeps {
     fn build(&self, m: Module, i: QueueKeepsIn) -> QueueKeepsOut {
         let QueueIn { push, byte_in, pop } = i.of;
-        let queue = m.instance("u_queue", &ByteQueue { depth: self.depth }, ByteQueueIn { push, byte_in, pop });
+        def!(queue = m.instance(&ByteQueue { depth: self.depth }, ByteQueueIn { push, byte_in, pop }));
         def!(pops = pop & !queue.empty);
         def!(waits = m.reg(bit()).reset(0));
         def!(picked = m.reg(Received::widths()));
@@ -115,8 +115,8 @@ impl Loopback {
     fn build(&self, m: Module, i: LoopbackIn) -> LoopbackOut {
         let Loopback { clocks_per_bit } = *self;
         let inputs = TransmitterIn { send: i.send, data: i.data };
-        let transmitter = m.instance("u_transmitter", &Transmitter { clocks_per_bit }, inputs);
-        let receiver = m.instance("u_receiver", &Receiver { clocks_per_bit }, ReceiverIn { rx: transmitter.line });
+        def!(transmitter = m.instance(&Transmitter { clocks_per_bit }, inputs));
+        def!(receiver = m.instance(&Receiver { clocks_per_bit }, ReceiverIn { rx: transmitter.line }));
         let byte = receiver.bytes.take_when(1);
 
         // The next byte may begin before the one before it has come out of the receiver.

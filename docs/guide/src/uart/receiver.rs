@@ -33,7 +33,7 @@ impl Receiver {
         let Receiver { clocks_per_bit } = *self;
         def!(line = m.synchronize_from(true, i.rx));
         def!(phase = m.fsm(Phase::Idle));
-        let ticks = m.instance("u_ticks", &BitTicks { clocks_per_bit }, BitTicksIn { run: !phase.is(Phase::Idle) });
+        def!(ticks = m.instance(&BitTicks { clocks_per_bit }, BitTicksIn { run: !phase.is(Phase::Idle) }));
         def!(place = m.reg(below(8)).reset(0));
         let moves = phase.next(|phase| match phase {
             Phase::Idle => when(!line, Phase::Start),

@@ -24,9 +24,9 @@ impl Sender {
         let transmitter = Transmitter { clocks_per_bit: self.clocks_per_bit };
         def!(busy = m.wire(bit()));
         let byte = i.bytes.take_when(!busy);
-        let out = m.instance("u_transmitter", &transmitter, TransmitterIn { send: byte.taken, data: *byte });
-        busy.drive(out.busy);
-        SenderOut { line: out.line }
+        def!(transmitter = m.instance(&transmitter, TransmitterIn { send: byte.taken, data: *byte }));
+        busy.drive(transmitter.busy);
+        SenderOut { line: transmitter.line }
     }
 }
 

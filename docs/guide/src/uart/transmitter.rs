@@ -42,7 +42,7 @@ impl Transmitter {
         let Transmitter { clocks_per_bit } = *self;
         def!(phase = m.fsm(Phase::Idle));
         def!(busy = !phase.is(Phase::Idle));
-        let ticks = m.instance("u_ticks", &BitTicks { clocks_per_bit }, BitTicksIn { run: busy });
+        def!(ticks = m.instance(&BitTicks { clocks_per_bit }, BitTicksIn { run: busy }));
 
         def!(place = m.reg(below(8)).reset(0));
         def!(next_bit = phase.is(Phase::Data) & ticks.last);

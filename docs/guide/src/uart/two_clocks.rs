@@ -35,12 +35,12 @@ impl ShoutingEcho {
         let ShoutingEcho { clocks_per_bit } = *self;
         let (line, system) = (m.on(LINE), m.on(SYSTEM));
 
-        let receiver = line.instance("u_receiver", &Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx });
+        def!(receiver = line.instance(&Receiver { clocks_per_bit }, ReceiverIn { rx: i.rx }));
         let received = m.cross_by_fifo("u_in", 4, (LINE, SYSTEM), receiver.bytes);
         let Received { data, .. } = *received;
-        let shout = system.instance("u_shout", &Shout, ShoutIn { bytes: received.with(data) });
+        def!(shout = system.instance(&Shout, ShoutIn { bytes: received.with(data) }));
         let bytes = m.cross_by_fifo("u_out", 4, (SYSTEM, LINE), shout.shouted);
-        let sender = line.instance("u_sender", &Sender { clocks_per_bit }, SenderIn { bytes });
+        def!(sender = line.instance(&Sender { clocks_per_bit }, SenderIn { bytes }));
 
         let overrun = line.reg("overrun", bit()).reset(0).when(receiver.overrun, 1);
         let lost = system.synchronize("lost_seen", *overrun);
