@@ -3,12 +3,10 @@
 use tilewright_scenes::Frame;
 use tilewright_scenes::frame::word;
 
-/// Width, spacing and height of a letter in pixels; descenders are part of the height.
+/// Width, spacing and height of a letter in dots; descenders are part of the height.
 const WIDE: u32 = 5;
 const BETWEEN: u32 = 1;
 const HIGH: u32 = 9;
-/// Pixels of a name's height.
-pub const HEIGHT: u32 = HIGH + 3;
 const INK: [u8; 3] = [214, 218, 224];
 
 /// The letters of the machines' names, row by row, each row's leftmost pixel on top.
@@ -41,14 +39,26 @@ fn letter(of: char) -> [u8; HIGH as usize] {
     found.map_or([0; HIGH as usize], |(_, rows)| *rows)
 }
 
-/// Writes a machine's name at a place, as far as it fits.
+/// The side of a dot in pixels above a picture of that width: two for each 240, as pages show small pictures smaller on a telephone.
+fn dot(room: u32) -> u32 {
+    (room / 120).clamp(1, 4)
+}
+
+/// The pixels of a name's height above a picture of that width.
+pub fn height(room: u32) -> u32 {
+    HIGH * dot(room) + 3
+}
+
+/// Writes a machine's name above a picture of the width `room`, as far as it fits.
 pub fn write(picture: &mut Frame, [left, top]: [u32; 2], room: u32, name: &str) {
+    let dot = dot(room);
     for (number, rows) in (0..).zip(name.chars().map(letter)) {
         for (row, bits) in (0..).zip(rows) {
             for column in (0..WIDE).filter(|column| bits >> (WIDE - 1 - column) & 1 == 1) {
-                let x = number * (WIDE + BETWEEN) + column;
-                if x < room {
-                    let pixel = picture.index(left + x, top + row);
+                let x = (number * (WIDE + BETWEEN) + column) * dot;
+                for (dx, dy) in (0..dot).flat_map(|dx| (0..dot).map(move |dy| (dx, dy))).filter(|(dx, _)| x + dx < room)
+                {
+                    let pixel = picture.index(left + x + dx, top + row * dot + dy);
                     picture.words[pixel] = word(0, INK);
                 }
             }
@@ -80,5 +90,12 @@ mod tests {
             [2, 6].map(row),
             [".#...#..##..............", "...#....##.............."].map(|it: &str| it.to_owned())
         );
+        let mut picture = Frame::blank(Size::new(240, height(240)).expect("in range"), [0; 3]);
+        write(&mut picture, [0, 0], 240, "-");
+        let inked: Vec<(u32, u32)> = (0..height(240))
+            .flat_map(|y| (0..240).map(move |x| (x, y)))
+            .filter(|(x, y)| picture.rgb(*x, *y) == INK)
+            .collect();
+        assert_eq!((inked.first(), inked.last(), inked.len()), (Some(&(2, 8)), Some(&(7, 9)), 12));
     }
 }

@@ -107,9 +107,10 @@ fn placed<'a>(pictures: &[Painted], images: impl Iterator<Item = &'a Frame>) -> 
     let (all, columns) = sheet(size, pictures.len()).expect("it was looked at before");
     let mut sheet = Frame::blank(all, BEHIND);
     for ((number, image), picture) in (0..).zip(images).zip(pictures) {
-        let (left, top) = (GAP + number % columns * (size.width() + GAP), number / columns * (size.height() + HEAD));
+        let head = head(size);
+        let (left, top) = (GAP + number % columns * (size.width() + GAP), number / columns * (size.height() + head));
         for y in 0..size.height() {
-            let (from, to) = (image.index(0, y), sheet.index(left, top + HEAD + y));
+            let (from, to) = (image.index(0, y), sheet.index(left, top + head + y));
             let width = size.width() as usize;
             sheet.words[to..to + width].copy_from_slice(&image.words[from..from + width]);
         }
@@ -118,18 +119,19 @@ fn placed<'a>(pictures: &[Painted], images: impl Iterator<Item = &'a Frame>) -> 
     sheet
 }
 
-/// Above each picture.
-const HEAD: u32 = label::HEIGHT + GAP;
-/// The greatest width of a row; wider sheets have two.
-const ROW: u32 = 1400;
+/// The height above each picture of that size.
+fn head(size: Size) -> u32 {
+    label::height(size.width()) + GAP
+}
 
-/// The size of a sheet of `count` pictures, in one row or in two, and the number of pictures in a row; `None` if the sheet would be too large.
+/// The size of a sheet of `count` pictures in about as many rows as columns, which suits narrow screens and wide ones, and the number of
+/// pictures in a row; `None` if the sheet would be too large.
 pub fn sheet(size: Size, count: usize) -> Option<(Size, u32)> {
     let count = count as u32;
-    let wide = |columns: u32| columns * (size.width() + GAP) + GAP;
-    let columns = if wide(count) <= ROW { count } else { count.div_ceil(2) };
+    let columns = (1..=count).find(|columns| columns * columns >= count).unwrap_or(1);
     let rows = count.div_ceil(columns);
-    Some((Size::new(wide(columns), rows * (size.height() + HEAD) + GAP).ok()?, columns))
+    let width = columns * (size.width() + GAP) + GAP;
+    Some((Size::new(width, rows * (size.height() + head(size)) + GAP).ok()?, columns))
 }
 
 #[cfg(test)]
@@ -172,13 +174,14 @@ mod tests {
     }
 
     #[test]
-    fn pictures_are_in_a_row_as_long_as_there_is_room() {
+    fn pictures_are_in_about_as_many_rows_as_columns() {
         let columns = |width, height, count| {
             sheet(Size::new(width, height).expect("in range"), count).map(|(_, columns)| columns)
         };
-        assert_eq!(columns(320, 240, 4), Some(4));
-        assert_eq!(columns(640, 480, 4), Some(2));
+        assert_eq!(columns(320, 240, 1), Some(1));
+        assert_eq!(columns(320, 240, 2), Some(2));
         assert_eq!(columns(640, 480, 3), Some(2));
+        assert_eq!(columns(640, 480, 4), Some(2));
         assert_eq!(columns(1280, 1024, 4), None);
         assert_eq!(columns(1280, 1024, 1), Some(1));
     }
