@@ -30,6 +30,9 @@ pub struct Diagram {
     /// The picture (.svg) or the graph for Graphviz (.dot); `-` prints the picture on standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(drawing))]
     output: Option<PathBuf>,
+    /// Draw all boxes below one another, for a narrow page
+    #[arg(long, requires = "output")]
+    narrow: bool,
     /// Print the diagram in characters
     #[arg(long, conflicts_with = "json")]
     ascii: bool,
@@ -69,13 +72,24 @@ impl Diagram {
             let sentence = "there is no output: name a file with -o FILE.svg, or pass --ascii for text";
             return Err(Failure::new(Exit::BadInput, sentence));
         }
+        if let Some(path) = self.output.as_deref().filter(|path| self.narrow && is_graph(path)) {
+            let sentence = format!(
+                "{}: Graphviz decides on the places in a graph: name a picture, as block.svg, or leave out --narrow",
+                path.display()
+            );
+            return Err(Failure::new(Exit::BadInput, sentence));
+        }
         let (entry, values) = self.block.find()?;
         let output = self.output.as_deref().map(Output::at).transpose()?;
         let design = entry.design(&values)?;
         let around = self.around.map(|net| Around { net, steps: self.steps });
         let drawn = diagram(&design, &DiagramOptions { depth: self.depth, around })?;
         if let (Some(output), Some(path)) = (output, &self.output) {
-            let text = if is_graph(path) { drawn.dot() } else { drawn.svg() };
+            let text = match is_graph(path) {
+                true => drawn.dot(),
+                false if self.narrow => drawn.narrow_svg(),
+                false => drawn.svg(),
+            };
             output.write(text.as_bytes())?;
         }
         if self.ascii {

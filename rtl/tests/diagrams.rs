@@ -18,7 +18,8 @@ struct Drawn {
     name: &'static str,
     design: Design,
     diagram: Diagram,
-    picture: Picture,
+    /// In columns, and narrow.
+    pictures: [Picture; 2],
 }
 
 /// Every block.
@@ -26,11 +27,16 @@ static DRAWN: LazyLock<Vec<Drawn>> = LazyLock::new(|| {
     let drawn = |entry: &Entry| {
         let design = design(entry);
         let diagram = diagram(&design, &DiagramOptions::default()).unwrap();
-        let picture = Picture::read(&diagram.svg());
-        Drawn { name: entry.name, design, diagram, picture }
+        let pictures = [diagram.svg(), diagram.narrow_svg()].map(|svg| Picture::read(&svg));
+        Drawn { name: entry.name, design, diagram, pictures }
     };
     ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES).map(drawn).collect()
 });
+
+/// Each diagram with each of its pictures.
+fn pictures() -> impl Iterator<Item = (&'static str, &'static Diagram, &'static Picture)> {
+    DRAWN.iter().flat_map(|it| it.pictures.iter().map(|picture| (it.name, &it.diagram, picture)))
+}
 
 fn design(entry: &Entry) -> Design {
     entry.design(&entry.values([]).unwrap()).unwrap()
@@ -119,7 +125,7 @@ fn a_diagram_has_as_much_as_can_be_read() {
 
 #[test]
 fn pictures_have_room_for_everything() {
-    for Drawn { name, diagram, picture, .. } in DRAWN.iter() {
+    for (name, diagram, picture) in pictures() {
         assert_eq!(picture.boxes.len(), diagram.boxes.len(), "{name}");
         assert_eq!(picture.lines.len(), diagram.arrows.len(), "{name}");
         for (i, Shape { rect, texts, .. }) in picture.boxes.iter().enumerate() {
@@ -153,7 +159,7 @@ fn pictures_have_room_for_everything() {
 /// Two lines may cross, but neither hides the other.
 #[test]
 fn lines_of_different_boxes_do_not_lie_on_each_other() {
-    for Drawn { name, diagram, picture, .. } in DRAWN.iter() {
+    for (name, diagram, picture) in pictures() {
         let lines: Vec<_> = diagram.arrows.iter().map(|arrow| arrow.from).zip(&picture.lines).collect();
         for (i, (from, line)) in lines.iter().enumerate() {
             for (_, other) in lines[..i].iter().filter(|(other, _)| other != from) {
@@ -164,18 +170,32 @@ fn lines_of_different_boxes_do_not_lie_on_each_other() {
     }
 }
 
+/// A telephone shows a picture 360 pixels wide; names are then at least 8 pixels high.
+#[test]
+fn narrow_pictures_are_legible_on_a_telephone() {
+    for Drawn { name, pictures: [_, narrow], .. } in DRAWN.iter() {
+        let width = narrow.page.0[2];
+        assert!(width <= 12.0 / 8.0 * 360.0, "{name}: {width} pixels");
+    }
+}
+
 #[test]
 fn opened_instances_are_frames_around_what_is_inside() {
     let options = DiagramOptions { depth: 2, ..DiagramOptions::default() };
     for name in ["image-merger", "raster-processor", "network-port"] {
         let diagram = drawn(find(name).unwrap(), &options);
-        let picture = Picture::read(&diagram.svg());
-        assert_eq!(picture.frames.len(), diagram.frames.len());
-        assert!(!picture.frames.is_empty(), "{name}");
-        for (it, Shape { rect, .. }) in diagram.boxes.iter().zip(&picture.boxes) {
-            for (index, frame) in picture.frames.iter().enumerate() {
-                let is_inside = it.frame == Some(index);
-                assert!(if is_inside { frame.holds(rect) } else { !frame.overlaps(rect) }, "{name}: {:?}", it.names);
+        for picture in [diagram.svg(), diagram.narrow_svg()].map(|svg| Picture::read(&svg)) {
+            assert_eq!(picture.frames.len(), diagram.frames.len());
+            assert!(!picture.frames.is_empty(), "{name}");
+            for (it, Shape { rect, .. }) in diagram.boxes.iter().zip(&picture.boxes) {
+                for (index, frame) in picture.frames.iter().enumerate() {
+                    let is_inside = it.frame == Some(index);
+                    assert!(
+                        if is_inside { frame.holds(rect) } else { !frame.overlaps(rect) },
+                        "{name}: {:?}",
+                        it.names
+                    );
+                }
             }
         }
     }
@@ -186,7 +206,13 @@ fn the_same_block_gives_the_same_bytes() {
     for name in ["vc1", "lfb-unit", "sine-cosine"] {
         let entry = ENTRIES.iter().chain(tilewright_blocks::catalog::ENTRIES).find(|it| it.name == name).unwrap();
         let [one, two] = [0, 1].map(|_| drawn(entry, &DiagramOptions::default()));
-        assert!(one.svg() == two.svg() && one.dot() == two.dot() && one.ascii() == two.ascii(), "{name}");
+        assert!(
+            one.svg() == two.svg()
+                && one.narrow_svg() == two.narrow_svg()
+                && one.dot() == two.dot()
+                && one.ascii() == two.ascii(),
+            "{name}"
+        );
     }
 }
 

@@ -10,12 +10,13 @@ const MACHINES: [&str; 4] = ["vc1", "quadtree-generator", "pixel-planes-5", "pix
 fn the_pictures_of_the_machines_are_what_is_drawn() {
     let folder = Folder::new();
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/diagrams");
-    for machine in MACHINES {
-        let drawn = folder.stdout(&format!("diagram {machine} -o -"));
-        let there = std::fs::read_to_string(docs.join(format!("{machine}.svg"))).unwrap_or_default();
-        assert!(drawn == there, "run `tilewright diagram {machine} -o docs/diagrams/{machine}.svg`");
+    for (machine, (option, end)) in MACHINES.into_iter().flat_map(|it| [(it, ("", "")), (it, (" --narrow", "-narrow"))])
+    {
+        let drawn = folder.stdout(&format!("diagram {machine}{option} -o -"));
+        let there = std::fs::read_to_string(docs.join(format!("{machine}{end}.svg"))).unwrap_or_default();
+        assert!(drawn == there, "run `tilewright diagram {machine}{option} -o docs/diagrams/{machine}{end}.svg`");
     }
-    assert_eq!(std::fs::read_dir(docs).unwrap().count(), MACHINES.len());
+    assert_eq!(std::fs::read_dir(docs).unwrap().count(), 2 * MACHINES.len());
 }
 
 #[test]
@@ -29,6 +30,15 @@ fn a_diagram_is_a_picture_a_graph_or_text() {
     let quiet = folder.run("diagram merging-unit --ascii --quiet -o mu.svg");
     assert_eq!((quiet.code, quiet.stderr.as_str()), (Some(0), ""));
     assert_eq!(quiet.stdout, include_str!("../../rtl/tests/diagrams/merging-unit.txt"));
+}
+
+#[test]
+fn a_graph_is_not_narrow() {
+    let folder = Folder::new();
+    let run = folder.run("diagram merging-unit --narrow -o mu.dot");
+    assert_eq!((run.code, folder.names().len()), (Some(2), 0), "{run:?}");
+    assert!(run.stderr.contains("mu.dot: Graphviz decides on the places in a graph"), "{run:?}");
+    assert_eq!(folder.run("diagram merging-unit --narrow --ascii").code, Some(2));
 }
 
 #[test]

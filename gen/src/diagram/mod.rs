@@ -161,6 +161,21 @@ impl Diagram {
         svg::svg(self)
     }
 
+    /// As [`svg`](Diagram::svg), with all boxes below one another. A narrow page shows a wide picture so small that its text is not legible.
+    ///
+    /// ```
+    /// # use tilewright_hdl::elaborate;
+    /// use tilewright_gen::{DiagramOptions, diagram};
+    ///
+    /// let design = elaborate(&tilewright_gen::for_examples::Delay).unwrap();
+    /// let diagram = diagram(&design, &DiagramOptions::default()).unwrap();
+    /// let width = |svg: String| svg.split("width=\"").nth(1)?.split('"').next()?.parse::<u32>().ok();
+    /// assert!(width(diagram.narrow_svg()) < width(diagram.svg()));
+    /// ```
+    pub fn narrow_svg(&self) -> String {
+        svg::narrow_svg(self)
+    }
+
     /// The diagram as a graph for Graphviz.
     ///
     /// ```

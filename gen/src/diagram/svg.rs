@@ -1,6 +1,6 @@
 //! A diagram as SVG.
 
-use super::layout::{Layout, Measure, Rect, layout, lines};
+use super::layout::{Layout, Measure, Rect, layout, lines, stack};
 use super::model::{Arrow, ArrowKind, BoxKind, Diagram, DiagramBox};
 use std::fmt::Write;
 
@@ -38,24 +38,35 @@ const STYLE: &str = include_str!("style.css");
 const COLOURS: usize = 6;
 
 pub(super) fn svg(diagram: &Diagram) -> String {
-    let layout = layout(diagram, &PIXELS);
-    let mut picture = Picture { text: String::new() };
+    drawn(diagram, &layout(diagram, &PIXELS), false)
+}
+
+pub(super) fn narrow_svg(diagram: &Diagram) -> String {
+    drawn(diagram, &stack(diagram, &PIXELS), true)
+}
+
+fn drawn(diagram: &Diagram, layout: &Layout, is_narrow: bool) -> String {
+    let mut picture = Picture { text: String::new(), is_narrow };
     // Writing to a string does not fail.
-    let _ = picture.draw(diagram, &layout);
+    let _ = picture.draw(diagram, layout);
     picture.text
 }
 
 struct Picture {
     text: String,
+    /// All lines are on the right of the boxes, and the key has several lines.
+    is_narrow: bool,
 }
 
 impl Picture {
     fn draw(&mut self, diagram: &Diagram, layout: &Layout) -> std::fmt::Result {
         let key = key(diagram);
         let widest = |text: &str, one: f64| text.chars().count() as f64 * one;
-        let keys: f64 = key.iter().map(|(_, words)| 28.0 + widest(words, PIXELS.note)).sum();
+        let keys = key.iter().map(|(_, words)| 28.0 + widest(words, PIXELS.note));
+        let keys: f64 = if self.is_narrow { keys.fold(0.0, f64::max) } else { keys.sum() };
         let inner = (layout.width + 2.0 * STACK).max(widest(&diagram.title, PIXELS.name)).max(keys);
-        let key_room = if key.is_empty() { 0.0 } else { KEY };
+        let key = key_lines(key, inner);
+        let key_room = key.len() as f64 * KEY;
         let width = (inner + 2.0 * MARGIN).ceil();
         let height = (layout.height + 2.0 * MARGIN + TITLE + key_room + STACK).ceil();
         let title = escaped(&diagram.title);
@@ -91,7 +102,9 @@ impl Picture {
             }
         }
         writeln!(self.text, "</g>")?;
-        self.draw_key(&key, height - MARGIN + 2.0)?;
+        for (line, key) in key.iter().rev().enumerate() {
+            self.draw_key(key, height - MARGIN + 2.0 - line as f64 * KEY)?;
+        }
         writeln!(self.text, "</svg>")
     }
 
@@ -143,6 +156,14 @@ impl Picture {
     /// The shape of a box. Ports point in the direction of their data.
     fn outline(&mut self, it: &DiagramBox, class: &str, rect: &Rect) -> std::fmt::Result {
         match it.kind {
+            BoxKind::Output if self.is_narrow => {
+                let [x, y, right, bottom] = [rect.x, rect.y, rect.right(), rect.bottom()].map(number);
+                let (shoulder, middle) = (number(rect.x + PIXELS.point), number(rect.middle()[1]));
+                writeln!(
+                    self.text,
+                    "<path class=\"{class}\" d=\"M{right} {y} H{shoulder} L{x} {middle} L{shoulder} {bottom} H{right} Z\"/>"
+                )
+            }
             BoxKind::Input | BoxKind::Output => {
                 let [x, y, right, bottom] = [rect.x, rect.y, rect.right(), rect.bottom()].map(number);
                 let (shoulder, middle) = (number(rect.right() - PIXELS.point), number(rect.middle()[1]));
@@ -160,7 +181,11 @@ impl Picture {
     fn draw_text(&mut self, it: &DiagramBox, rect: &Rect) -> std::fmt::Result {
         let names = lines(it);
         let note = if it.note.is_empty() { 0.0 } else { PIXELS.note_line };
-        let point = if matches!(it.kind, BoxKind::Input | BoxKind::Output) { PIXELS.point / 2.0 } else { 0.0 };
+        let point = match it.kind {
+            BoxKind::Output if self.is_narrow => -PIXELS.point / 2.0,
+            BoxKind::Input | BoxKind::Output => PIXELS.point / 2.0,
+            _ => 0.0,
+        };
         let (x, height) = (rect.middle()[0] - point, names.len() as f64 * PIXELS.name_line + note);
         let top = rect.middle()[1] - height / 2.0;
         for (i, name) in names.iter().enumerate() {
@@ -203,8 +228,8 @@ impl Picture {
         )
     }
 
-    /// The key of colours and line styles.
-    fn draw_key(&mut self, key: &[(String, String)], y: f64) -> std::fmt::Result {
+    /// A line of the key of colours and line styles.
+    fn draw_key(&mut self, key: &[Key], y: f64) -> std::fmt::Result {
         let mut x = MARGIN;
         for (class, words) in key {
             if !class.is_empty() {
@@ -246,10 +271,30 @@ fn class(it: &DiagramBox) -> String {
     }
 }
 
-/// The entries of the key, each with the class of its sample.
-fn key(diagram: &Diagram) -> Vec<(String, String)> {
+/// An entry of the key: the class of its sample, and its words.
+type Key = (String, String);
+
+/// The key in lines of at most that width.
+fn key_lines(key: Vec<Key>, width: f64) -> Vec<Vec<Key>> {
+    let (mut lines, mut used): (Vec<Vec<Key>>, f64) = (Vec::new(), 0.0);
+    for entry in key {
+        let wide = 28.0 + entry.1.chars().count() as f64 * PIXELS.note;
+        match lines.last_mut().filter(|_| used + wide <= width) {
+            Some(line) => line.push(entry),
+            None => {
+                lines.push(vec![entry]);
+                used = 0.0;
+            }
+        }
+        used += wide;
+    }
+    lines
+}
+
+/// The entries of the key.
+fn key(diagram: &Diagram) -> Vec<Key> {
     let clocks = diagram.clocks.iter().enumerate();
-    let mut key: Vec<(String, String)> =
+    let mut key: Vec<Key> =
         clocks.map(|(i, name)| (format!("tick clock{}", i % COLOURS), format!("clock {name}"))).collect();
     let has = |kind: ArrowKind| diagram.arrows.iter().any(|arrow| arrow.kind == kind);
     let kinds = [(ArrowKind::Stream, "line stream", "stream"), (ArrowKind::Control, "line control", "control")];

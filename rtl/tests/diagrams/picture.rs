@@ -55,7 +55,8 @@ impl Picture {
             [.., "inner"] | ["box", "inner", ..] => {}
             ["box", "port", ..] => {
                 let ns = numbers(attribute(element, "d"));
-                let [rect, core] = [ns[3], ns[2]].map(|right| Rect([ns[0], ns[1], right, ns[6]]));
+                // Outputs of narrow pictures point to the left.
+                let [rect, core] = [ns[3], ns[2]].map(|end| Rect([ns[0].min(end), ns[1], ns[0].max(end), ns[6]]));
                 self.boxes.push(Shape { rect, core, texts: vec![] });
             }
             ["box", ..] => self.boxes.push(Shape { rect: rect(), core: rect(), texts: vec![] }),

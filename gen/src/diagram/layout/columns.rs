@@ -165,7 +165,7 @@ impl Columns {
 
 impl Layout {
     /// Moves everything to start at zero, and measures it.
-    fn normalize(&mut self) {
+    pub(super) fn normalize(&mut self) {
         let lines = self.routes.iter().flat_map(|route| {
             let points = route.points.iter().map(|[x, y]| Rect { x: *x, y: *y, width: 0.0, height: 0.0 });
             points.chain(route.label)

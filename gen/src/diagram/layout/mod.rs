@@ -1,14 +1,19 @@
 //! Where everything is drawn: boxes in columns, and lines of horizontal and vertical pieces.
 //!
 //! `dagre` chooses the column and height of each box, and the height at which a line passes the columns between its ends. The rest is decided
-//! here: the width of columns, the points where lines leave and enter boxes, and the vertical pieces of lines.
+//! here: the width of columns, the points where lines leave and enter boxes, and the vertical pieces of lines. [`stack()`] is another layout, for
+//! narrow pages.
 
 mod channel;
 mod columns;
 mod dots;
 mod forward;
 mod layers;
+mod sequence;
 mod slots;
+mod stack;
+
+pub(super) use stack::stack;
 
 use super::model::{Diagram, DiagramBox};
 

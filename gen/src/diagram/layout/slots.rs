@@ -14,7 +14,7 @@ pub(super) struct Stops {
 }
 
 /// What leaves a box at one point: arrows of one kind, and from an instance of the same ports.
-type Exit<'a> = (ArrowKind, &'a [String]);
+pub(super) type Exit<'a> = (ArrowKind, &'a [String]);
 
 pub(super) fn is_port(it: &DiagramBox) -> bool {
     matches!(it.kind, BoxKind::Input | BoxKind::Output)
@@ -28,7 +28,7 @@ pub(super) fn count(diagram: &Diagram, forward: &[bool], (index, is_right): Side
     exits.len() + all().filter(|(arrow, forward)| arrow.to == index && **forward != is_right).count()
 }
 
-fn exit<'a>(diagram: &Diagram, arrow: &'a Arrow) -> Exit<'a> {
+pub(super) fn exit<'a>(diagram: &Diagram, arrow: &'a Arrow) -> Exit<'a> {
     let is_instance = diagram.boxes[arrow.from].kind == BoxKind::Instance;
     (arrow.kind, if is_instance { &arrow.signals[..] } else { &[] })
 }
