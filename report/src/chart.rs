@@ -51,8 +51,8 @@ impl Axis {
     }
 }
 
-/// Points of one origin, (x, y) from left to right. Series of the same name belong together: they share their colour, the dashes of their
-/// lines, the shape of their points, and rows of the CSV file.
+/// Points of one origin, (x, y) from left to right. Series of the same name share their colour, the dashes of their lines, the shape of
+/// their points, and rows of the CSV file.
 ///
 /// ```
 /// use tilewright_report::{Origin, Series};
@@ -142,6 +142,20 @@ impl Chart {
     pub fn series(mut self, series: Series) -> Chart {
         self.series.push(series);
         self
+    }
+
+    /// The chart as a separate SVG file with its legend, light or dark like the reader's screen. Its text is large, as a page shows a picture
+    /// smaller on a narrow screen.
+    ///
+    /// ```
+    /// use tilewright_report::{Axis, Chart, Origin, Series};
+    ///
+    /// let chart = Chart::new("load", "Load by area", Axis::log("area"), Axis::linear("load"));
+    /// let svg = chart.series(Series::new("k = 1", Origin::Formula, [(1.0, 0.9), (10.0, 0.8)])).svg_text();
+    /// assert!(svg.starts_with("<svg xmlns=") && svg.contains(">Load by area</text>"));
+    /// ```
+    pub fn svg_text(&self) -> String {
+        plot::svg_file(self).into_string() + "\n"
     }
 
     /// The numbers: a row for each x of each name, a column for each origin, and the seeds of measurements.

@@ -203,7 +203,7 @@ impl Page {
     }
 
     /// The report as files. `index.html` needs none of the others, and `report.json` has all numbers. Each part has its data as `ID.csv`, or
-    /// its picture as `ID.png`. The same report gives the same bytes.
+    /// its picture as `ID.png`. A chart is also a picture for other pages, `ID.svg`. The same report gives the same bytes.
     ///
     /// # Errors
     /// All problems of its parts: names that cannot name a file or are used twice, rows of different lengths, pictures that are not PNG.
@@ -226,7 +226,7 @@ impl Page {
             file("index.html", html::document(self).into_string().into_bytes()),
             file("report.json", (json + "\n").into_bytes()),
         ];
-        files.extend(self.parts().filter_map(Part::file));
+        files.extend(self.parts().flat_map(|part| [part.file(), part.drawing()]).flatten());
         Ok(files)
     }
 }
@@ -345,5 +345,15 @@ impl Part {
             Part::Table(table) => ("csv", table.csv_text().into_bytes()),
         };
         Some(File { name: format!("{id}.{kind}"), bytes })
+    }
+
+    /// A chart as a picture in a file.
+    fn drawing(&self) -> Option<File> {
+        let (id, svg) = match self {
+            Part::Chart(chart) => (&chart.id, chart.svg_text()),
+            Part::Timeline(chart) => (&chart.id, chart.svg_text()),
+            _ => return None,
+        };
+        Some(File { name: format!("{id}.svg"), bytes: svg.into_bytes() })
     }
 }

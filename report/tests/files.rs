@@ -77,7 +77,18 @@ fn a_small_page_is_as_it_was() {
     let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
     assert_eq!(
         names,
-        ["index.html", "report.json", "verdicts.csv", "chart.csv", "times.csv", "dots.png", "map.csv", "table.csv"]
+        [
+            "index.html",
+            "report.json",
+            "verdicts.csv",
+            "chart.csv",
+            "chart.svg",
+            "times.csv",
+            "times.svg",
+            "dots.png",
+            "map.csv",
+            "table.csv"
+        ]
     );
     // An element a line, and the style sheet where it is.
     let html = file(&files, "index.html")
@@ -91,10 +102,12 @@ fn a_small_page_is_as_it_was() {
         )
         .replace("><", ">\n<");
     golden("index.html", &html);
-    for name in ["report.json", "verdicts.csv", "chart.csv", "times.csv", "map.csv", "table.csv"] {
+    for name in
+        ["report.json", "verdicts.csv", "chart.csv", "chart.svg", "times.csv", "times.svg", "map.csv", "table.csv"]
+    {
         golden(name, file(&files, name));
     }
-    assert_eq!(files[5].bytes, include_bytes!("../examples/dots.png"));
+    assert_eq!(files[7].bytes, include_bytes!("../examples/dots.png"));
 }
 
 fn golden(name: &str, text: &str) {

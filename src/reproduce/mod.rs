@@ -33,7 +33,7 @@ Examples:
 `all` writes the pages of all papers, each in a folder of that name. A page above them compares all machines on the same scenes, as `compare` does.
 Without --polygons, --vectors, --primitives or --views, the page has all points that its figures need. That takes some minutes of processor time, which all cores share.
 With one of these options the page is a quick look: frames are small, and the hardware runs for fewer points.
-The page, index.html, needs no other file and no network. Each figure is also written as CSV, and the whole report as report.json.
+The page, index.html, needs no other file and no network. Each figure is also written as CSV and SVG, and the whole report as report.json.
 The same command writes the same bytes each time.")]
 pub struct Reproduce {
     /// The machine of the paper, or `all`
@@ -55,7 +55,7 @@ pub struct Reproduce {
     /// For pixelflow: a quick look with at most this number of primitives in a frame, which may not reach the compared latencies
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors"])]
     primitives: Option<u64>,
-    /// For vc1: a quick look with at most this number of views of Table 1's scene, up to 48, a small screen and few processing elements
+    /// For vc1: a quick look on a small screen, with few processing elements and at most this number of views of Table 1's scene, up to 48
     #[arg(long, value_name = "NUMBER", value_parser = value_parser!(u64).range(1..), conflicts_with_all = ["polygons", "vectors", "primitives"])]
     views: Option<u64>,
     /// Print the report as JSON

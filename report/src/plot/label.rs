@@ -17,10 +17,10 @@ pub struct Label<'a> {
 pub const LINE: i32 = 14 * TENTHS;
 
 impl Label<'_> {
-    /// Its width beside its curve, in tenths.
-    pub fn width(&self) -> i32 {
+    /// Its width beside its curve, in tenths, for characters of that width.
+    pub fn width(&self, character: i32) -> i32 {
         let longest = self.lines.iter().map(|line| line.chars().count()).max().unwrap_or(0);
-        (longest as i32 * 7 + 22) * TENTHS
+        (longest as i32 * character + 22) * TENTHS
     }
 
     /// Its height, in tenths.

@@ -1,16 +1,16 @@
 //! Draws charts. `plotters` lays out axes and grid. This module has the scales, the points, and the SVG backend.
 
+mod file;
 mod label;
 mod legend;
 mod mark;
 mod scale;
 mod svg;
 mod timeline;
-mod times_file;
 
+pub use file::{svg_file, svg_file_of_times};
 pub use legend::legend;
 pub use timeline::{sample_of_span, svg_of_times};
-pub use times_file::svg_file_of_times;
 
 use crate::chart::{Chart, Series};
 use crate::origin::Origin;
@@ -38,26 +38,34 @@ pub struct Format {
     labels: (usize, usize),
     /// The most characters in a line of a name beside its curve.
     longest: usize,
+    /// The approximate width of a character of the names of lanes and bars.
+    character: i32,
 }
 
 /// A chart as wide as the text.
-pub const WIDE: Format = Format { class: "wide", width: 720, height: 420, labels: (8, 10), longest: 20 };
+pub const WIDE: Format = Format { class: "wide", width: 720, height: 420, labels: (8, 10), longest: 20, character: 7 };
 /// A chart for a telephone.
-pub const NARROW: Format = Format { class: "narrow", width: 350, height: 320, labels: (4, 6), longest: 9 };
+pub const NARROW: Format =
+    Format { class: "narrow", width: 350, height: 320, labels: (4, 6), longest: 9, character: 7 };
 
 /// A chart as an SVG element of that format.
 pub fn svg(chart: &Chart, format: Format) -> Markup {
+    html! {
+        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (format.height) } role="img" aria-label=(chart.alt()) {
+            (elements(chart, format))
+        }
+    }
+}
+
+/// The elements of a chart.
+fn elements(chart: &Chart, format: Format) -> Markup {
     let elements = Rc::default();
     let Ok(()) = drawn(chart, format, Rc::clone(&elements)).map_err(|error| match error {
         DrawingAreaErrorKind::BackendError(DrawingErrorKind::DrawingError(never)) => never,
         // Fonts and locked pictures are not involved, so nothing can fail.
         other => unreachable!("{other}"),
     });
-    html! {
-        svg.chart.(format.class) viewBox={ "0 0 " (format.width) " " (format.height) } role="img" aria-label=(chart.alt()) {
-            (PreEscaped(elements.take()))
-        }
-    }
+    PreEscaped(elements.take())
 }
 
 /// The drawable part of a series.
@@ -85,7 +93,7 @@ fn drawn(chart: &Chart, format: Format, elements: Rc<RefCell<String>>) -> Drawn 
     let shown = shown(chart);
     let labels = label::labels(chart, &shown, format);
     let root = Svg::new(elements, (format.width, format.height)).into_drawing_area();
-    let mut plot = axes(&root, chart, format, &shown, labels.iter().map(Label::width).max())?;
+    let mut plot = axes(&root, chart, format, &shown, labels.iter().map(|label| label.width(format.character)).max())?;
     // Lines first, so that they hide no point.
     for Shown { number, series, points } in &shown {
         if let Some(paint) = line(chart, series) {

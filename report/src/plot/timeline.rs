@@ -19,9 +19,6 @@ const GAP: i32 = 10 * TENTHS;
 const SMALL_GAP: i32 = 4 * TENTHS;
 const AXIS: i32 = 44 * TENTHS;
 
-/// The width of a label's character, in tenths.
-const CHARACTER: i32 = 7 * TENTHS;
-
 /// The layout of a chart.
 struct Layout<'a> {
     scale: Scale,
@@ -34,6 +31,8 @@ struct Layout<'a> {
     has_kinds: bool,
     /// The space for squares with lanes' colours, if some lane has one.
     squares: i32,
+    /// The width of a character of a name.
+    character: i32,
 }
 
 /// The side of a square.
@@ -55,7 +54,7 @@ pub fn svg_of_times(chart: &Timeline, format: Format) -> Markup {
 /// The content of that element, and its height.
 pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
     let longest = chart.lanes.iter().map(|lane| lane.name.chars().count() as i32).max().unwrap_or(0);
-    let width = format.width as i32 * TENTHS;
+    let (width, character) = (format.width as i32 * TENTHS, format.character * TENTHS);
     let times = chart.lanes.iter().flat_map(|lane| {
         let ends = lane.spans.iter().flat_map(|span| [span.from, span.to]);
         let columns = lane.columns.iter().flat_map(|column| [column.from, column.to]);
@@ -64,11 +63,12 @@ pub fn inside(chart: &Timeline, format: Format) -> (Markup, f64) {
     let squares = if chart.lanes.iter().any(|lane| lane.colour.is_some()) { SQUARE + 5 * TENTHS } else { 0 };
     let layout = Layout {
         scale: Scale::around(times, false),
-        ends: (longest * CHARACTER + 10 * TENTHS + squares, width - 12 * TENTHS),
+        ends: (longest * character + 10 * TENTHS + squares, width - 12 * TENTHS),
         names: chart.names(),
         looks: looks(chart),
         has_kinds: !chart.kinds.is_empty(),
         squares,
+        character,
     };
     let mut top = 0;
     let tops: Vec<i32> = chart
@@ -211,7 +211,7 @@ impl Layout<'_> {
         let (from, to) = (self.x(span.from), self.x(span.to));
         let number = self.names.iter().position(|name| *name == span.what).unwrap_or(0);
         let look = &self.looks[number];
-        let has_room = (span.what.chars().count() as i32 + 1) * CHARACTER <= to - from;
+        let has_room = (span.what.chars().count() as i32 + 1) * self.character <= to - from;
         html! {
             g.span {
                 rect class=(look.class) style=[&look.style] x=(tenths(from)) y=(tenths(top)) width=(tenths(to - from)) height=(tenths(BAR)) {
