@@ -47,9 +47,9 @@ block! {
         instructions: stream(Instruction = Instruction::widths()).on(ARRAY),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
-        /// The network has done with a bank: a bit for each.
+        /// The network is done with a bank: a bit for each.
         bank_done: bits(BANKS).on(ARRAY),
-        /// The texture unit has done.
+        /// The texture unit is done.
         texture_done: bit().on(ARRAY),
         /// From the network, of each bank.
         network: [PortAccess = self.bank().access().on(NETWORK); BANKS],
@@ -63,7 +63,7 @@ block! {
         network_seen: [bits(8).of(row(self.chips())); BANKS],
         /// To the texture unit: a byte of each chip.
         texture_seen: bits(8).of(row(self.chips())),
-        /// Every instruction has ended, but in the pixels, which are as late as the evaluator.
+        /// Every instruction has ended except in the pixels, which are as late as the evaluator.
         idle: bit(),
     }
 }

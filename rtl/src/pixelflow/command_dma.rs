@@ -10,8 +10,8 @@
 //! The geometry processors write the instructions of frames. They say where each frame begins and how many instructions
 //! it has. Up to two frames wait, so that one is fetched while the next is written.
 //!
-//! Latency: 2 clocks from the acceptance of a frame to its first instruction, then one a clock while the receiver is
-//! ready; a clock between frames.
+//! Latency: 2 clocks from the acceptance of a frame to its first instruction, then an instruction a clock while the
+//! receiver is ready. Between frames one clock is lost.
 
 use tilewright_blocks::StreamBlocks;
 

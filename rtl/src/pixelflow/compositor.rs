@@ -1,5 +1,5 @@
-//! The compositor: sends on the lesser of two words that arrive byte by byte, for the pixels of a chip one after
-//! another (PFL-NET, facts E4).
+//! The compositor: sends on the lesser of two words, which arrive byte by byte (PFL-NET, facts E4). The pixels of a
+//! chip follow one another.
 //!
 //! ```text
 //!                                  .---------.

@@ -61,9 +61,9 @@ block! {
         instructions: stream(Instruction = Instruction::widths()),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
-        /// The network has done with a bank: a bit for each.
+        /// The network is done with a bank: a bit for each.
         bank_done: bits(BANKS),
-        /// The texture unit has done.
+        /// The texture unit is done.
         texture_done: bit(),
     }
     out(self) ArrayControllerOut {
@@ -82,7 +82,7 @@ block! {
             /// The texture unit begins.
             texture: bit(),
         },
-        /// Nothing is under way but in the pixels.
+        /// Nothing is under way except in the pixels.
         idle: bit(),
     }
 }

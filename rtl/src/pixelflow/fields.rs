@@ -7,9 +7,9 @@
 //! ```
 //!
 //! Numbers have their least significant byte at the lowest address, which is the sequence in which they are processed.
-//! The network sends a word from its highest address down: byte j of n, in sending sequence, is at n - 1 - j above the
-//! word's address. So a whole word is also one number. A rasterizer keeps its words in the bank itself. While the
-//! network has one bank, the next region is drawn in the other, and nothing is copied.
+//! The network sends a word from its highest address down. So byte j of n, counted as they are sent, is at n - 1 - j
+//! above the word's address. A whole word is thus also one number. A rasterizer keeps its words in the bank itself.
+//! While the network has one bank, the next region is drawn in the other, and nothing is copied.
 //!
 //! | address in the word | 0 | 2 | 3 | 4 | 6 | 8 | 9 | 10 | 11 | 13 | 15 | 17 | 18 to 20 |
 //! |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
@@ -112,7 +112,7 @@ pub mod texture {
     /// The number of the texture.
     pub const TEXTURE: Field = Field::new(325, 1);
 
-    /// A channel (0 is red) of the texel at (x, y) of the four on level l + `finer`; x and y are 0 or 1.
+    /// A channel of one of the four texels on level l + `finer`, that at (x, y). Channel 0 is red; x and y are 0 or 1.
     pub const fn texel(finer: u64, [x, y]: [u64; 2], channel: u64) -> Field {
         Field::new(328 + 3 * (4 * finer + 2 * y + x) + channel, 1)
     }
@@ -163,8 +163,8 @@ pub(super) mod shading {
     /// Twice a remainder.
     pub const DOUBLED: Field = TRIAL;
 
-    /// The pixel's material: the brightness of highlights, the number of squarings of cosines (255 where no light falls
-    /// on it), and the finest level of its texture.
+    /// The pixel's material: the brightness of highlights, the number of squarings of cosines, and the finest level of
+    /// its texture. Without light the number of squarings is 255.
     pub const MATERIAL: Field = Field::new(12, 3);
     pub const SPECULAR: u64 = 12;
     pub const SQUARINGS: u64 = 13;

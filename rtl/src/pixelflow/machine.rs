@@ -56,7 +56,7 @@ block! {
         side_by_side: bit().on(ARRAY),
         /// From the texture unit of each node.
         textures: [PortAccess = self.node.array().texture().access().on(ARRAY); self.nodes],
-        /// The nodes whose texture unit has done.
+        /// The nodes whose texture unit is done.
         textures_done: bit().of(row(self.nodes)).on(ARRAY),
         /// The jobs of each node for the words that go forth, from the first node to the last.
         forth: [stream(Job = Job::widths()).on(NETWORK); self.nodes],
@@ -68,7 +68,7 @@ block! {
         texture_seen: [bits(8).of(row(self.node.array().chips())); self.nodes],
         /// The nodes whose texture unit begins.
         textures_start: bit().of(row(self.nodes)),
-        /// The nodes in which every instruction has ended, but in the pixels.
+        /// The nodes in which every instruction has ended except in the pixels.
         idle: bit().of(row(self.nodes)),
         /// The nodes that have no job, of each direction.
         without_job: [bit().of(row(self.nodes)); DIRECTIONS],

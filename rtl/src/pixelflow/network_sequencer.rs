@@ -10,9 +10,9 @@
 //! pixel, advances ------------------------------------'---> the last byte of the last pixel: done
 //! ```
 //!
-//! A job is one word of each pixel of a region, sent from the most significant byte on: that byte of all pixels, then
-//! the next. Byte j of n is at address n - 1 - j of the bank. So a word is a number with its least significant byte at
-//! the lowest address, as the pixels process it.
+//! A job is one word of each pixel of a region. The most significant byte of all pixels is sent first, then the next
+//! byte of all. Byte j of n is at address n - 1 - j of the bank. So a word is a number with its least significant byte
+//! at the lowest address, as the pixels process it.
 //!
 //! The network never waits, so no node may send before all are set up. Every node has a job for each word, even if it
 //! only forwards it. A node is ready when it has the bank and its set-up is over; the loading node starts when all are
@@ -61,7 +61,7 @@ block! {
         address: below(NetworkSequencer::BYTES),
         /// The node is set for its word.
         ready: bit(),
-        /// The network has done with a bank: a bit for each.
+        /// The network is done with a bank: a bit for each.
         done: bits(BANKS),
         /// There is no job.
         idle: bit(),

@@ -87,7 +87,7 @@ block! {
         side_by_side: bit().on(ARRAY),
         /// From the texture unit.
         texture: PortAccess = self.array.texture().access().on(ARRAY),
-        /// The texture unit has done.
+        /// The texture unit is done.
         texture_done: bit().on(ARRAY),
         /// From both directions of the network.
         network: [DirectionIn::widths(&self.port()).on(NETWORK); DIRECTIONS],
@@ -97,7 +97,7 @@ block! {
         texture_seen: bits(8).of(row(self.array.chips())),
         /// The texture unit begins.
         texture_starts: bit(),
-        /// Every instruction has ended, but in the pixels, which are as late as the evaluator.
+        /// Every instruction has ended except in the pixels, which are as late as the evaluator.
         idle: bit(),
         /// To both directions of the network.
         network: [DirectionOut] = _,

@@ -77,7 +77,7 @@ pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
 /// let mut schedule = Schedule::new(true);
 /// let word = clear(256, 4)[0];
 /// assert_eq!(take(&mut schedule, &word, &step(&word), 0).taken, 0);
-/// // The network has done with the bank in clock 2, but the word's last byte is sent in clock 4.
+/// // The network is done with the bank in clock 2, but the word's last byte is sent in clock 4.
 /// let waits = await_bank(0);
 /// assert_eq!(take(&mut schedule, &waits, &step(&waits), 2).taken, 4);
 /// assert_eq!(take(&mut schedule, &word, &step(&word), 0).taken, 5);

@@ -57,8 +57,8 @@ pub(super) fn edge(enabling: Enabling, [a, b, c]: [i64; 3], bytes: u64) -> Instr
     }
 }
 
-/// The parts of a triangle that take clocks. They are the edges, a plane of 5 bytes and three of 3 into bytes 10 to 15
-/// with the depth on top, a comparison with bytes 0 to 5, and the commit.
+/// The parts of a triangle that take clocks. They are the edges, four planes, a comparison with bytes 0 to 5, and the
+/// commit. One plane, the depth, has 5 bytes, and three have 3; bytes 10 to 15 get them, the depth on top.
 pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3]; 4]) -> Vec<Instruction<u64>> {
     let [first, second, third] = edges;
     let edges = [

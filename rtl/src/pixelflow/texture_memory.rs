@@ -54,7 +54,7 @@ block! {
     out TextureMemoryOut {
         /// The texels of a place are there.
         valid: bit(),
-        /// Texel 4 s + 2 y + x is on level `level + s`, and to the left or, with x, to the right, below or, with y, above.
+        /// Texel 4 s + 2 y + x is on level `level + s`. It is on the right if x is 1, and above if y is 1.
         texels: bits(24).of(row(8)),
     }
 }

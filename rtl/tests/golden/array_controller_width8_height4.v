@@ -37,8 +37,8 @@ module array_controller_width8_height4 (
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
-    input  wire [1:0]  bank_done,                // The network has done with a bank: a bit for each.
-    input  wire        texture_done,             // The texture unit has done.
+    input  wire [1:0]  bank_done,                // The network is done with a bank: a bit for each.
+    input  wire        texture_done,             // The texture unit is done.
     // To the evaluator.
     output wire [7:0]  coefficients_a,           // A byte of coefficient A, which is added from a column to the next.
     output wire [7:0]  coefficients_b,           // A byte of coefficient B, which is added from a line to the next.
@@ -64,7 +64,7 @@ module array_controller_width8_height4 (
     // all instructions so far.
     output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
     output wire        given_texture,            // The texture unit begins.
-    output wire        idle,                     // Nothing is under way but in the pixels.
+    output wire        idle,                     // Nothing is under way except in the pixels.
     output wire        instructions_ready
 );
 

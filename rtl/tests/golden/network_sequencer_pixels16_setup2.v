@@ -27,7 +27,7 @@ module network_sequencer_pixels16_setup2 (
     output reg  [1:0] bank,       // The bank, if the job needs one: a bit for each.
     output reg  [4:0] address,    // The byte of the bank.
     output wire       ready,      // The node is set for its word.
-    output wire [1:0] done,       // The network has done with a bank: a bit for each.
+    output wire [1:0] done,       // The network is done with a bank: a bit for each.
     output wire       idle,       // There is no job.
     output wire       jobs_ready
 );

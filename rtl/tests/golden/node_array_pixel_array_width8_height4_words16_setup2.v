@@ -53,7 +53,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [5:0]  texture_address,               // The register of the pixel.
     input  wire        texture_writes,                // The register is written.
     input  wire [15:0] texture_bytes,                 // The bytes to write, one of each chip.
-    input  wire        texture_done,                  // The texture unit has done.
+    input  wire        texture_done,                  // The texture unit is done.
     // From both directions of the network.
     // The jobs of the node, one for each word.
     input  wire        network_0_jobs_valid,
@@ -76,7 +76,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [15:0] network_1_upstream_bytes,
     output wire [15:0] texture_seen,                  // To the texture unit: a byte of each chip.
     output wire        texture_starts,                // The texture unit begins.
-    // Every instruction has ended, but in the pixels, which are as late as the evaluator.
+    // Every instruction has ended except in the pixels, which are as late as the evaluator.
     output wire        idle,
     // To both directions of the network.
     output wire        network_0_ready,               // The node is set for its word.

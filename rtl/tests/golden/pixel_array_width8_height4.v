@@ -38,8 +38,8 @@ module pixel_array_width8_height4 (
     input  wire [39:0] instructions_c,
     // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
     input  wire        side_by_side,
-    input  wire [1:0]  bank_done,                // The network has done with a bank: a bit for each.
-    input  wire        texture_done,             // The texture unit has done.
+    input  wire [1:0]  bank_done,                // The network is done with a bank: a bit for each.
+    input  wire        texture_done,             // The texture unit is done.
     // From the network, of each bank.
     input  wire [3:0]  network_0_pixel,          // The pixel of each chip, counted line by line.
     input  wire [4:0]  network_0_address,        // The register of the pixel.
@@ -61,7 +61,7 @@ module pixel_array_width8_height4 (
     output wire [15:0] network_seen_0,
     output wire [15:0] network_seen_1,
     output wire [15:0] texture_seen,             // To the texture unit: a byte of each chip.
-    // Every instruction has ended, but in the pixels, which are as late as the evaluator.
+    // Every instruction has ended except in the pixels, which are as late as the evaluator.
     output wire        idle,
     output wire        instructions_ready
 );

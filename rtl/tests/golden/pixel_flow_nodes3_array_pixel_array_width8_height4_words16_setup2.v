@@ -107,7 +107,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [5:0]  textures_2_address,
     input  wire        textures_2_writes,
     input  wire [15:0] textures_2_bytes,
-    input  wire [2:0]  textures_done,                    // The nodes whose texture unit has done.
+    input  wire [2:0]  textures_done,                    // The nodes whose texture unit is done.
     // The jobs of each node for the words that go forth, from the first node to the last.
     input  wire        forth_0_valid,
     input  wire [1:0]  forth_0_mode,                     // The mode of the node for the word: a `Mode`.
@@ -141,7 +141,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     output wire [15:0] texture_seen_1,
     output wire [15:0] texture_seen_2,
     output wire [2:0]  textures_start,                   // The nodes whose texture unit begins.
-    // The nodes in which every instruction has ended, but in the pixels.
+    // The nodes in which every instruction has ended except in the pixels.
     output wire [2:0]  idle,
     // The nodes that have no job, of each direction.
     output wire [2:0]  without_job_0,

@@ -29,7 +29,7 @@ module texture_memory_texels16_textures2 (
     input  wire [7:0]   request_level,    // The coarser of the two levels.
     input  wire [7:0]   request_texture,  // The number of the texture.
     output wire         valid,            // The texels of a place are there.
-    // Texel 4 s + 2 y + x is on level `level + s`, and to the left or, with x, to the right, below or, with y, above.
+    // Texel 4 s + 2 y + x is on level `level + s`. It is on the right if x is 1, and above if y is 1.
     output wire [191:0] texels
 );
 

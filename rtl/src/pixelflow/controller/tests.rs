@@ -189,7 +189,7 @@ fn the_texture_unit_is_awaited_until_it_has_done() {
     let mut starts = Vec::new();
     let taken = watched(&mut sim, &[wait, start], 8, |out| starts.push(out.given.texture));
     assert_eq!(taken, [0, 1]);
-    // It is taken in clock 1, its byte is sent to the pixels in clock 2, and they get it 3 clocks later, as an
+    // It is taken in clock 1, and its byte is sent to the pixels in clock 2. They get it 3 clocks later, as an
     // expression would.
     assert_eq!(starts, [0, 0, 0, 0, 0, 1, 0, 0]);
 }

@@ -233,8 +233,8 @@ proptest! {
     }
 }
 
-/// The frames shown, each with the frame that was being loaded: 0, 1 and so on, each any number of times, but the first
-/// at least once.
+/// The frames shown, each with the frame that was being loaded. Frame 0 comes at least once, each later one any number
+/// of times.
 fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
     let FrameBuffer { screen: Screen { width, height }, samples, .. } = *buffer;
     let pixels = (width * height) as usize;

@@ -113,8 +113,8 @@ fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u64) -> u64 {
     value & (u64::MAX >> (64 - 8 * bytes))
 }
 
-/// The work of a machine whose first node holds the frame and whose last nodes shade: they send back what came. One
-/// word of each rasterizer, for each region.
+/// The work of a machine whose first node collects the frame. The last nodes shade: they send back what came. One word
+/// of each rasterizer, for each region.
 fn works(words: &[Vec<[u64; 3]>], shaders: usize, bytes: u64) -> (Vec<Program>, Vec<Jobs>) {
     let (rasterizers, regions) = (words.len(), words[0].len());
     let nodes = 1 + rasterizers + shaders;
@@ -187,8 +187,8 @@ proptest! {
     }
 }
 
-/// From the last node that becomes ready on: the first byte comes one clock later, and takes a clock from node to node;
-/// then the next job follows.
+/// Times begin when the last node becomes ready. The first byte comes one clock later, and takes a clock from node to
+/// node. Then the next job follows.
 #[test]
 fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
     const SETUP: u64 = 3;

@@ -76,8 +76,8 @@ pub fn gouraud(region: Region, words: Words, edges: &[Expression], surface: &Sur
     program
 }
 
-/// The instructions that draw a primitive's appearance: the edges' bytes, 5 + 6 x 4 + 3 x 3 for planes, 2 for
-/// constants, 20 for the copy. There are none if an edge has the whole region outside.
+/// The instructions that draw a primitive's appearance. They take the edges' bytes, 5 + 6 x 4 + 3 x 3 for planes, 2 for
+/// constants, and 20 for the copy. There are none if an edge has the whole region outside.
 ///
 /// [`covered`] writes the zero, because depth alone decides between a word and the empty one.
 pub fn appearance(

@@ -8,8 +8,8 @@
 //! appearance words, and [`covered`] flags their empty pixels. Words are in the network's registers from the start
 //! ([`fields`](super::fields)), so nothing is copied. A copy of 21 bytes would take 21 clocks a region.
 //!
-//! When a pixel has several samples that come one after another, the node of the frame buffer makes sums
-//! ([`add_sample`]), and at the end colours ([`average`](average())).
+//! If the samples of a pixel come one after another, the node of the frame buffer adds them up ([`add_sample`]). At the
+//! end it makes colours of the sums ([`average`](average())).
 //!
 //! A shader makes a colour from each appearance word ([`Shading`]), or from eight that come one after another
 //! ([`ShadingOnce`]). It matches the golden shader bit for bit, as all steps are exact floors.

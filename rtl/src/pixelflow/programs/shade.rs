@@ -26,7 +26,7 @@ use super::ports::{await_texture, start_texture};
 pub struct Light {
     /// The direction towards the light; -255 to 255 each.
     pub direction: [i16; 3],
-    /// The direction half-way between the light and the eye.
+    /// The direction halfway between the light and the eye.
     pub half: [i16; 3],
     /// 255 for the brightness 1.
     pub brightness: u8,
