@@ -83,7 +83,7 @@ block! {
             /// The bit that the pixels read is one of the region's; its number is the address that is written.
             plane: bit(),
         },
-        /// Nothing is under way but in the pixels.
+        /// Nothing is under way except in the pixels.
         idle: bit(),
     }
 }

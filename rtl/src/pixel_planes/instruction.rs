@@ -9,8 +9,8 @@
 //! the memory is taken                             |-----------------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
-//! Expressions are linear, A x + B y + C, unless a [`Curve`](Operation::Curve) comes right before:
-//! it adds D x² + E x y + F y². A curve takes the tree for a clock. Only a renderer that evaluates quadratics takes curves.
+//! Expressions are linear, A x + B y + C. A [`Curve`](Operation::Curve) right before one adds D x² + E x y + F y² to
+//! it. A curve takes the tree for a clock. Only a renderer that evaluates quadratics takes curves.
 //!
 //! So the memory is free for the previous instruction while an expression's lower bits are on their way, and an
 //! expression is never interrupted. A test looks at a sign, which is a word of one bit.

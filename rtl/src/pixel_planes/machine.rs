@@ -68,7 +68,7 @@ block! {
         region: bits(REGION_BITS),
         /// The renderers whose controllers take an instruction in this clock.
         takes: bit().of(row(self.renderers)),
-        /// The renderers in which every instruction has ended, but in the pixels.
+        /// The renderers in which every instruction has ended except in the pixels.
         idle: bit().of(row(self.renderers)),
         /// A plane goes to the frame buffer.
         plane_goes: bit(),

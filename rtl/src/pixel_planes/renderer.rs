@@ -54,7 +54,7 @@ block! {
         room: bit(),
         /// The controller takes an instruction from the queue in this clock.
         takes: bit(),
-        /// Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given another region.
+        /// Every instruction has ended except in the pixels, which are `Renderer::lag` clocks behind: it can be given another region.
         idle: bit(),
     }
 }

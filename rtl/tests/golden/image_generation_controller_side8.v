@@ -50,7 +50,7 @@ module image_generation_controller_side8 (
     output wire [15:0] save_region,                 // The number of the region that is saved.
     // The bit that the pixels read is one of the region's; its number is the address that is written.
     output wire        save_plane,
-    output wire        idle,                        // Nothing is under way but in the pixels.
+    output wire        idle,                        // Nothing is under way except in the pixels.
     output wire        instructions_ready
 );
 

@@ -45,7 +45,8 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     output wire [1:0]   given,                 // The renderer that gets a region in this clock, if one does.
     output wire [15:0]  region,                // The number of the region that is given.
     output wire [1:0]   takes,                 // The renderers whose controllers take an instruction in this clock.
-    output wire [1:0]   idle,                  // The renderers in which every instruction has ended, but in the pixels.
+    // The renderers in which every instruction has ended except in the pixels.
+    output wire [1:0]   idle,
     output wire         plane_goes,            // A plane goes to the frame buffer.
     output wire [383:0] words,                 // The words of the pixels of the line that was read.
     output wire         regions_ready,

@@ -36,7 +36,7 @@ module renderer_side4_queue16_quadratic (
     // one.
     output wire        room,
     output wire        takes,                       // The controller takes an instruction from the queue in this clock.
-    // Every instruction has ended, but in the pixels, which are [lag](Renderer::lag) clocks behind: it can be given
+    // Every instruction has ended except in the pixels, which are `Renderer::lag` clocks behind: it can be given
     // another region.
     output wire        idle,
     output wire        instructions_ready

@@ -37,8 +37,8 @@ impl Edges {
         }
     }
 
-    /// The bits of an edge that crosses a region of `side` x `side` pixels, and so the clocks that it takes; 0 for any
-    /// other edge. There are at least as many bits as the trees have levels.
+    /// The bits, and so the clocks, of an edge that crosses a region of `side` x `side` pixels; 0 for any other edge.
+    /// There are at least as many bits as the trees have levels.
     pub fn bits(self, side: u32, edge: &Expression) -> u32 {
         let [least, greatest] = range(side, edge);
         if least < 0 && greatest >= 0 { self.sent(side, edge).1 } else { 0 }

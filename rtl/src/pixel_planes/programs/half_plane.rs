@@ -11,8 +11,8 @@
 //! The slopes of all half-planes with the same pixels inside form an interval. The simplest fraction in it has both the
 //! least numerator and the least denominator. So its values need the fewest bits. The edge's own slope is in the
 //! interval, so the path to it through the Stern-Brocot tree meets that fraction first. Where the path continues in one
-//! direction, it takes few steps: each goes just far enough to separate the two pixels that the last slope did not. A
-//! test with all half-planes of small regions shows that none needs fewer bits.
+//! direction, it takes few steps. Each goes just far enough to separate the two pixels that the last slope did not
+//! separate. A test with all half-planes of small regions shows that none needs fewer bits.
 
 use super::Expression;
 
@@ -143,8 +143,8 @@ fn simplest(border: &Border, target: [i64; 2]) -> [i64; 2] {
     }
 }
 
-/// The first of the slopes `from + by`, `from + 2 by` up to `from + most by` that separates the border; if none does,
-/// the last.
+/// The first of the slopes `from + by`, `from + 2 by` up to `from + most by` that separates the border. If none does,
+/// it is the last.
 fn first_to_divide(border: &Border, from: [i64; 2], by: [i64; 2], most: i64) -> Result<[i64; 2], [i64; 2]> {
     let at = |times: i64| [from[0] + times * by[0], from[1] + times * by[1]];
     let mut times = 1;

@@ -16,7 +16,7 @@
 //! The table gives N: the clocks from a primitive's first operation to the next one's (PP5-UT), in regions of 128 x 128
 //! pixels. "Worst" is for many equal primitives whose edges take the most bits. "Mean" is over random vectors of 50
 //! pixels, or the teapot's triangles at 640x480. "One at a time" adds up all instructions. "Side by side", the memory
-//! works while the tree has the next primitive's edges; there the worst [`FLAT_LEAST`] is as fast as its memory, 4
+//! works while the tree has the next primitive's edges. There the worst [`FLAT_LEAST`] is as fast as its memory, 4
 //! times 24. The paper's 239 ns a vector are 94 clocks (PP5-UTV); its text does not say for which bits.
 //!
 //! This command prints the table: `cargo test --release -p tilewright-machines the_table_of -- --nocapture`.

@@ -87,8 +87,8 @@ impl Quadratic {
         values.fold([i64::MAX, i64::MIN], |[least, greatest], value| [least.min(value), greatest.max(value)])
     }
 
-    /// The bits in which its sign is sent to a region of `side` x `side` pixels if some are inside and some are not;
-    /// otherwise 0. The test takes one clock more, for its curve.
+    /// The bits in which its sign is sent to a region of `side` x `side` pixels. It is 0 unless some pixels are inside
+    /// and some outside. The test takes one clock more, for its curve.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
