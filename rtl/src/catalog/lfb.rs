@@ -88,7 +88,7 @@ fn misses_and_hits(table: &PatchTable) -> Scenario {
         scan: ScanLookUp { enable: 1, patch: 3, buffer: 0 },
     };
     script.clock(&idle);
-    // Each look-up is held until it is accepted: the first at once, the next in the last clock of its predecessor.
+    // Each look-up waits until it is accepted: the first at once, the next in the last clock of its predecessor.
     for (patch, clocks) in [(3, 1), (3, 4), (1, 3), (3, 4)] {
         script.hold(&PatchTableIn { look_up: Stream::of(1, Wanted { patch }), ..idle }, clocks);
     }
@@ -157,7 +157,7 @@ fn draw_swap_and_send(unit: &LfbUnit) -> Scenario {
     };
     // The merge clock drives the scan's control; its period is a bit more than three processor clocks.
     script.hold(&LfbUnitIn { scan: ScanControl { restart: 1, enable: 0 }, ..idle }, 4);
-    // Two patches, each a miss on its first access. A request is held until it is accepted.
+    // Two patches, each a miss on its first access. A request waits until it is accepted.
     for (x, word, clocks) in [(0, 70, 1), (1, 50, 4), (edge, 60, 3), (edge, 40, 4)] {
         script.hold(&LfbUnitIn { request: Stream::of(1, Request { x, y: 0, word }), ..idle }, clocks);
     }

@@ -158,8 +158,8 @@ struct Tested {
     is_last: Signal,
 }
 
-/// The greatest value of each edge function in a quarter, from its greatest value in the window: less the loss, unless
-/// the quarter has the same corner.
+/// The greatest value of each edge function in a quarter, from its greatest value in the window. The loss is subtracted
+/// unless the quarter has the same corner.
 fn greatest([value, step_x, step_y, right, lower]: [Signal; 5], number: Signal, size: Signal) -> Signal {
     let decrease = |decrease: Signal, is_greatest_there: Signal, is_there: Signal| {
         mux(is_greatest_there.eq(is_there), 0, decrease.zext(value.width()) << size).signed()

@@ -7,8 +7,8 @@
 //!              '---- all pages are taken --> Overflow -- swap: in a frame -------^
 //! ```
 //!
-//! Latency: a swap comes in the first clock in which all of its guards are open, at least one clock after the line or
-//! the overflow. These are the guards of every swap, at a frame's end and in an overflow:
+//! Latency: a swap comes in the first clock in which all of its guards are open. That is at least one clock after the
+//! line or the overflow. These are the guards of every swap, at a frame's end and in an overflow:
 //!
 //! - the global frame buffer has swapped for each earlier frame that ended (`shown`, VC1-SW3);
 //! - T_m has passed since the last swap of this local frame buffer (VC1-SW3);
@@ -16,7 +16,7 @@
 //!   be too short, by the crossing into the merger's clock and by overheads in which the chain stops.
 //!
 //! After a swap the program clears the patch table, entry by entry. The control observes this, and then retries the
-//! held request by itself (`resume`).
+//! waiting request by itself (`resume`).
 //!
 //! It asserts `ready` only in `Draw`. A fast processing element may have drawn its next frame while a slow one still
 //! waits to swap. Otherwise it would take the line of the old frame for that of the new one.

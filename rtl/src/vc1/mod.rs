@@ -26,7 +26,7 @@
 //! | processor | draws | its state is `Draw` |
 //! | processor | sends packets over the bus, and takes words from its queue | at any time; it takes all of them, or the bus stops |
 //! | processor | asserts `done` | it has drawn its frame and sent everything; it deasserts `done` when its state is `Due` |
-//! | processor | waits | its state is `Due` (its frame ends) or `Overflow` (all pages are taken); the hardware retries the held request |
+//! | processor | waits | its state is `Due` (its frame ends) or `Overflow` (all pages are taken); the hardware retries the waiting request |
 //! | host | sends commands over the bus | at any time |
 //! | host | keeps the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
 //! | host | reads and writes the picture on display | at any time |
@@ -172,8 +172,8 @@ impl Vc1 {
         SwapControl { local: self.lfb_swap(), global: self.gfb_swap() }
     }
 
-    /// The merger clocks after a swap within which everything is sent and stored. They are T_m, an overhead in which
-    /// the swap may have come, one for each line that the last pixels take through the chain, and the crossings.
+    /// The merger clocks after a swap within which everything is sent and stored. They are T_m, the crossings and
+    /// overheads: one that may contain the swap, and one in each line that the last pixels need.
     fn longest(&self) -> u64 {
         let sequencer = self.gfb().sequencer();
         let overheads = 1 + (sequencer.chain() + CROSSINGS).div_ceil(self.lfb.patches.screen().width);

@@ -1,4 +1,4 @@
-//! Packets of all senders on a whole machine, and the line that they hold low.
+//! Packets of all senders on a whole machine, and the sync line, which is low until all are received.
 
 use super::*;
 
@@ -88,7 +88,7 @@ proptest! {
             }
             sim.step_clock(PE, 1);
         }
-        // When everything is received, and its packets are complete, nothing holds it low.
+        // When everything is received, and its packets are complete, nothing pulls it low.
         senders.iter().for_each(|sender| sim.set(sender.valid, 0));
         for (i, o) in ports.iter().zip(&seen) {
             sim.set(i.done, 0);

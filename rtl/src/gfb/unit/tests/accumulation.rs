@@ -30,8 +30,8 @@ impl Bench {
         self.sim.set(count, passes.unwrap_or(Passes::Two).code());
     }
 
-    /// A frame that consists of one image, and the host's writes into it in the clocks after its swap; returns the
-    /// refreshes that were complete at the swap.
+    /// A frame that consists of one image, and the host's writes into it in the clocks after its swap. Returns the
+    /// number of refreshes that were complete at the swap.
     fn pass(&mut self, image: &[u64], writes: &[Write]) -> usize {
         self.frame(&[image.to_vec()]);
         let complete = self.refreshes.len();
@@ -71,8 +71,8 @@ fn shown(bench: &mut Bench, pictures: &[(Passes, Vec<Vec<u64>>)], behind: &[u64]
     bench.refreshes.split_off(first.unwrap())
 }
 
-/// In as few refreshes as possible: one for the average and one for each pass, or two where merging takes two, as in
-/// the paper's machine.
+/// In as few refreshes as possible: one for the average, and one for each pass. A pass takes two where merging takes
+/// two, as in the paper's machine.
 #[test]
 fn a_picture_takes_a_refresh_more_than_its_passes() {
     for (unit, refreshes) in [(accumulating(unit(7, 2, 1, 1)), 1), (slow(), 2)] {
