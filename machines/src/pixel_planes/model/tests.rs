@@ -195,7 +195,7 @@ fn region_of(primitives: usize) -> Vec<Instruction<u64>> {
     [clear(0), vec![vector(); primitives].concat(), save(0)].concat()
 }
 
-/// When all renderers have done their last region, in hardware.
+/// When all renderers have finished their last region, in hardware.
 fn drawn(seen: &Handshakes) -> u64 {
     seen.idle.iter().filter_map(|clocks| clocks.last()).copied().max().unwrap()
 }

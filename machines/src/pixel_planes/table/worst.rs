@@ -17,12 +17,12 @@ use super::Kind;
 /// half-planes. Long edges are at most as long as the region: 20 bits, or 15.
 const VECTOR: [(i32, i32); 2] = [(4524, 16_215), (2868, 14_534)];
 
-/// All edges cross the region, so the triangle is thin. The extents of the longest edge, up to 131,070, are about those of the other two together.
-/// So one edge has 24 bits, and two have 25. As least half-planes all have 15.
+/// All edges cross the region, so the triangle is thin. Extents reach 131,070; those of the longest edge are about the sums of the other two. So one edge has
+/// 24 bits, and two have 25. As least half-planes all have 15.
 const TRIANGLE: [(i32, i32); 3] = [(8865, 7605), (31_341, 31_976), (-31_620, -32_041)];
 
-/// All edges cross the region, so the polygon is thin, and each of its two sides has extents of at most 131,070: three edges of 24 bits and one of 23.
-/// (Four and four edges have more bits than five and three.)
+/// All edges cross the region, so the polygon is thin. Each of its two sides has extents of at most 131,070. So three of its edges have 24 bits, and one has
+/// 23. Four and four edges have more bits than five and three.
 pub(super) const LARGE: [(i32, i32); 8] = [
     (-31_340, -32_688),
     (-19_951, -21_463),
