@@ -35,7 +35,7 @@ block! {
         digit: bits(4),
     }
     out SevenSegmentOut {
-        /// The segments that are lit, the lowest bit for the uppermost, then on to the right, with the middle one last.
+        /// The segments that are lit, from the lowest bit: the uppermost one, then clockwise, and the middle one last.
         segments: bits(7),
     }
 }

@@ -104,7 +104,7 @@ impl Fifo {
             _ => self.addressed(m, used, &into),
         };
         used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
-        m.assert(used.le(self.depth), "no more is held than there is room for");
+        m.assert(used.le(self.depth), "no more words are stored than there is room for");
         state_that_it_stays(m, &out);
         m.cover("it is full", m.rose(used.eq(self.depth)));
         m.cover("it is emptied", m.rose(used.eq(0)));

@@ -16,8 +16,8 @@ block! {
     /// Throughput is a word a clock. The stack stores `depth` words and the one that it shows. Latency is 1 clock, in
     /// registers or distributed memory. There is no combinational path between any two ports.
     ///
-    /// A word on a stream may not change, so words pushed while one is shown come out after it. This matters if a tree
-    /// is walked and children come back in place of their parent. The walk then alternates between two branches, and
+    /// A word on a stream may not change, so words pushed while one is shown come out after it. This matters in the
+    /// walk of a tree in which the children of a node replace it. The walk then alternates between two branches, and
     /// the stack has to store twice the nodes of one.
     ///
     /// ```
