@@ -140,9 +140,10 @@ impl UnknownName {
 
     /// The error with the nearest of `names` as its hint or, if none is near, with the names to `choose` from.
     pub(crate) fn among(what: &'static str, name: &str, names: &[String], choose: &[String]) -> UnknownName {
-        let nearest = names.iter().min_by_key(|candidate| distance(name, candidate));
+        let distance = |candidate: &str| strsim::levenshtein(name, candidate);
+        let nearest = names.iter().min_by_key(|candidate| distance(candidate));
         let hint = match nearest {
-            Some(nearest) if distance(name, nearest) <= 2 + name.len() / 4 => format!("did you mean `{nearest}`?"),
+            Some(nearest) if distance(nearest) <= 2 + name.len() / 4 => format!("did you mean `{nearest}`?"),
             _ if choose.is_empty() => "there is none here".to_string(),
             _ => {
                 let some: Vec<String> = choose.iter().take(12).map(|name| format!("`{name}`")).collect();
@@ -161,18 +162,3 @@ impl fmt::Display for UnknownName {
 }
 
 impl std::error::Error for UnknownName {}
-
-/// The Levenshtein distance: the number of characters to add, remove or replace.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, a) in a.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, b) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != *b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
-}
