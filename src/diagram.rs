@@ -18,6 +18,7 @@ use tilewright_gen::{Around, DiagramError, DiagramOptions, diagram};
 Examples:
   tilewright diagram merging-unit -o merging-unit.svg
   tilewright diagram vc1 --depth 2 -o vc1.dot
+  tilewright diagram pixelflow --depth 3 --narrow -o pixelflow.svg
   tilewright diagram patch-table --around stage1 -o stage1.svg
   tilewright diagram image-merger --set units=8 --ascii
 
@@ -30,7 +31,7 @@ pub struct Diagram {
     /// The picture (.svg) or the graph for Graphviz (.dot); `-` prints the picture on standard output
     #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(drawing))]
     output: Option<PathBuf>,
-    /// Draw all boxes below one another, for a narrow page
+    /// Draw all boxes below one another, for a narrow page or a deep diagram
     #[arg(long, requires = "output")]
     narrow: bool,
     /// Print the diagram in characters

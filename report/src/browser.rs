@@ -24,8 +24,8 @@ const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// All problems of a page, a sentence for each, at each of [`WIDTHS`], in a light and in a dark scheme. Problems are messages on the
-/// browser's console, a page wider than the window, pictures that are not loaded, resources from elsewhere, and a background that does not
-/// follow the scheme.
+/// browser's console, a page wider than the window, and pictures that are not loaded. So are resources from elsewhere, and a background
+/// that does not follow the scheme.
 ///
 /// Without Chromium it prints `skipped: chromium is not installed` and returns `None`.
 ///

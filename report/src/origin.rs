@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-/// Where numbers come from. A page shows the origin beside each number. It also decides the column of a CSV file and the point of a chart,
-/// so that no value of a formula can pass for a measurement. Measurements name their seeds.
+/// Where numbers come from. A page shows the origin beside each number. It also decides the column of a CSV file and the point of a chart.
+/// So no value of a formula can pass for a measurement. Measurements name their seeds.
 ///
 /// ```
 /// use tilewright_report::Origin;

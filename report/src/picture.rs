@@ -33,7 +33,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// A picture: its name in addresses and files, its title, a description for readers who do not see it, and the bytes of a PNG file.
+    /// A picture. It has a name for addresses and files, a title, a description for readers who do not see it, and the bytes of a PNG file.
     ///
     /// ```
     /// # let png = include_bytes!("../examples/dots.png").to_vec();

@@ -32,7 +32,7 @@ pub struct PixelPlanesOptions {
     /// Bandwidth of the ring to the renderers and the frame buffer in Mbit/s, a multiple of 40 [default: 5000]
     #[arg(long, value_name = "MBITS", value_parser = value_parser!(u32))]
     ring: Option<u32>,
-    /// How edges are sent. `fixed` uses one length that fits any edge, `own` the length of each edge, and `least` the least half-plane with the same
+    /// How edges are sent. `fixed` uses one length that fits any edge, and `own` the length of each edge. `least` sends the shortest edge with the same
     /// pixels of the region inside [default: least]
     #[arg(long, value_name = "FORM", value_parser = forms())]
     edges: Option<Edges>,

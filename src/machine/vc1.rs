@@ -34,7 +34,7 @@ pub struct Vc1Options {
     /// Degrees by which the camera orbits from frame to frame [default: a full circle over all frames]
     #[arg(long, value_name = "DEGREES", requires = "frames", allow_negative_numbers = true)]
     turn: Option<f64>,
-    /// Area in pixels above which a polygon is sent to all processing elements, and each draws its own rows of it; `off` sends none [default: 500]
+    /// Area in pixels above which a polygon is sent to all processing elements. Each then draws its own rows of it; `off` sends none [default: 500]
     #[arg(long, value_name = "PIXELS", value_parser = threshold)]
     apr: Option<Threshold>,
     /// Polygons per cluster; a cluster is assigned as a whole [default: 32]

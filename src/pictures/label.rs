@@ -39,7 +39,8 @@ fn letter(of: char) -> [u8; HIGH as usize] {
     found.map_or([0; HIGH as usize], |(_, rows)| *rows)
 }
 
-/// The side of a dot in pixels above a picture of that width: two for each 240, as pages show small pictures smaller on a telephone.
+/// The side of a dot in pixels above a picture of that width: one for each 120. A telephone shows a picture half as
+/// wide, and its name is still legible.
 fn dot(room: u32) -> u32 {
     (room / 120).clamp(1, 4)
 }

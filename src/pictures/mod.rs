@@ -19,7 +19,7 @@ use tilewright_scenes::Frame;
 #[derive(Args, Default)]
 #[command(next_help_heading = "Pictures of the run")]
 pub struct PictureOptions {
-    /// A PNG file (`-`: standard output) that shows which unit drew each pixel: a colour for each unit, as light as the frame, and grey where nothing was drawn
+    /// A PNG file (`-`: standard output) that shows which unit drew each pixel. Each unit has a colour, as light as the frame; grey is where nothing was drawn
     #[arg(long, value_name = "FILE")]
     owners: Option<PathBuf>,
     /// An SVG file (`-`: standard output) that shows what each unit did over time, in the classes of clocks of the report. A square beside a unit has its colour

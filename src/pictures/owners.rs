@@ -7,7 +7,7 @@ use tilewright_scenes::frame::{rgb_of, word};
 /// Where nothing was drawn.
 pub const NOBODY: [u8; 3] = [38, 40, 44];
 
-/// The lightness of a unit's colour where the frame is black, as a part of that where it is white; and the latter, as a part of the palette's colour.
+/// The lightness of a unit's colour: where the frame is black, as a part of that where it is white; and there, as a part of the palette's.
 const DARKEST: f64 = 0.45;
 const LIGHTEST: f64 = 1.2;
 

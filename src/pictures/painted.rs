@@ -124,8 +124,8 @@ fn head(size: Size) -> u32 {
     label::height(size.width()) + GAP
 }
 
-/// The size of a sheet of `count` pictures in about as many rows as columns, which suits narrow screens and wide ones, and the number of
-/// pictures in a row; `None` if the sheet would be too large.
+/// The size of a sheet of `count` pictures, and the number of pictures in a row; `None` if the sheet would be too large. It has about as many rows as columns,
+/// which suits narrow screens and wide ones.
 pub fn sheet(size: Size, count: usize) -> Option<(Size, u32)> {
     let count = count as u32;
     let columns = (1..=count).find(|columns| columns * columns >= count).unwrap_or(1);

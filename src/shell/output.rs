@@ -1,7 +1,6 @@
 //! Where a command writes: a file, a device, a pipe or standard output.
 //!
-//! Outputs are opened when the inputs have been read and before the work begins, so that a long run does not end in a place that
-//! cannot be written.
+//! Outputs are opened when the inputs have been read and before the work begins. So no long run ends at a place that cannot be written.
 
 use super::place::{is_standard_output, shown, standard_output};
 use super::terminal::{self, STANDARD_OUTPUT, take_standard_output, talk};

@@ -13,7 +13,7 @@ pub fn section(loads: &Loads, frames: &[Drawn]) -> Section {
     let (regions, size) = (loads.regions.count(), loads.regions.size());
     Section::new("Load of the renderers, P_w")
         .paragraph(format!(
-            "P_w is the number of primitives of the busiest renderer; a primitive counts once for each of its regions. By the paper P_w is at least P/B, which is reached if each primitive is in one \
+            "P_w is the number of primitives of the busiest renderer; a primitive counts once for each of its regions. By the paper P_w is at least P/B. That is reached if each primitive is in one \
              region and all B renderers have the same number. It is at most P R/B, which is reached if each primitive is in all R regions. Here the screen of {size} pixels has {regions} regions of \
              {side}x{side}. If B does not divide R, some renderer has one region more than others, and the greatest load is P ⌈R/B⌉.",
             side = loads.regions.side()

@@ -4,7 +4,7 @@ type Why = [&'static str; 2];
 
 /// Regions of a polygon (PP5-ARCH).
 pub const LARGE: Why = [
-    "The border of a region cuts larger polygons more often. The 176,245 polygons of ter250 are in 1.05 regions on the mean, the 11,174 of ter1k in 1.20, and the 4025 of the teapot in 1.43.",
+    "The border of a region cuts larger polygons more often. On the mean, each of the 176,245 polygons of ter250 is in 1.05 regions. Those of ter1k, 11,174, are in 1.20, and the 4025 of the teapot in 1.43.",
     "“Complex scenes” would have to mean scenes with polygons as small as the terrains’: both are within 25 %.",
 ];
 
@@ -42,5 +42,5 @@ pub const LINES: Why = [
 /// Waiting for instructions (PP5-UT).
 pub const RING: Why = [
     "Each renderer needs its own instructions. They load a ring of 5 Gbit/s to 97 % with 8 renderers and to 100 % with 12. So renderers wait in 29 % of their clocks with 12, and in 57 % with 32.",
-    "The ring would need more than 5 Gbit/s, or there would have to be at most 8 renderers, which wait in 0.01 % of their clocks.",
+    "The ring would need more than 5 Gbit/s, or there would have to be at most 8 renderers. Eight wait in 0.01 % of their clocks.",
 ];

@@ -149,7 +149,7 @@ impl Curve {
     }
 }
 
-/// The most primitives of a frame within that latency, to 1 in 500; `None` if more would be needed than are tried, or the least frame takes longer.
+/// The most primitives of a frame within that latency, to 1 in 500. It is `None` if more would be needed than are tried, or if the least frame takes longer.
 fn within(case: &Case, software: &Software, latency: f64, plan: &Plan) -> Result<Option<u64>, ParameterError> {
     let is_within = |primitives| {
         case.simulate(software, primitives, plan.effort.seed).map(|simulated| simulated.latency <= latency)

@@ -161,7 +161,7 @@ pub fn of_triangles(frames: &[Drawn], spec: Spec) -> impl Iterator<Item = (f64, 
     })
 }
 
-/// The time of a triangle in a region, in microseconds: the extra time of the base system's arrays for additional triangles; `None` if they were not drawn.
+/// The time of a triangle in a region, in microseconds, or `None` if none were drawn. It is what the base system's arrays take longer for additional triangles.
 pub fn measured(frames: &[Drawn], system: System) -> Option<f64> {
     let is_of = |spec: &Spec| spec.system == system && !spec.is_half && matches!(spec.which, Which::Triangles(_));
     let mut of = frames.iter().filter(|it| is_of(&it.spec));

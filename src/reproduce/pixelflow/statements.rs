@@ -327,7 +327,7 @@ pub fn checks(found: &Found, plan: &Plan) -> Verdicts {
         .state(
             Statement::new(
                 "PFL-LAT1",
-                "In perfect balance the model takes as long as the formula for the actual number of composed and shaded regions, up to the filling of a region: 300 primitives a region and rasterizer.",
+                "In perfect balance the model takes as long as the formula, up to the filling of a region. The formula gets the actual numbers of composed and shaded regions; a rasterizer has 300 primitives a region.",
                 Rule::Within { percent: 4.0 },
             )
             .unit("ms")

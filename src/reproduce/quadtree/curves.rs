@@ -53,7 +53,7 @@ pub fn window_sizes(found: &Found) -> Section {
     });
     Section::new("Figure 4: relative window sizes")
         .paragraph(
-            "With an aperture of 2 and k > 1, the windows of the last level are smaller than their spacing, so a small polygon can lie between them. The points are measured: a square of a quarter of \
+            "With an aperture of 2 and k > 1, the windows of the last level are smaller than their spacing. So a small polygon can lie between them. The points are measured: a square of a quarter of \
              a pixel moves along a line, and counters tell in how many windows it is.",
         )
         .figure("With more than four processors windows are smaller than their spacing, most of all on the last level.", chart)

@@ -18,7 +18,7 @@ use tilewright_report::{Page, Provenance, Section};
 
 /// The k of each matrix of more than one processor in the paper's figures.
 const SIZES: [u32; 4] = [1, 2, 3, 4];
-/// The areas at which a processor of the matrix of k = 2, 3 and 4 has one window of the last level, as printed in the paper.
+/// The areas, as printed in the paper, at which a processor of the matrix has one window of the last level: for k = 2, 3 and 4.
 const TURNING: [f64; 3] = [1.8, 23.3, 157.0];
 
 /// Measures and makes the page; `None` if interrupted.

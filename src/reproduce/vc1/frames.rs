@@ -197,7 +197,7 @@ fn table(frames: &[Drawn]) -> Table {
         "events compared",
     ];
     let table = Table::new("frames", "The last frame of each run", columns)
-        .note("A frame is drawn while the one before is merged, so the time from its command to the display is longer than the time from frame to frame.");
+        .note("A frame is drawn while the one before is merged. So the time from its command to the display is longer than that from frame to frame.");
     frames.iter().fold(table, |table, drawn| {
         let last = drawn.report.frames.last().expect("there are frames");
         let most = |of: fn(&ProcessorReport) -> u32| last.processors.iter().map(of).max().unwrap_or_default();

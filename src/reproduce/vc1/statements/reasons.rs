@@ -19,26 +19,26 @@ pub const OVERFLOWS: Why = [
 pub const COSTS: Why = [
     "The costs of the programs are fitted to ter1k. ter250 is the same terrain with 16 times the polygons, each with fewer rows and pixels. By the fitted costs a polygon takes 1082 clocks; by the \
      paper’s numbers it takes 1246.",
-    "The paper would have to print the costs of its programs, or the costs would have to be fitted to ter250 instead of Table 1’s ter1k.",
+    "The paper would have to print the costs of its programs. Otherwise the costs would have to be fitted to ter250 instead of Table 1’s ter1k.",
 ];
 
 /// Pages of small polygons (VC1-LOC).
 pub const BORDERS: Why = [
-    "A cluster of 32 small polygons covers less of the screen than one of large polygons, so a larger part of its patches is at its border. The pages of a processing element grow with the \
+    "A cluster of 32 small polygons covers less of the screen than one of large polygons. So a larger part of its patches is at its border. The pages of a processing element grow with the \
      number of polygons, while its pixels do not.",
     "The size of a cluster would have to grow with the number of polygons, so that it covers the same area of the screen. The paper tunes it, and prints no number.",
 ];
 
 /// What a threshold saves (VC1-F9).
 pub const REFRESHES: Why = [
-    "A frame takes whole refreshes: 2 without overflow, 4 with one overflow, as 2 T_m is more than 3 refreshes, and 5 with two. With the threshold there is no overflow; without it a frame takes 5 refreshes with 1/4.7 of \
+    "A frame takes whole refreshes: 2 without overflow, 4 with one, and 5 with two. With one it takes 4, because 2 T_m is more than 3 refreshes. With the threshold there is no overflow; without it a frame takes 5 refreshes with 1/4.7 of \
      the screen, and 10 with 1/8.",
     "The paper’s table would have to overflow less without the threshold: 75 % is the ratio of 3 refreshes to 4. The text states neither the memory of the figure’s machine nor the polygons of its table, so both are choices here.",
 ];
 
 /// Balance by the threshold (VC1-F9).
 pub const DEALT: Why = [
-    "Clusters are assigned by the clocks of all their polygons. Then the large polygons leave their owners, which lose unequal numbers of clocks. By a count of the rest, the busiest has 10 % more than the mean \
+    "Clusters are assigned by the clocks of all their polygons. Then the large polygons leave their owners, which lose unequal numbers of clocks. Of the rest the busiest has 10 % more than the mean \
      with a threshold of 500 pixels, 6 % with 20,000, and 2 % with none. With none, tables that are cleared again after overflows add to the busiest.",
     "Clusters would have to be assigned by the polygons that stay with their owners.",
 ];
