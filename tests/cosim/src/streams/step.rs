@@ -3,7 +3,7 @@
 use super::Step;
 use crate::features::Feature;
 use tilewright_blocks::{Fifo, Slice, Storage, StreamBlocks, StreamIn, Turns};
-use tilewright_hdl::{Module, Signal, Start, Stream, bundle, codes, mux, stack};
+use tilewright_hdl::{Module, Signal, Stream, bundle, codes, mux, stack};
 
 codes! {
     /// Fewer codes than two bits have.
