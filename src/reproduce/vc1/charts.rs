@@ -2,7 +2,7 @@
 
 use super::found::Found;
 use super::frames::Drawn;
-use super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, SPLITS, THRESHOLD, split};
+use super::plan::{BLANKINGS, CAPACITIES, Capacity, Case, Plan, SPLITS, THRESHOLD, split};
 use super::run::Timed;
 use super::statements::derived;
 use super::words;
@@ -43,25 +43,41 @@ pub fn figure_7(found: &Found, frames: &[Drawn]) -> Section {
 
 fn by_processors(found: &Found, frames: &[Drawn], (id, label, of): Quantity) -> Chart {
     let plan = &found.plan;
+    let modelled = |scene, n| Some(of(found.of(plan.case(scene, n))?));
+    let chart = modelled_by_processors(plan, (id, label), &modelled);
+    if id.is_empty() {
+        return from_the_text(chart, plan);
+    }
+    plan.scenes().iter().fold(chart, |chart, scene| {
+        let drawn = frames.iter().filter(|it| it.spec.case == plan.case(scene, it.spec.case.processors));
+        let drawn: Vec<_> = drawn.map(|it| (f64::from(it.spec.case.processors), it.drawing())).collect();
+        chart.series(Series::new(*scene, Origin::rtl([]), drawn))
+    })
+}
+
+/// Figure 7 with the model's numbers.
+fn modelled_by_processors(
+    plan: &Plan,
+    (id, label): (&str, &str),
+    of: &dyn Fn(&'static str, u32) -> Option<f64>,
+) -> Chart {
     let chart = Chart::new(
         format!("figure-7{id}"),
         format!("Figure 7: {label} by the number of processing elements"),
         Axis::log("processing elements n"),
         Axis::log(label),
     );
-    let is_time = id.is_empty();
-    let chart = plan.scenes().iter().fold(chart, |chart, scene| {
-        let points =
-            plan.processors().iter().filter_map(|n| Some((f64::from(*n), of(found.of(plan.case(scene, *n))?))));
-        let chart = chart.series(Series::new(*scene, found.model(), points));
-        let drawn = frames.iter().filter(|it| it.spec.case == plan.case(scene, it.spec.case.processors));
-        let drawn: Vec<_> = drawn.map(|it| (f64::from(it.spec.case.processors), it.drawing())).collect();
-        match is_time {
-            true => chart.series(Series::new(*scene, Origin::Paper, [(256.0, 33.3)])),
-            false => chart.series(Series::new(*scene, Origin::rtl([]), drawn)),
-        }
-    });
-    match is_time && plan.scenes().contains(&"ter250") {
+    plan.scenes().iter().fold(chart, |chart, scene| {
+        let points = plan.processors().iter().filter_map(|n| Some((f64::from(*n), of(scene, *n)?)));
+        chart.series(Series::new(*scene, Origin::model([]), points))
+    })
+}
+
+/// Adds the numbers that the text gives for Figure 7, and those that follow from them.
+fn from_the_text(chart: Chart, plan: &Plan) -> Chart {
+    let paper = |chart: Chart, scene: &&str| chart.series(Series::new(*scene, Origin::Paper, [(256.0, 33.3)]));
+    let chart = plan.scenes().iter().fold(chart, paper);
+    match plan.scenes().contains(&"ter250") {
         true => chart.series(Series::new("ter250", Origin::Formula, derived().map(|(n, time)| (f64::from(n), time)))),
         false => chart,
     }
@@ -192,4 +208,45 @@ fn splits(found: &Found) -> Chart {
             chart.series(Series::new(name, found.model(), found.plan.thresholds().filter_map(point)))
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::effort::Effort;
+    use crate::reproduce::vc1::run::Job;
+    use std::path::PathBuf;
+
+    /// A file of the documentation.
+    fn kept(name: &str) -> PathBuf {
+        [env!("CARGO_MANIFEST_DIR"), "docs", name].iter().collect()
+    }
+
+    /// The chart is drawn of the numbers in the file beside it, and those of fast machines are compared with the model's. With `UPDATE_GOLDEN=1` both files
+    /// are made anew, which takes minutes.
+    #[test]
+    fn figure_7_of_the_documentation_is_the_pages() -> Result<(), Box<dyn std::error::Error>> {
+        let plan = Plan::new(Effort { seed: 1, most: None });
+        let [csv, svg] = ["vc1-figure-7.csv", "vc1-figure-7.svg"].map(kept);
+        if std::env::var_os("UPDATE_GOLDEN").is_some() {
+            let of_scene = |scene: &&'static str| plan.processors().iter().map(|n| plan.case(scene, *n)).collect();
+            let cases: Vec<Vec<Case>> = plan.scenes().iter().map(of_scene).collect();
+            let chart = by_processors(&Found::of_cases(&plan, &cases.concat()), &[], TIME);
+            std::fs::write(&csv, chart.csv_text())?;
+            std::fs::write(&svg, chart.svg_text())?;
+        }
+        let (numbers, drawn) = (std::fs::read_to_string(csv)?, std::fs::read_to_string(svg)?);
+        let number = |scene: &str, n: u32| {
+            let row = numbers.lines().find_map(|line| line.strip_prefix(&format!("{scene},{n},")))?;
+            row.split(',').nth(2)?.parse::<f64>().ok()
+        };
+        let chart = from_the_text(modelled_by_processors(&plan, (TIME.0, TIME.1), &number), &plan);
+        assert_eq!(chart.csv_text(), numbers);
+        assert!(chart.svg_text() == drawn, "UPDATE_GOLDEN=1 cargo test --bin tilewright figure_7_of draws it anew");
+        for (scene, n) in [("teapot", 1), ("teapot", 16)] {
+            let timed = Job::of(&plan.case(scene, n), &plan)?.run(&plan)?;
+            assert_eq!(Some(timed.time), number(scene, n), "{scene} {n}");
+        }
+        Ok(())
+    }
 }
