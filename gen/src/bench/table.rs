@@ -6,7 +6,8 @@ use crate::verilog::{pattern, range};
 use std::collections::BTreeMap;
 use tilewright_hdl::Bits;
 
-/// The most bits of a constant of several rows: a simulator takes time for the square of this.
+/// The most bits of a constant of several rows: a simulator takes time for the square of this. A 1 on top is for Verilator 5.006, which writes past
+/// the end of a wide constant whose first word is 0.
 const MOST_BITS: u32 = 16_384;
 
 /// The testbench's own names, by what they are for.
@@ -121,11 +122,11 @@ impl Table {
         let [put, first, count, rows, row] = ["put", "first", "count", "rows", "row"].map(name);
         let width = self.width();
         out.extend([
-            "// The first row is the most significant.".to_string(),
+            "// The first row is the most significant. Above it is a 1.".to_string(),
             format!("task {put};"),
             format!("    input integer {first};"),
             format!("    input integer {count};"),
-            format!("    input {}{rows};", range(width * self.at_once() as u32)),
+            format!("    input {}{rows};", range(width * self.at_once() as u32 + 1)),
             format!("    integer {row};"),
             "begin".to_string(),
             format!("    for ({row} = 0; {row} < {count}; {row} = {row} + 1)"),
@@ -139,7 +140,7 @@ impl Table {
     /// The call that writes the rows from `first` on.
     fn call(&self, first: usize, own: &OwnNames) -> Vec<String> {
         let last = self.rows.min(first + self.at_once());
-        let mut out = vec![format!("    {}({first}, {}, {{", own["put"], last - first)];
+        let mut out = vec![format!("    {}({first}, {}, {{ 1'b1,", own["put"], last - first)];
         let missing = self.at_once() - (last - first);
         if missing > 0 {
             out.push(format!("        {},", pattern(&Bits::zero(missing as u32 * self.width()))));

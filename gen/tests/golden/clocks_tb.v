@@ -73,7 +73,7 @@ module clocks_tb;
 
     task fill;
     begin
-        put(0, 4, {
+        put(0, 4, { 1'b1,
             6'h0a, 2'h1, 16'h0a00,
             6'h04, 2'h2, 16'h0e00,
             6'h06, 2'h1, 16'h1400,
@@ -82,11 +82,11 @@ module clocks_tb;
     end
     endtask
 
-    // The first row is the most significant.
+    // The first row is the most significant. Above it is a 1.
     task put;
         input integer first;
         input integer count_2;
-        input [95:0] rows;
+        input [96:0] rows;
         integer row;
     begin
         for (row = 0; row < count_2; row = row + 1)

@@ -77,7 +77,7 @@ module grid_tb;
 
     task fill;
     begin
-        put(0, 3, {
+        put(0, 3, { 1'b1,
             1'h1, 9'h105, 8'h00,
             1'h1, 9'h10a, 8'h00,
             1'h1, 9'h10f, 8'h00
@@ -85,11 +85,11 @@ module grid_tb;
     end
     endtask
 
-    // The first row is the most significant.
+    // The first row is the most significant. Above it is a 1.
     task put;
         input integer first;
         input integer count;
-        input [53:0] rows;
+        input [54:0] rows;
         integer row;
     begin
         for (row = 0; row < count; row = row + 1)
