@@ -135,7 +135,7 @@ pub trait Record: Bundle {
 macro_rules! record {
     () => {};
     ($(#[$($said:tt)*])* $vis:vis struct $name:ident $(($($given:tt)*))? { $($fields:tt)* } $($more:tt)*) => {
-        $crate::block! { @ports [record [$([$($said)*])*] [$vis] $name [$(($($given)*))?]] [] [$($fields)*] }
+        $crate::block_ports! { @ports [record [$([$($said)*])*] [$vis] $name [$(($($given)*))?]] [] [$($fields)*] }
         $crate::record! { $($more)* }
     };
 
