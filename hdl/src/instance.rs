@@ -1,8 +1,9 @@
 //! Instances and instance arrays.
 
-use crate::block::{Block, Elaborated, elaborate_module};
+use crate::block::Block;
 use crate::bundle::Bundle;
 use crate::clock::Clock;
+use crate::elaborating::{Elaborated, elaborate_module};
 use crate::elaboration::{self, Elaboration};
 use crate::fields::Fields;
 use crate::ir::{self, ClockId, Instance, InstanceId, Kind, ModuleId, NodeId, Op, Shape};

@@ -80,6 +80,7 @@ mod declare;
 mod def;
 mod divide;
 mod draft;
+mod elaborating;
 mod elaboration;
 mod fields;
 mod finish;
@@ -108,6 +109,7 @@ mod radix;
 mod ranges;
 mod record;
 pub mod recording;
+mod reduce;
 mod register;
 pub mod scenario;
 mod select;
@@ -128,7 +130,7 @@ mod within;
 
 pub use along::Along;
 pub use bits::{Bits, limbs_for, top_mask};
-pub use block::{Block, DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
+pub use block::Block;
 pub use bundle::Bundle;
 #[doc(hidden)]
 pub use bundle::join;
@@ -145,6 +147,7 @@ pub use data::{Data, Fits, Layout};
 pub use declare::{AddTheBuildOfThisBlock, NoBuild, about, declared, list, sentence};
 #[doc(hidden)]
 pub use def::instance_name;
+pub use elaborating::{DEFAULT_PERIOD, Typed, elaborate, elaborate_at, elaborate_typed};
 pub use fields::{Fields, Leaf, Visited};
 pub use index::Index;
 pub use integers::Integer;
