@@ -110,8 +110,33 @@ pub use widths::{declared, list};
 /// }
 /// ```
 ///
-/// Ports that several blocks share are a [`bundle!`](crate::bundle!), declared by its widths:
-/// `in(self) = StreamIn { into: stream(bits(self.width)) };`.
+/// Ports that several blocks share are a record, `in(self) = LinkIn::widths(self.width);`, or a
+/// [`bundle!`](crate::bundle!) with its widths, `in(self) = StreamIn { into: stream(bits(self.width)) };`:
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// record! {
+///     /// Two numbers.
+///     struct Operands(width: u32) { left: bits(width), right: bits(width) }
+///
+///     /// One number.
+///     struct Answer(width: u32) { number: bits(width) }
+/// }
+///
+/// block! {
+///     /// The sum of two numbers.
+///     struct Sum { width: u32 }
+///     in(self) = Operands::widths(self.width);
+///     out(self) = Answer::widths(self.width);
+/// }
+/// # impl Sum {
+/// #     fn build(&self, _: Module, i: Operands) -> Answer {
+/// #         Answer { number: i.left + i.right }
+/// #     }
+/// # }
+///
+/// assert_eq!(Sum { width: 8 }.inputs().right.bits(), 8);
+/// ```
 ///
 /// A block of several clocks has them among its parameters. In the module's name, each clock appears by its own name:
 ///
@@ -211,6 +236,18 @@ macro_rules! block {
     };
     (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? = $bundle:ident { $($ports:tt)* }; $($rest:tt)*) => {
         $crate::block! { @clauses $block $latency $source $in [= $bundle [$($this)?] [$bundle { $($ports)* }]] $($rest)* }
+    };
+    (@clauses $block:tt $latency:tt $source:tt [] $out:tt in $(($this:ident))? = $record:ident $(::widths($($given:tt)*))?; $($rest:tt)*) => {
+        $crate::block! {
+            @clauses $block $latency $source
+            [= $record [$($this)?] [$crate::block_ports!(@widths $record $(($($given)*))?)]] $out $($rest)*
+        }
+    };
+    (@clauses $block:tt $latency:tt $source:tt $in:tt [] out $(($this:ident))? = $record:ident $(::widths($($given:tt)*))?; $($rest:tt)*) => {
+        $crate::block! {
+            @clauses $block $latency $source $in
+            [= $record [$($this)?] [$crate::block_ports!(@widths $record $(($($given)*))?)]] $($rest)*
+        }
     };
 
     // Everything is known.

@@ -105,3 +105,39 @@ fn a_port_is_declared_by_the_name_of_its_record() {
     assert_eq!(inputs[..4], ["control_source", "control_constant", "clocked_source", "clocked_constant"]);
     assert_eq!(design.top().about.inputs["control.source"], "Where its operand comes from.");
 }
+
+#[test]
+fn a_clock_may_stand_behind_the_name_of_a_record() {
+    let inputs = Takes { side: 16 }.inputs().leaves();
+    let on_fast = inputs.iter().filter(|(_, width)| format!("{width:?}").contains("fast"));
+    assert_eq!(
+        on_fast.map(|(path, _)| path.as_str()).collect::<Vec<_>>().join(", "),
+        "clocked.source, clocked.constant, clocked_place.x, clocked_place.y, clocked_list.0.source, clocked_list.0.constant, \
+         clocked_list.1.source, clocked_list.1.constant, moves.valid, moves.ready, moves.x, moves.y"
+    );
+}
+
+block! {
+    /// Has records as all of its inputs and of its outputs.
+    struct Whole { side: u32 }
+    in = Control;
+    out(self) = Position::widths(self.side, 2 * self.side);
+}
+
+impl Whole {
+    fn build(&self, m: Module, i: Control) -> Position {
+        m.ignore(&i.source);
+        Position { x: i.constant.trunc(4), y: i.constant.trunc(5) }
+    }
+}
+
+#[test]
+fn a_record_may_be_all_ports_of_a_block() {
+    let design = elaborate(&Whole { side: 16 }).unwrap();
+    let ports = |names: &mut dyn Iterator<Item = &str>| names.collect::<Vec<_>>().join(", ");
+    let top = design.top();
+    assert_eq!(ports(&mut top.inputs.iter().map(|port| &*port.name)), "source, constant");
+    assert_eq!(ports(&mut top.outputs.iter().map(|port| &*port.name)), "x, y");
+    assert_eq!(top.outputs.iter().map(|port| top.node(port.node).width).collect::<Vec<_>>(), [4, 5]);
+    assert_eq!(top.about.inputs["source"], "Where its operand comes from.");
+}
