@@ -1,21 +1,23 @@
 //! Signals from the global frame buffer unit to the chain of local frame buffers and merging units.
 
-use tilewright_hdl::bundle;
+use tilewright_hdl::{below, bit, record};
 
-bundle! {
+use crate::parameter::Screen;
+
+record! {
     /// The control of the scan, the same for every unit of the chain.
-    pub struct ScanControl<T> {
+    pub struct ScanControl {
         /// For one clock: every scan counter takes its preset.
-        pub restart: T,
+        restart: bit(),
         /// The counters, the read-out and the merging units advance by a pixel; when it is low they keep their values.
-        pub enable: T,
+        enable: bit(),
     }
 
     /// A pixel of the screen.
-    pub struct Position<T> {
+    pub struct Position(screen: Screen) {
         /// The column of the pixel, counted from the left.
-        pub x: T,
+        x: below(screen.width),
         /// The line of the pixel, counted from the top.
-        pub y: T,
+        y: below(screen.height),
     }
 }

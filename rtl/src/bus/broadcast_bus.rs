@@ -34,13 +34,13 @@ use tilewright_blocks::{Fifo, Storage, StreamIn};
 
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// A word of a packet.
-    pub struct BusWord<T> {
+    pub struct BusWord {
         /// A word of the packet.
-        pub word: T,
+        word: bits(32),
         /// The last word of a packet.
-        pub last: T,
+        last: bit(),
     }
 }
 
@@ -63,22 +63,15 @@ block! {
     source = "VC-1, section 3.1, broadcast bus (VC1-NET, VC1-APR)";
     in(self) BroadcastBusIn {
         /// The packets of each processor, then those of the host.
-        senders: [stream(BusWord = BusWord::widths()); self.processors + 1],
+        senders: [stream(BusWord); self.processors + 1],
     }
     out(self) BroadcastBusOut {
         /// All packets, to each processor.
-        received: [stream(BusWord = BusWord::widths()); self.processors],
+        received: [stream(BusWord); self.processors],
         /// No word is on the bus, and every packet that has begun is complete.
         idle: bit(),
         /// The processors that have taken all words that left the bus.
         empty: bit().of(row(self.processors)),
-    }
-}
-
-impl BusWord<Width> {
-    /// The widths of a word.
-    pub fn widths() -> BusWord<Width> {
-        BusWord { word: bits(32), last: bit() }
     }
 }
 

@@ -29,20 +29,13 @@
 use super::accumulation::Passes;
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The host's settings for pictures of several passes.
-    pub struct Multipass<T> {
+    pub struct Multipass {
         /// The next picture is the average of several passes.
-        pub accumulates: T,
+        accumulates: bit(),
         /// The number of passes of the next picture: a code of [`Passes`].
-        pub passes: T,
-    }
-}
-
-impl Multipass<Width> {
-    /// The widths of the host's settings.
-    pub fn widths() -> Multipass<Width> {
-        Multipass { accumulates: bit(), passes: one_of::<Passes>() }
+        passes: one_of::<Passes>(),
     }
 }
 
@@ -76,7 +69,7 @@ block! {
         /// For one clock: the banks are exchanged.
         swap: bit(),
         /// The settings from the host.
-        host: Multipass = Multipass::widths(),
+        host: Multipass,
         /// A sum is under way.
         busy: bit(),
         /// The display is in the part of its blanking in which it may show something else.

@@ -51,7 +51,7 @@ block! {
     }
     out(self) GfbSequencerOut {
         /// To every unit of the chain.
-        scan: ScanControl { restart: bit(), enable: bit() },
+        scan: ScanControl,
         /// The pixel to read, which enters the chain [`SCAN_LATENCY`] clocks with `enable` later.
         feed: below(self.screen.pixels()),
         /// A blank pixel enters the chain in place of the pixel that is read.

@@ -59,35 +59,33 @@ use super::multipass::{Multipass, MultipassControl, MultipassControlIn, Multipas
 use super::sequencer::{GfbSequencer, GfbSequencerIn, GfbSequencerOut};
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The host's inputs to the global frame buffer.
-    pub struct Host<T> {
+    pub struct Host(screen: Screen, accumulation: bool) {
         /// Reads and writes of the bank on display, one in every clock.
-        pub accesses: Stream<Access<T>, T>,
+        accesses: stream(Access::widths(screen)),
         /// The word of a blank pixel: the greatest depth above the background's colour.
-        pub background: T,
+        background: bits(WORD),
         /// The kind of picture, where there is an accumulation buffer.
-        pub multipass: Vec<Multipass<T>>,
+        multipass: [Multipass; accumulation],
     }
 
     /// An access of the host to the bank on display.
-    pub struct Access<T> {
+    pub struct Access(screen: Screen) {
         /// The pixel that the host accesses, in raster order.
-        pub address: T,
+        address: below(screen.pixels()),
         /// The host writes the pixel; where it is low it reads the pixel.
-        pub writes: T,
+        writes: bit(),
         /// The word that the host writes: depth above colour.
-        pub word: T,
+        word: bits(WORD),
     }
-}
 
-bundle! {
     /// The accumulation buffer's requests.
-    struct Adding<T> {
+    struct Adding(screen: Screen) {
         /// A sum is under way.
-        busy: T,
+        busy: bit(),
         /// The pixel of the bank on display that the sum needs.
-        address: T,
+        address: below(screen.pixels()),
     }
 }
 
@@ -117,7 +115,7 @@ block! {
         /// For one clock: swap the banks.
         swap: bit().on(MERGE),
         /// The inputs from the host.
-        host: Host = self.host(),
+        host: Host::widths(self.screen, self.accumulation).on(MERGE),
         /// The pixel from the right end of the chain.
         merged: bits(WORD).on(MERGE),
     }
@@ -132,7 +130,7 @@ block! {
             first_round: bit(),
         },
         /// To every unit of the chain.
-        scan: ScanControl { restart: bit(), enable: bit() },
+        scan: ScanControl,
         /// The pixel to the left end of the chain.
         left: bits(WORD),
         /// The banks may change: the display is in its vertical blanking.
@@ -156,18 +154,6 @@ impl GfbUnit {
     /// Its accumulation buffer, if it has one.
     pub fn sums(&self) -> Accumulation {
         Accumulation { screen: self.screen, crt: self.display.clock() }
-    }
-
-    /// The widths of the accumulation buffer's requests.
-    fn adding(&self) -> Adding<Width> {
-        Adding { busy: bit(), address: below(self.screen.pixels()) }
-    }
-
-    /// The widths of the host's inputs.
-    fn host(&self) -> Host<Width> {
-        let access = Access { address: below(self.screen.pixels()), writes: bit(), word: bits(WORD) };
-        let multipass = vec![Multipass::widths(); self.accumulation.into()];
-        Host { accesses: stream(access), background: bits(WORD), multipass }.on(MERGE)
     }
 
     fn build(&self, m: Module, i: GfbUnitIn) -> GfbUnitOut {
@@ -204,7 +190,7 @@ impl GfbUnit {
         );
 
         // On the bank on display, the accumulation buffer uses the chain's port.
-        let adds = self.accumulation.then(|| merge.wire("adds", self.adding()));
+        let adds = self.accumulation.then(|| merge.wire("adds", Adding::widths(self.screen)));
         let (reads_old, old_address) = match &adds {
             Some(adds) => (mux(is_filled, enable, adds.busy), mux(is_filled, sequencer.feed, adds.address)),
             None => (enable & is_filled, sequencer.feed),

@@ -46,14 +46,9 @@ block! {
     source = "VC-1, section 3.3, patch table (VC1-PT, VC1-ACC)";
     in(self) PatchTableIn {
         /// A request for the page of a patch.
-        ///
-        /// A patch in a processor's request: for its page, or to clear its entry.
-        look_up: stream(pub struct Wanted {
-            /// The number of the patch.
-            patch: below(self.patches),
-        }).on(PE),
+        look_up: stream(Wanted::widths(self.patches)).on(PE),
         /// A request to clear an entry. If a look-up is accepted at the same edge, the clear comes first.
-        clear: stream(Wanted { patch: below(self.patches) }).on(PE),
+        clear: stream(Wanted::widths(self.patches)).on(PE),
         /// The front buffer, 0 or 1.
         front: bit().on(PE),
         /// The scan has left the front buffer.
@@ -90,6 +85,14 @@ block! {
             /// The page ID: the page of the patch.
             page: below(self.pages),
         },
+    }
+}
+
+record! {
+    /// A patch in a processor's request: for its page, or to clear its entry.
+    pub struct Wanted(patches: u32) {
+        /// The number of the patch.
+        patch: below(patches),
     }
 }
 

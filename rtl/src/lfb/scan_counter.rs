@@ -31,13 +31,13 @@ block! {
     source = "VC-1, section 3.3, scan counter (VC1-SCAN)";
     in(self) ScanCounterIn {
         /// From the global frame buffer.
-        scan: ScanControl { restart: bit(), enable: bit() },
+        scan: ScanControl,
         /// Where a restart puts the counter; a constant.
-        preset: Position = ScanCounter::position(self.screen),
+        preset: Position::widths(self.screen),
     }
     out(self) ScanCounterOut {
         /// The pixel to send.
-        pixel: Position = ScanCounter::position(self.screen),
+        pixel: Position::widths(self.screen),
         /// The pixel belongs to the first whole frame after the restart, or to a later one.
         armed: bit(),
     }
@@ -50,11 +50,6 @@ impl ScanCounter {
         // This many pixels before the first one, at the end of the previous frame.
         let pixel = (-i64::from(LEAD * position)).rem_euclid(screen.pixels().into()) as u64;
         Position { x: pixel % u64::from(screen.width), y: pixel / u64::from(screen.width) }
-    }
-
-    /// The widths of a position on the screen.
-    pub fn position(screen: Screen) -> Position<Width> {
-        Position { x: below(screen.width), y: below(screen.height) }
     }
 
     fn build(&self, m: Module, i: ScanCounterIn) -> ScanCounterOut {
@@ -125,11 +120,11 @@ mod tests {
         type Out = Pixels;
 
         fn inputs(&self) -> ScanControl<Width> {
-            ScanControl { restart: bit(), enable: bit() }
+            ScanControl::widths()
         }
 
         fn build(&self, m: Module, i: ScanControl) -> Pixels {
-            let widths = ScanCounter::position(self.screen);
+            let widths = Position::widths(self.screen);
             let preset = |position| ScanCounter::preset(self.screen, position);
             def!(
                 scan_counter = m.array(self.length, &ScanCounter { screen: self.screen }, |_| ScanCounterIn {

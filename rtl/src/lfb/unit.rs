@@ -49,24 +49,17 @@ block! {
     source = "VC-1, section 3.3, local frame buffer (VC1-LFB, VC1-ACC, VC1-SCAN, VC1-CLR1)";
     in(self) LfbUnitIn {
         /// A pixel that the processor draws.
-        request: stream(pub struct Request {
-            /// The column of the pixel, counted from the left.
-            x: below(self.patches.screen().width),
-            /// The line of the pixel, counted from the top.
-            y: below(self.patches.screen().height),
-            /// The word of the pixel: depth above colour.
-            word: bits(WORD),
-        }).on(PE),
+        request: stream(Request::widths(self.patches.screen())).on(PE),
         /// A patch table entry that the processor clears. If a request is accepted at the same edge, the clear comes first.
-        clear: stream(Wanted { patch: self.patches.patch_width() }).on(PE),
+        clear: stream(Wanted::widths(self.patches.count())).on(PE),
         /// For one clock, when idle or in overflow: swap the buffers.
         swap: bit().on(PE),
         /// For one clock: try the waiting request again.
         resume: bit().on(PE),
         /// From the global frame buffer unit.
-        scan: ScanControl { restart: bit(), enable: bit() }.on(MERGE),
+        scan: ScanControl.on(MERGE),
         /// Where a restart puts the scan counter; a constant, [`ScanCounter::preset`].
-        preset: Position = ScanCounter::position(self.patches.screen()).on(MERGE),
+        preset: Position::widths(self.patches.screen()).on(MERGE),
     }
     out(self) LfbUnitOut {
         /// A request waits, because its patch has no page and all pages are taken.
@@ -84,7 +77,19 @@ block! {
         /// A part of the back buffer is not sent yet since the last swap.
         sending: bit(),
         /// The pixel that the scan counter shows, of which the word is sent 2 clocks later.
-        scanned: Position = ScanCounter::position(self.patches.screen()),
+        scanned: Position::widths(self.patches.screen()),
+    }
+}
+
+record! {
+    /// A pixel that a processor draws.
+    pub struct Request(screen: Screen) {
+        /// The column of the pixel, counted from the left.
+        x: below(screen.width),
+        /// The line of the pixel, counted from the top.
+        y: below(screen.height),
+        /// The word of the pixel: depth above colour.
+        word: bits(WORD),
     }
 }
 

@@ -52,19 +52,21 @@ pub const OVERHEAD: u32 = 20;
 /// The merger clocks, in addition to T_m, for crossings between the clocks and for reading a pixel.
 const CROSSINGS: u32 = 4;
 
-bundle! {
+record! {
     /// A processor's inputs to its local frame buffer.
-    pub struct ProcessorIn<T> {
+    pub struct ProcessorIn(lfb: &LfbUnit) {
         /// A pixel to draw.
-        pub request: Stream<Request<T>, T>,
+        request: stream(Request::widths(lfb.patches.screen())).on(PE),
         /// A patch table entry to clear.
-        pub clear: Stream<Wanted<T>, T>,
+        clear: stream(Wanted::widths(lfb.patches.count())).on(PE),
         /// A word for the bus.
-        pub sends: Stream<BusWord<T>, T>,
+        sends: stream(BusWord).on(PE),
         /// The processor's frame is drawn.
-        pub done: T,
+        done: bit().on(PE),
     }
+}
 
+bundle! {
     /// The state of its local frame buffer, as a processor sees it.
     pub struct ProcessorOut<T> {
         /// What the processor may do: a code of [`SwapState`](crate::swap::SwapState).
@@ -106,9 +108,9 @@ block! {
     source = "VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)";
     in(self) Vc1In {
         /// The inputs from each processor.
-        processors: [ProcessorIn = self.processor(); self.processors],
+        processors: [ProcessorIn::widths(&self.lfb); self.processors],
         /// A word of the host for the bus.
-        command: stream(BusWord = BusWord::widths()).on(PE),
+        command: stream(BusWord).on(PE),
         /// The host releases the sync line.
         ready: bit().on(PE),
         /// The inputs from the host.
@@ -180,13 +182,6 @@ impl Vc1 {
         sequencer.merge_clocks() + u64::from(overheads * self.overhead + CROSSINGS + 1)
     }
 
-    /// The widths of a processor's inputs.
-    fn processor(&self) -> ProcessorIn<Width> {
-        let LfbUnitIn { request, clear, .. } = self.lfb.inputs();
-        let sends = stream(BusWord::widths()).on(PE);
-        ProcessorIn { request, clear, sends, done: bit().on(PE) }
-    }
-
     fn build(&self, m: Module, i: Vc1In) -> Vc1Out {
         let (pe, merge) = (m.on(PE), m.on(MERGE));
         let screen = self.lfb.patches.screen();
@@ -205,7 +200,7 @@ impl Vc1 {
         let patch = clear.patch;
         def!(
             lfb = m.array(self.processors, &self.lfb, |_| {
-                let widths = ScanCounter::position(screen).map(|width| width.of(self.processors));
+                let widths = Position::widths(screen).of(self.processors);
                 let preset = constants(widths, |position| ScanCounter::preset(screen, position));
                 LfbUnitIn { request, clear, swap: *swap, resume: *resume, scan: gfb.scan, preset }
             })

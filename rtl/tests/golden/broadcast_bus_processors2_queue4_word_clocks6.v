@@ -37,33 +37,33 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     output wire        senders_2_ready
 );
 
-    reg open;                                                    // rtl/src/bus/broadcast_bus.rs:103
-    reg [1:0] sender;                                            // rtl/src/bus/broadcast_bus.rs:104
-    reg on_bus;                                                  // rtl/src/bus/broadcast_bus.rs:108
-    reg [31:0] word_word;                                        // rtl/src/bus/broadcast_bus.rs:118
-    reg word_last;                                               // rtl/src/bus/broadcast_bus.rs:118
-    reg [2:0] clocks_left;                                       // rtl/src/bus/broadcast_bus.rs:120
-    reg [31:0] word_word_past;                                   // rtl/src/bus/broadcast_bus.rs:137
-    reg word_last_past;                                          // rtl/src/bus/broadcast_bus.rs:137
-    reg [2:0] sent;                                              // rtl/src/bus/broadcast_bus.rs:141
+    reg open;                                                    // rtl/src/bus/broadcast_bus.rs:96
+    reg [1:0] sender;                                            // rtl/src/bus/broadcast_bus.rs:97
+    reg on_bus;                                                  // rtl/src/bus/broadcast_bus.rs:101
+    reg [31:0] word_word;                                        // rtl/src/bus/broadcast_bus.rs:111
+    reg word_last;                                               // rtl/src/bus/broadcast_bus.rs:111
+    reg [2:0] clocks_left;                                       // rtl/src/bus/broadcast_bus.rs:113
+    reg [31:0] word_word_past;                                   // rtl/src/bus/broadcast_bus.rs:130
+    reg word_last_past;                                          // rtl/src/bus/broadcast_bus.rs:130
+    reg [2:0] sent;                                              // rtl/src/bus/broadcast_bus.rs:134
 
-    wire [3:0] next_min;                                         // rtl/src/bus/broadcast_bus.rs:107
-    wire room;                                                   // rtl/src/bus/broadcast_bus.rs:127
-    wire takes_any;                                              // rtl/src/bus/broadcast_bus.rs:111
-    wire [31:0] word_word_next;                                  // rtl/src/bus/broadcast_bus.rs:113
-    wire open_picked;                                            // rtl/src/bus/broadcast_bus.rs:113
-    wire asserted_all;                                           // rtl/src/bus/broadcast_bus.rs:139
-    wire asserted_any;                                           // rtl/src/bus/broadcast_bus.rs:139
-    wire [2:0] sent_sum;                                         // rtl/src/bus/broadcast_bus.rs:142
-    wire covered;                                                // rtl/src/bus/broadcast_bus.rs:158
-    wire [1:0] next = next_min[1:0];                             // rtl/src/bus/broadcast_bus.rs:107
-    wire arrived = on_bus & (clocks_left == 3'd0);               // rtl/src/bus/broadcast_bus.rs:122
-    wire delivers = arrived & room;                              // rtl/src/bus/broadcast_bus.rs:109
-    wire free = !on_bus | delivers;                              // rtl/src/bus/broadcast_bus.rs:110
-    wire takes = free & takes_any;                               // rtl/src/bus/broadcast_bus.rs:111
-    wire asserted_and = on_bus & (word_word == word_word_past) & (word_last == word_last_past); // rtl/src/bus/broadcast_bus.rs:137
-    wire covered_and_2 = senders_0_valid & senders_1_valid & senders_2_valid; // rtl/src/bus/broadcast_bus.rs:159
-    assign idle = !on_bus & !open;                               // rtl/src/bus/broadcast_bus.rs:161
+    wire [3:0] next_min;                                         // rtl/src/bus/broadcast_bus.rs:100
+    wire room;                                                   // rtl/src/bus/broadcast_bus.rs:120
+    wire takes_any;                                              // rtl/src/bus/broadcast_bus.rs:104
+    wire [31:0] word_word_next;                                  // rtl/src/bus/broadcast_bus.rs:106
+    wire open_picked;                                            // rtl/src/bus/broadcast_bus.rs:106
+    wire asserted_all;                                           // rtl/src/bus/broadcast_bus.rs:132
+    wire asserted_any;                                           // rtl/src/bus/broadcast_bus.rs:132
+    wire [2:0] sent_sum;                                         // rtl/src/bus/broadcast_bus.rs:135
+    wire covered;                                                // rtl/src/bus/broadcast_bus.rs:151
+    wire [1:0] next = next_min[1:0];                             // rtl/src/bus/broadcast_bus.rs:100
+    wire arrived = on_bus & (clocks_left == 3'd0);               // rtl/src/bus/broadcast_bus.rs:115
+    wire delivers = arrived & room;                              // rtl/src/bus/broadcast_bus.rs:102
+    wire free = !on_bus | delivers;                              // rtl/src/bus/broadcast_bus.rs:103
+    wire takes = free & takes_any;                               // rtl/src/bus/broadcast_bus.rs:104
+    wire asserted_and = on_bus & (word_word == word_word_past) & (word_last == word_last_past); // rtl/src/bus/broadcast_bus.rs:130
+    wire covered_and_2 = senders_0_valid & senders_1_valid & senders_2_valid; // rtl/src/bus/broadcast_bus.rs:152
+    assign idle = !on_bus & !open;                               // rtl/src/bus/broadcast_bus.rs:154
 
     genvar i;
 
@@ -92,16 +92,16 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge clk) begin
-                if (!rst) assert (!(sent_and & open) | (number == sender));  // rtl/src/bus/broadcast_bus.rs:150
-                if (!rst) assert (others <= 2'd2);                           // rtl/src/bus/broadcast_bus.rs:154
+                if (!rst) assert (!(sent_and & open) | (number == sender));  // rtl/src/bus/broadcast_bus.rs:143
+                if (!rst) assert (others <= 2'd2);                           // rtl/src/bus/broadcast_bus.rs:147
             end
             `else
             always @(posedge clk) begin
-                if (!rst && !(!(sent_and & open) | (number == sender))) begin // rtl/src/bus/broadcast_bus.rs:150
+                if (!rst && !(!(sent_and & open) | (number == sender))) begin // rtl/src/bus/broadcast_bus.rs:143
                     $display("FAIL: time %0t: %m: no word comes between those of another packet", $time);
                     stop;
                 end
-                if (!rst && !(others <= 2'd2)) begin                         // rtl/src/bus/broadcast_bus.rs:154
+                if (!rst && !(others <= 2'd2)) begin                         // rtl/src/bus/broadcast_bus.rs:147
                     $display("FAIL: time %0t: %m: a packet waits for one packet of each other sender at most", $time);
                     stop;
                 end
@@ -127,7 +127,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
 
     wire [1:0] u_queue_out_ready = {received_1_ready, received_0_ready};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_queue                // rtl/src/bus/broadcast_bus.rs:130
+        for (i = 0; i < 2; i = i + 1) begin : u_queue                // rtl/src/bus/broadcast_bus.rs:123
             wire out_valid;
             wire [32:0] out_payload;
             wire into_ready;
@@ -155,16 +155,16 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge clk) begin
-                if (!rst) assert (queued <= 3'd4);                           // rtl/src/bus/broadcast_bus.rs:146
-                if (!rst) assert (empty_lane == (queued == 3'd0));           // rtl/src/bus/broadcast_bus.rs:147
+                if (!rst) assert (queued <= 3'd4);                           // rtl/src/bus/broadcast_bus.rs:139
+                if (!rst) assert (empty_lane == (queued == 3'd0));           // rtl/src/bus/broadcast_bus.rs:140
             end
             `else
             always @(posedge clk) begin
-                if (!rst && !(queued <= 3'd4)) begin                         // rtl/src/bus/broadcast_bus.rs:146
+                if (!rst && !(queued <= 3'd4)) begin                         // rtl/src/bus/broadcast_bus.rs:139
                     $display("FAIL: time %0t: %m: what was taken and not yet received has room in the queue", $time);
                     stop;
                 end
-                if (!rst && !(empty_lane == (queued == 3'd0))) begin         // rtl/src/bus/broadcast_bus.rs:147
+                if (!rst && !(empty_lane == (queued == 3'd0))) begin         // rtl/src/bus/broadcast_bus.rs:140
                     $display("FAIL: time %0t: %m: a processor whose queue is empty has received all that left the bus", $time);
                     stop;
                 end
@@ -193,56 +193,56 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
             end
         end
     endgenerate
-    assign next_min = next_min_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:107
+    assign next_min = next_min_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:100
     wire [1:0] room_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : room_of
             assign room_lanes[i] = u_queue[i].into_ready;
         end
     endgenerate
-    assign room = &room_lanes;                                   // rtl/src/bus/broadcast_bus.rs:127
-    assign senders_0_ready = others_row[0].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:102
-    assign senders_1_ready = others_row[1].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:102
-    assign senders_2_ready = others_row[2].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:102
+    assign room = &room_lanes;                                   // rtl/src/bus/broadcast_bus.rs:120
+    assign senders_0_ready = others_row[0].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
+    assign senders_1_ready = others_row[1].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
+    assign senders_2_ready = others_row[2].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
     wire [2:0] takes_any_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : takes_any_of
             assign takes_any_lanes[i] = others_row[i].requests;
         end
     endgenerate
-    assign takes_any = |takes_any_lanes;                         // rtl/src/bus/broadcast_bus.rs:111
+    assign takes_any = |takes_any_lanes;                         // rtl/src/bus/broadcast_bus.rs:104
     wire [31:0] word_word_next_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : word_word_next_of
             assign word_word_next_lanes[i] = word_word_listed_row[i].word_word_listed;
         end
     endgenerate
-    assign word_word_next = (next < 2'd3) ? word_word_next_lanes[next] : 32'd0; // rtl/src/bus/broadcast_bus.rs:113
+    assign word_word_next = (next < 2'd3) ? word_word_next_lanes[next] : 32'd0; // rtl/src/bus/broadcast_bus.rs:106
     wire [2:0] open_picked_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : open_picked_of
             assign open_picked_lanes[i] = open_listed_row[i].open_listed;
         end
     endgenerate
-    assign open_picked = (next < 2'd3) ? open_picked_lanes[next] : 1'b0; // rtl/src/bus/broadcast_bus.rs:113
-    assign received_0_word = u_queue[0].out_payload[32:1];       // rtl/src/bus/broadcast_bus.rs:133
-    assign received_0_last = u_queue[0].out_payload[0];          // rtl/src/bus/broadcast_bus.rs:133
-    assign received_1_word = u_queue[1].out_payload[32:1];       // rtl/src/bus/broadcast_bus.rs:133
-    assign received_1_last = u_queue[1].out_payload[0];          // rtl/src/bus/broadcast_bus.rs:133
+    assign open_picked = (next < 2'd3) ? open_picked_lanes[next] : 1'b0; // rtl/src/bus/broadcast_bus.rs:106
+    assign received_0_word = u_queue[0].out_payload[32:1];       // rtl/src/bus/broadcast_bus.rs:126
+    assign received_0_last = u_queue[0].out_payload[0];          // rtl/src/bus/broadcast_bus.rs:126
+    assign received_1_word = u_queue[1].out_payload[32:1];       // rtl/src/bus/broadcast_bus.rs:126
+    assign received_1_last = u_queue[1].out_payload[0];          // rtl/src/bus/broadcast_bus.rs:126
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
             assign asserted_all_lanes[i] = asserted_and_2_row[i].asserted_and_2;
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/bus/broadcast_bus.rs:139
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/bus/broadcast_bus.rs:132
     wire [1:0] asserted_any_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_any_of
             assign asserted_any_lanes[i] = asserted_and_2_row[i].asserted_and_2;
         end
     endgenerate
-    assign asserted_any = |asserted_any_lanes;                   // rtl/src/bus/broadcast_bus.rs:139
+    assign asserted_any = |asserted_any_lanes;                   // rtl/src/bus/broadcast_bus.rs:132
     generate
         for (i = 0; i < 5; i = i + 1) begin : sent_sum_tree
             wire [2:0] value;
@@ -253,14 +253,14 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
             end
         end
     endgenerate
-    assign sent_sum = sent_sum_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:142
+    assign sent_sum = sent_sum_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:135
     wire [2:0] covered_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : covered_of
             assign covered_lanes[i] = others_row[i].covered_and;
         end
     endgenerate
-    assign covered = |covered_lanes;                             // rtl/src/bus/broadcast_bus.rs:158
+    assign covered = |covered_lanes;                             // rtl/src/bus/broadcast_bus.rs:151
     generate
         for (i = 0; i < 2; i = i + 1) begin : empty_of
             assign empty[i] = u_queue[i].empty_lane;
@@ -316,9 +316,9 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
 `endif
 
 `ifndef SYNTHESIS
-    reg past;                                                    // rtl/src/bus/broadcast_bus.rs:138
-    reg takes_past;                                              // rtl/src/bus/broadcast_bus.rs:151
-    reg has_past;                                                // rtl/src/bus/broadcast_bus.rs:138
+    reg past;                                                    // rtl/src/bus/broadcast_bus.rs:131
+    reg takes_past;                                              // rtl/src/bus/broadcast_bus.rs:144
+    reg has_past;                                                // rtl/src/bus/broadcast_bus.rs:131
 
     initial has_past = 1'b0;
 
@@ -334,14 +334,14 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!has_past | (!past | asserted_and));       // rtl/src/bus/broadcast_bus.rs:138
-        if (!rst) assert (asserted_all == asserted_any);             // rtl/src/bus/broadcast_bus.rs:139
-        if (!rst) assert (!has_past | (!takes_past | (open == !word_last))); // rtl/src/bus/broadcast_bus.rs:151
-        if (!rst) cover (arrived & !room);                           // rtl/src/bus/broadcast_bus.rs:156
-        if (!rst) cover (open & free & !takes);                      // rtl/src/bus/broadcast_bus.rs:157
-        if (!rst) cover (covered);                                   // rtl/src/bus/broadcast_bus.rs:158
-        if (!rst) cover (!open & !free & covered_and_2);             // rtl/src/bus/broadcast_bus.rs:159
-        if (!rst) cover (delivers & takes & !open);                  // rtl/src/bus/broadcast_bus.rs:160
+        if (!rst) assert (!has_past | (!past | asserted_and));       // rtl/src/bus/broadcast_bus.rs:131
+        if (!rst) assert (asserted_all == asserted_any);             // rtl/src/bus/broadcast_bus.rs:132
+        if (!rst) assert (!has_past | (!takes_past | (open == !word_last))); // rtl/src/bus/broadcast_bus.rs:144
+        if (!rst) cover (arrived & !room);                           // rtl/src/bus/broadcast_bus.rs:149
+        if (!rst) cover (open & free & !takes);                      // rtl/src/bus/broadcast_bus.rs:150
+        if (!rst) cover (covered);                                   // rtl/src/bus/broadcast_bus.rs:151
+        if (!rst) cover (!open & !free & covered_and_2);             // rtl/src/bus/broadcast_bus.rs:152
+        if (!rst) cover (delivers & takes & !open);                  // rtl/src/bus/broadcast_bus.rs:153
     end
 `else
     reg is_covered;
@@ -355,43 +355,43 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     reg is_covered_5;
     initial is_covered_5 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!has_past | (!past | asserted_and))) begin     // rtl/src/bus/broadcast_bus.rs:138
+        if (!rst && !(!has_past | (!past | asserted_and))) begin     // rtl/src/bus/broadcast_bus.rs:131
             $display("FAIL: time %0t: %m: a word stays on the bus until it goes to the queues", $time);
             stop;
         end
-        if (!rst && !(asserted_all == asserted_any)) begin           // rtl/src/bus/broadcast_bus.rs:139
+        if (!rst && !(asserted_all == asserted_any)) begin           // rtl/src/bus/broadcast_bus.rs:132
             $display("FAIL: time %0t: %m: a word goes to all queues or to none", $time);
             stop;
         end
-        if (!rst && !(!has_past | (!takes_past | (open == !word_last)))) begin // rtl/src/bus/broadcast_bus.rs:151
+        if (!rst && !(!has_past | (!takes_past | (open == !word_last)))) begin // rtl/src/bus/broadcast_bus.rs:144
             $display("FAIL: time %0t: %m: a packet is open until its last word", $time);
             stop;
         end
-        if (!rst && (arrived & !room) && !is_covered) begin          // rtl/src/bus/broadcast_bus.rs:156
+        if (!rst && (arrived & !room) && !is_covered) begin          // rtl/src/bus/broadcast_bus.rs:149
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a full queue stalls the bus", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (open & free & !takes) && !is_covered_2) begin   // rtl/src/bus/broadcast_bus.rs:157
+        if (!rst && (open & free & !takes) && !is_covered_2) begin   // rtl/src/bus/broadcast_bus.rs:150
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a sender pauses within its packet", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!rst && covered && !is_covered_3) begin                  // rtl/src/bus/broadcast_bus.rs:158
+        if (!rst && covered && !is_covered_3) begin                  // rtl/src/bus/broadcast_bus.rs:151
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a sender waits for the packet of another", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!rst && (!open & !free & covered_and_2) && !is_covered_4) begin // rtl/src/bus/broadcast_bus.rs:159
+        if (!rst && (!open & !free & covered_and_2) && !is_covered_4) begin // rtl/src/bus/broadcast_bus.rs:152
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: all senders wait", $time);
             `endif
             is_covered_4 <= 1'b1;
         end
-        if (!rst && (delivers & takes & !open) && !is_covered_5) begin // rtl/src/bus/broadcast_bus.rs:160
+        if (!rst && (delivers & takes & !open) && !is_covered_5) begin // rtl/src/bus/broadcast_bus.rs:153
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a packet follows another without a pause", $time);
             `endif

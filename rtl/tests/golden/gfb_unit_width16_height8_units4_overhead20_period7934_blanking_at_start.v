@@ -6,7 +6,7 @@
 // Parameters  GfbUnit { screen: Screen { width: 16, height: 8 }, units: 4, overhead: 20, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     rounds with a period of 288 clocks
 // Source      VC-1, section 3.3, global frame buffer (VC1-GFB, VC1-TM, VC1-FREE, VC1-CLR3)
-// Described   rtl/src/gfb/unit.rs:94
+// Described   rtl/src/gfb/unit.rs:92
 `default_nettype none
 
 module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
@@ -41,45 +41,45 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     output wire        host_accesses_ready
 );
 
-    reg filled_bank;                                             // rtl/src/gfb/unit.rs:183
-    reg read_bank;                                               // rtl/src/gfb/unit.rs:195
-    reg read_valid;                                              // rtl/src/gfb/unit.rs:197
-    reg fed_bank;                                                // rtl/src/gfb/unit.rs:212
-    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:214
-    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:247
-    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:220
-    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:220
-    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:226
-    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:226
+    reg filled_bank;                                             // rtl/src/gfb/unit.rs:169
+    reg read_bank;                                               // rtl/src/gfb/unit.rs:181
+    reg read_valid;                                              // rtl/src/gfb/unit.rs:183
+    reg fed_bank;                                                // rtl/src/gfb/unit.rs:198
+    reg old_is_blank;                                            // rtl/src/gfb/unit.rs:200
+    reg [3:0] place;                                             // rtl/src/gfb/unit.rs:233
+    (* ASYNC_REG = "TRUE" *) reg shown_bank_meta;                // rtl/src/gfb/unit.rs:206
+    (* ASYNC_REG = "TRUE" *) reg shown_bank;                     // rtl/src/gfb/unit.rs:206
+    (* ASYNC_REG = "TRUE" *) reg window_meta;                    // rtl/src/gfb/unit.rs:212
+    (* ASYNC_REG = "TRUE" *) reg window;                         // rtl/src/gfb/unit.rs:212
 
     (* no_rw_check *)
-    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:246
+    reg [47:0] entered [0:15];                                   // rtl/src/gfb/unit.rs:232
 
-    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:177
-    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:177
-    wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:177
-    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:177
-    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:222
-    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:222
-    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:222
+    wire [6:0] u_sequencer_feed;                                 // rtl/src/gfb/unit.rs:163
+    wire u_sequencer_stores;                                     // rtl/src/gfb/unit.rs:163
+    wire u_sequencer_stale;                                      // rtl/src/gfb/unit.rs:163
+    wire [6:0] u_sequencer_store;                                // rtl/src/gfb/unit.rs:163
+    wire [6:0] u_crt_address;                                    // rtl/src/gfb/unit.rs:208
+    wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:208
+    wire u_crt_window;                                           // rtl/src/gfb/unit.rs:208
 
-    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:215
-    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:221
-    assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:176
-    wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:186
-    wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:187
-    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:249
-    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:255
+    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:201
+    wire [47:0] word;                                            // rtl/src/gfb/unit.rs:207
+    assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:162
+    wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:172
+    wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:173
+    wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:235
+    wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:241
 
     genvar i;
 
     generate
         for (i = 0; i < 2; i = i + 1) begin : row
             (* no_rw_check *)
-            reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:185
-            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:196
-            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:213
-            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:225
+            reg [47:0] banks [0:127];                                    // rtl/src/gfb/unit.rs:171
+            reg [47:0] read_words;                                       // rtl/src/gfb/unit.rs:182
+            reg [47:0] old;                                              // rtl/src/gfb/unit.rs:199
+            reg [47:0] banks_read2;                                      // rtl/src/gfb/unit.rs:211
             localparam [31:0] is_filled_listed = i;
             wire is_filled = is_filled_listed[0] == filled_bank;
             wire [6:0] banks_write_address = is_filled ? u_sequencer_store : host_accesses_address;
@@ -98,7 +98,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         end
     endgenerate
 
-    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:177
+    gfb_sequencer_width16_height8_units4_overhead20 u_sequencer ( // rtl/src/gfb/unit.rs:163
         .clk          (merge_clk),
         .rst          (merge_rst),
         .restart      (swap),
@@ -111,7 +111,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         .store        (u_sequencer_store)
     );
 
-    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:222
+    crt_read_out_width16_height8_blanking_at_start u_crt (       // rtl/src/gfb/unit.rs:208
         .clk         (crt_clk),
         .rst         (crt_rst),
         .word        (word),
@@ -128,21 +128,21 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
             assign left_picked_lanes[i] = row[i].old;
         end
     endgenerate
-    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:215
+    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:201
     wire [47:0] word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : word_of
             assign word_lanes[i] = row[i].banks_read2;
         end
     endgenerate
-    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:221
+    assign word = word_lanes[shown_bank];                        // rtl/src/gfb/unit.rs:207
     wire [47:0] view_read_word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
             assign view_read_word_lanes[i] = row[i].read_words;
         end
     endgenerate
-    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:239
+    assign view_read_word = view_read_word_lanes[read_bank];     // rtl/src/gfb/unit.rs:225
 
     always @(posedge merge_clk) begin
         if (scan_enable) entered[place] <= left;
@@ -206,13 +206,13 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
 `endif
 
 `ifndef SYNTHESIS
-    reg writes_past;                                             // rtl/src/gfb/unit.rs:199
-    reg swap_past;                                               // rtl/src/gfb/unit.rs:202
-    reg is_full;                                                 // rtl/src/gfb/unit.rs:248
-    reg was_full;                                                // rtl/src/gfb/unit.rs:252
-    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:223
-    reg has_past;                                                // rtl/src/gfb/unit.rs:199
-    reg has_past_2;                                              // rtl/src/gfb/unit.rs:223
+    reg writes_past;                                             // rtl/src/gfb/unit.rs:185
+    reg swap_past;                                               // rtl/src/gfb/unit.rs:188
+    reg is_full;                                                 // rtl/src/gfb/unit.rs:234
+    reg was_full;                                                // rtl/src/gfb/unit.rs:238
+    reg shown_bank_past;                                         // rtl/src/gfb/unit.rs:209
+    reg has_past;                                                // rtl/src/gfb/unit.rs:185
+    reg has_past_2;                                              // rtl/src/gfb/unit.rs:209
 
     initial has_past = 1'b0;
     initial has_past_2 = 1'b0;
@@ -245,14 +245,14 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:199
-        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:200
-        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:201
-        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:256
+        if (!merge_rst) cover (has_past & (reads & writes_past));    // rtl/src/gfb/unit.rs:185
+        if (!merge_rst) cover (writes & swap);                       // rtl/src/gfb/unit.rs:186
+        if (!merge_rst) assert (!has_past | (!swap_past | view_first_round)); // rtl/src/gfb/unit.rs:187
+        if (!merge_rst) assert (!(u_sequencer_stale & was_full) | (merged == entered_word)); // rtl/src/gfb/unit.rs:242
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:223
-        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:224
+        if (!crt_rst) assert (!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark)); // rtl/src/gfb/unit.rs:209
+        if (!crt_rst) cover (has_past_2 & (shown_bank != shown_bank_past)); // rtl/src/gfb/unit.rs:210
     end
 `else
     reg is_covered;
@@ -262,33 +262,33 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     reg is_covered_3;
     initial is_covered_3 = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:199
+        if (!merge_rst && (has_past & (reads & writes_past)) && !is_covered) begin // rtl/src/gfb/unit.rs:185
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host reads right behind a write", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:200
+        if (!merge_rst && (writes & swap) && !is_covered_2) begin    // rtl/src/gfb/unit.rs:186
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the host writes in the clock of a swap", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:201
+        if (!merge_rst && !(!has_past | (!swap_past | view_first_round))) begin // rtl/src/gfb/unit.rs:187
             $display("FAIL: time %0t: %m: blank pixels enter the chain in the first round after a swap", $time);
             stop;
         end
-        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:256
+        if (!merge_rst && !(!(u_sequencer_stale & was_full) | (merged == entered_word))) begin // rtl/src/gfb/unit.rs:242
             $display("FAIL: time %0t: %m: a pixel that entered the chain before a swap is the word that its bank has", $time);
             stop;
         end
     end
     always @(posedge crt_clk) begin
-        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:223
+        if (!crt_rst && !(!has_past_2 | ((shown_bank == shown_bank_past) | u_crt_dark))) begin // rtl/src/gfb/unit.rs:209
             $display("FAIL: time %0t: %m: no refresh shows two frames", $time);
             stop;
         end
-        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:224
+        if (!crt_rst && (has_past_2 & (shown_bank != shown_bank_past)) && !is_covered_3) begin // rtl/src/gfb/unit.rs:210
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the display changes to the other bank", $time);
             `endif

@@ -44,41 +44,41 @@ module lfb_unit_width16_height8_edge4_pages4 (
     output wire        clear_ready
 );
 
-    reg front;                                                   // rtl/src/lfb/unit.rs:97
-    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:98
-    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:98
-    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:99
-    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:99
-    reg sought_armed;                                            // rtl/src/lfb/unit.rs:107
-    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:108
-    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:109
-    reg was_front;                                               // rtl/src/lfb/unit.rs:114
-    reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:118
-    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:140
-    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:141
+    reg front;                                                   // rtl/src/lfb/unit.rs:102
+    (* ASYNC_REG = "TRUE" *) reg merge_front_meta;               // rtl/src/lfb/unit.rs:103
+    (* ASYNC_REG = "TRUE" *) reg merge_front;                    // rtl/src/lfb/unit.rs:103
+    (* ASYNC_REG = "TRUE" *) reg known_front_meta;               // rtl/src/lfb/unit.rs:104
+    (* ASYNC_REG = "TRUE" *) reg known_front;                    // rtl/src/lfb/unit.rs:104
+    reg sought_armed;                                            // rtl/src/lfb/unit.rs:112
+    reg [3:0] sought_offset;                                     // rtl/src/lfb/unit.rs:113
+    reg sought_buffer;                                           // rtl/src/lfb/unit.rs:114
+    reg was_front;                                               // rtl/src/lfb/unit.rs:119
+    reg [7:0] pixels_left;                                       // rtl/src/lfb/unit.rs:123
+    reg [3:0] wanted_offset;                                     // rtl/src/lfb/unit.rs:145
+    reg [47:0] wanted_word;                                      // rtl/src/lfb/unit.rs:146
 
-    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:105
-    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:139
-    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:139
-    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:139
-    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:139
-    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:139
-    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:149
+    wire u_scan_counter_armed;                                   // rtl/src/lfb/unit.rs:110
+    wire u_patch_table_idle;                                     // rtl/src/lfb/unit.rs:144
+    wire u_patch_table_found;                                    // rtl/src/lfb/unit.rs:144
+    wire [1:0] u_patch_table_page;                               // rtl/src/lfb/unit.rs:144
+    wire u_patch_table_scan_entry_resident;                      // rtl/src/lfb/unit.rs:144
+    wire [1:0] u_patch_table_scan_entry_page;                    // rtl/src/lfb/unit.rs:144
+    wire u_image_memory_idle;                                    // rtl/src/lfb/unit.rs:154
 
-    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:100
-    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:101
+    wire settled = known_front == front;                         // rtl/src/lfb/unit.rs:105
+    wire back = !merge_front;                                    // rtl/src/lfb/unit.rs:106
     wire [3:0] u_patch_table_scan_patch_product = {3'd0, scanned_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire swapped = was_front != merge_front;                     // rtl/src/lfb/unit.rs:116
-    wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:117
-    wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:119
+    wire swapped = was_front != merge_front;                     // rtl/src/lfb/unit.rs:121
+    wire passes = scan_enable & u_scan_counter_armed;            // rtl/src/lfb/unit.rs:122
+    wire all_sent = pixels_left == 8'd0;                         // rtl/src/lfb/unit.rs:124
     wire [3:0] u_patch_table_look_up_patch_product = {3'd0, request_y[2]} * 4'd4; // rtl/src/lfb/patches.rs:96
-    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:133
-    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:134
-    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:144
-    wire again = all_sent & !swapped;                            // rtl/src/lfb/unit.rs:152
-    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:157
+    wire accept = request_valid & request_ready;                 // rtl/src/lfb/unit.rs:138
+    assign clears = clear_valid & clear_ready;                   // rtl/src/lfb/unit.rs:139
+    wire resident = sought_armed & u_patch_table_scan_entry_resident & (sought_buffer == back); // rtl/src/lfb/unit.rs:149
+    wire again = all_sent & !swapped;                            // rtl/src/lfb/unit.rs:157
+    assign idle = u_patch_table_idle & u_image_memory_idle;      // rtl/src/lfb/unit.rs:162
 
-    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:105
+    scan_counter_width16_height8 u_scan_counter (                // rtl/src/lfb/unit.rs:110
         .clk          (merge_clk),
         .rst          (merge_rst),
         .scan_restart (scan_restart),
@@ -90,7 +90,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .armed        (u_scan_counter_armed)
     );
 
-    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:139
+    patch_table_patches8_pages4 u_patch_table (                  // rtl/src/lfb/unit.rs:144
         .pe_clk              (pe_clk),
         .pe_rst              (pe_rst),
         .merge_clk           (merge_clk),
@@ -116,7 +116,7 @@ module lfb_unit_width16_height8_edge4_pages4 (
         .clear_ready         (clear_ready)
     );
 
-    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:149
+    image_memory_pages4_page_pixels16 u_image_memory (           // rtl/src/lfb/unit.rs:154
         .pe_clk        (pe_clk),
         .pe_rst        (pe_rst),
         .merge_clk     (merge_clk),
@@ -201,8 +201,8 @@ module lfb_unit_width16_height8_edge4_pages4 (
 `endif
 
 `ifndef SYNTHESIS
-    reg sought_again;                                            // rtl/src/lfb/unit.rs:153
-    reg sent_again;                                              // rtl/src/lfb/unit.rs:154
+    reg sought_again;                                            // rtl/src/lfb/unit.rs:158
+    reg sent_again;                                              // rtl/src/lfb/unit.rs:159
 
     always @(posedge merge_clk) begin
         if (merge_rst) begin
@@ -216,15 +216,15 @@ module lfb_unit_width16_height8_edge4_pages4 (
 
 `ifdef FORMAL
     always @(posedge pe_clk) begin
-        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:158
-        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:159
+        if (!pe_rst) assume (!swap | (overflow | idle));             // rtl/src/lfb/unit.rs:163
+        if (!pe_rst) assume (!swap | settled);                       // rtl/src/lfb/unit.rs:164
     end
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:126
-        if (!merge_rst) assume (!scan_restart | (all_sent & !swapped)); // rtl/src/lfb/unit.rs:127
-        if (!merge_rst) cover (swapped & passes);                    // rtl/src/lfb/unit.rs:128
-        if (!merge_rst) assert (!sent_again | (word == 48'hffffffffffff)); // rtl/src/lfb/unit.rs:155
-        if (!merge_rst) cover (passes & again);                      // rtl/src/lfb/unit.rs:156
+        if (!merge_rst) assert (!swapped | all_sent);                // rtl/src/lfb/unit.rs:131
+        if (!merge_rst) assume (!scan_restart | (all_sent & !swapped)); // rtl/src/lfb/unit.rs:132
+        if (!merge_rst) cover (swapped & passes);                    // rtl/src/lfb/unit.rs:133
+        if (!merge_rst) assert (!sent_again | (word == 48'hffffffffffff)); // rtl/src/lfb/unit.rs:160
+        if (!merge_rst) cover (passes & again);                      // rtl/src/lfb/unit.rs:161
     end
 `else
     reg is_covered;
@@ -232,35 +232,35 @@ module lfb_unit_width16_height8_edge4_pages4 (
     reg is_covered_2;
     initial is_covered_2 = 1'b0;
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:158
+        if (!pe_rst && !(!swap | (overflow | idle))) begin           // rtl/src/lfb/unit.rs:163
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are swapped when idle or in overflow", $time);
             stop;
         end
-        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:159
+        if (!pe_rst && !(!swap | settled)) begin                     // rtl/src/lfb/unit.rs:164
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the buffers are not swapped again before the merger has followed", $time);
             stop;
         end
     end
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:126
+        if (!merge_rst && !(!swapped | all_sent)) begin              // rtl/src/lfb/unit.rs:131
             $display("FAIL: time %0t: %m: the buffers are swapped when the back buffer has been sent", $time);
             stop;
         end
-        if (!merge_rst && !(!scan_restart | (all_sent & !swapped))) begin // rtl/src/lfb/unit.rs:127
+        if (!merge_rst && !(!scan_restart | (all_sent & !swapped))) begin // rtl/src/lfb/unit.rs:132
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the scan restarts when nothing is left to send", $time);
             stop;
         end
-        if (!merge_rst && (swapped & passes) && !is_covered) begin   // rtl/src/lfb/unit.rs:128
+        if (!merge_rst && (swapped & passes) && !is_covered) begin   // rtl/src/lfb/unit.rs:133
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the buffers are swapped while the scan is within a frame", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!merge_rst && !(!sent_again | (word == 48'hffffffffffff))) begin // rtl/src/lfb/unit.rs:155
+        if (!merge_rst && !(!sent_again | (word == 48'hffffffffffff))) begin // rtl/src/lfb/unit.rs:160
             $display("FAIL: time %0t: %m: a back buffer that has been sent is cleared", $time);
             stop;
         end
-        if (!merge_rst && (passes & again) && !is_covered_2) begin   // rtl/src/lfb/unit.rs:156
+        if (!merge_rst && (passes & again) && !is_covered_2) begin   // rtl/src/lfb/unit.rs:161
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a pixel goes by once more", $time);
             `endif

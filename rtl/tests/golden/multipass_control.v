@@ -5,7 +5,7 @@
 // Parameters  MultipassControl
 // Latency     0 clocks from a swap to its sum; 1 clock from the blanking to the average
 // Source      VC-1, section 3.3, accumulation buffer (VC1-ACB)
-// Described   rtl/src/gfb/multipass.rs:70
+// Described   rtl/src/gfb/multipass.rs:63
 `default_nettype none
 
 module multipass_control (
@@ -35,12 +35,12 @@ module multipass_control (
     localparam [1:0] STAGE_TURN     = 2'd2;
     localparam [1:0] STAGE_AVERAGE  = 2'd3;
 
-    reg [3:0] number;                                            // rtl/src/gfb/multipass.rs:103
-    reg [1:0] stage;                                             // rtl/src/gfb/multipass.rs:112
+    reg [3:0] number;                                            // rtl/src/gfb/multipass.rs:96
+    reg [1:0] stage;                                             // rtl/src/gfb/multipass.rs:105
 
-    assign first = number == 4'd0;                               // rtl/src/gfb/multipass.rs:104
-    assign start = swap & (host_accumulates | !first);           // rtl/src/gfb/multipass.rs:105
-    reg [3:0] last_choice;                                       // rtl/src/gfb/multipass.rs:108
+    assign first = number == 4'd0;                               // rtl/src/gfb/multipass.rs:97
+    assign start = swap & (host_accumulates | !first);           // rtl/src/gfb/multipass.rs:98
+    reg [3:0] last_choice;                                       // rtl/src/gfb/multipass.rs:101
     always @* begin
         case (passes)
             PASSES_TWO: last_choice = 4'd1;
@@ -49,10 +49,10 @@ module multipass_control (
             default: last_choice = 4'd15; // PASSES_SIXTEEN
         endcase
     end
-    wire last = number == last_choice;                           // rtl/src/gfb/multipass.rs:108
-    wire summed = (stage == STAGE_LAST_SUM) & !busy;             // rtl/src/gfb/multipass.rs:113
-    wire may_change = ((stage == STAGE_PASS) & !busy) | (stage == STAGE_AVERAGE); // rtl/src/gfb/multipass.rs:122
-    assign may_swap = blanking & may_change;                     // rtl/src/gfb/multipass.rs:138
+    wire last = number == last_choice;                           // rtl/src/gfb/multipass.rs:101
+    wire summed = (stage == STAGE_LAST_SUM) & !busy;             // rtl/src/gfb/multipass.rs:106
+    wire may_change = ((stage == STAGE_PASS) & !busy) | (stage == STAGE_AVERAGE); // rtl/src/gfb/multipass.rs:115
+    assign may_swap = blanking & may_change;                     // rtl/src/gfb/multipass.rs:131
 
     always @(posedge clk) begin
         if (rst) begin
@@ -95,14 +95,14 @@ module multipass_control (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!swap | !busy);                            // rtl/src/gfb/multipass.rs:124
-        if (!rst) assume (!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN))); // rtl/src/gfb/multipass.rs:125
-        if (!rst) assert (averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE))); // rtl/src/gfb/multipass.rs:129
-        if (!rst) assert (!averages | !busy);                        // rtl/src/gfb/multipass.rs:133
-        if (!rst) cover (start & averages);                          // rtl/src/gfb/multipass.rs:134
-        if (!rst) cover (swap & !start & averages);                  // rtl/src/gfb/multipass.rs:135
-        if (!rst) cover (summed & !blanking);                        // rtl/src/gfb/multipass.rs:136
-        if (!rst) cover (blanking & busy);                           // rtl/src/gfb/multipass.rs:137
+        if (!rst) assume (!swap | !busy);                            // rtl/src/gfb/multipass.rs:117
+        if (!rst) assume (!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN))); // rtl/src/gfb/multipass.rs:118
+        if (!rst) assert (averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE))); // rtl/src/gfb/multipass.rs:122
+        if (!rst) assert (!averages | !busy);                        // rtl/src/gfb/multipass.rs:126
+        if (!rst) cover (start & averages);                          // rtl/src/gfb/multipass.rs:127
+        if (!rst) cover (swap & !start & averages);                  // rtl/src/gfb/multipass.rs:128
+        if (!rst) cover (summed & !blanking);                        // rtl/src/gfb/multipass.rs:129
+        if (!rst) cover (blanking & busy);                           // rtl/src/gfb/multipass.rs:130
     end
 `else
     reg is_covered;
@@ -114,41 +114,41 @@ module multipass_control (
     reg is_covered_4;
     initial is_covered_4 = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!swap | !busy)) begin                          // rtl/src/gfb/multipass.rs:124
+        if (!rst && !(!swap | !busy)) begin                          // rtl/src/gfb/multipass.rs:117
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change while a sum is under way", $time);
             stop;
         end
-        if (!rst && !(!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN)))) begin // rtl/src/gfb/multipass.rs:125
+        if (!rst && !(!swap | ((stage != STAGE_LAST_SUM) & (stage != STAGE_TURN)))) begin // rtl/src/gfb/multipass.rs:118
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks do not change before the average was shown for a whole refresh", $time);
             stop;
         end
-        if (!rst && !(averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE)))) begin // rtl/src/gfb/multipass.rs:129
+        if (!rst && !(averages == ((stage == STAGE_TURN) | (stage == STAGE_AVERAGE)))) begin // rtl/src/gfb/multipass.rs:122
             $display("FAIL: time %0t: %m: the average is shown when the sum of all passes is complete", $time);
             stop;
         end
-        if (!rst && !(!averages | !busy)) begin                      // rtl/src/gfb/multipass.rs:133
+        if (!rst && !(!averages | !busy)) begin                      // rtl/src/gfb/multipass.rs:126
             $display("FAIL: time %0t: %m: no sum is under way while its average is shown", $time);
             stop;
         end
-        if (!rst && (start & averages) && !is_covered) begin         // rtl/src/gfb/multipass.rs:134
+        if (!rst && (start & averages) && !is_covered) begin         // rtl/src/gfb/multipass.rs:127
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a picture begins while the average of the one before is shown", $time);
             `endif
             is_covered <= 1'b1;
         end
-        if (!rst && (swap & !start & averages) && !is_covered_2) begin // rtl/src/gfb/multipass.rs:135
+        if (!rst && (swap & !start & averages) && !is_covered_2) begin // rtl/src/gfb/multipass.rs:128
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a frame without accumulation follows an average", $time);
             `endif
             is_covered_2 <= 1'b1;
         end
-        if (!rst && (summed & !blanking) && !is_covered_3) begin     // rtl/src/gfb/multipass.rs:136
+        if (!rst && (summed & !blanking) && !is_covered_3) begin     // rtl/src/gfb/multipass.rs:129
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a last sum waits for the blanking", $time);
             `endif
             is_covered_3 <= 1'b1;
         end
-        if (!rst && (blanking & busy) && !is_covered_4) begin        // rtl/src/gfb/multipass.rs:137
+        if (!rst && (blanking & busy) && !is_covered_4) begin        // rtl/src/gfb/multipass.rs:130
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a blanking passes while a sum is under way", $time);
             `endif

@@ -24,13 +24,13 @@ module scan_counter_width16_height8 (
     output reg        armed         // The pixel belongs to the first whole frame after the restart, or to a later one.
 );
 
-    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:62
-    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:63
+    reg [3:0] x;                                                 // rtl/src/lfb/scan_counter.rs:57
+    reg [2:0] y;                                                 // rtl/src/lfb/scan_counter.rs:58
 
-    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:65
-    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:66
-    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:67
-    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:71
+    wire line_end = scan_enable & (x == 4'd15);                  // rtl/src/lfb/scan_counter.rs:60
+    wire last_line = y == 3'd7;                                  // rtl/src/lfb/scan_counter.rs:61
+    wire frame_end = line_end & last_line;                       // rtl/src/lfb/scan_counter.rs:62
+    wire at_start = (preset_x == 4'd0) & (preset_y == 3'd0);     // rtl/src/lfb/scan_counter.rs:66
 
     always @(posedge clk) begin
         if (rst) begin
@@ -55,13 +55,13 @@ module scan_counter_width16_height8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) cover (frame_end & armed);                         // rtl/src/lfb/scan_counter.rs:73
+        if (!rst) cover (frame_end & armed);                         // rtl/src/lfb/scan_counter.rs:68
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && (frame_end & armed) && !is_covered) begin        // rtl/src/lfb/scan_counter.rs:73
+        if (!rst && (frame_end & armed) && !is_covered) begin        // rtl/src/lfb/scan_counter.rs:68
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a whole frame is sent", $time);
             `endif

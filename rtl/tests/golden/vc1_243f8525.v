@@ -6,7 +6,7 @@
 // Parameters  Vc1 { lfb: LfbUnit { patches: Patches { screen: Screen { width: 16, height: 8 }, edge: 4 }, pages: 4 }, processors: 2, queue: 4, word_clocks: 6, overhead: 20, accumulation: false, display: Display { period: Period(7934), blanking: AtStart } }
 // Latency     a frame is merged in 296 clocks of the merger
 // Source      VC-1, section 3.3 (VC1-LFB, VC1-PIM, VC1-GFB, VC1-SW1 to SW4)
-// Described   rtl/src/vc1/mod.rs:81
+// Described   rtl/src/vc1/mod.rs:83
 `default_nettype none
 
 module vc1_243f8525 (
@@ -91,28 +91,28 @@ module vc1_243f8525 (
     output wire        host_accesses_ready
 );
 
-    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:198
-    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:198
-    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:198
-    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:198
-    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:204
-    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:204
-    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:231
-    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:231
-    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:231
-    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:196
-    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:195
+    wire u_gfb_scan_restart;                                     // rtl/src/vc1/mod.rs:193
+    wire u_gfb_scan_enable;                                      // rtl/src/vc1/mod.rs:193
+    wire [47:0] u_gfb_left;                                      // rtl/src/vc1/mod.rs:193
+    wire u_gfb_blanking;                                         // rtl/src/vc1/mod.rs:193
+    wire u_bus_idle;                                             // rtl/src/vc1/mod.rs:199
+    wire [1:0] u_bus_empty;                                      // rtl/src/vc1/mod.rs:199
+    wire [1:0] u_swap_swap;                                      // rtl/src/vc1/mod.rs:226
+    wire [1:0] u_swap_resume;                                    // rtl/src/vc1/mod.rs:226
+    wire [3:0] u_swap_state;                                     // rtl/src/vc1/mod.rs:226
+    wire gfb_swap;                                               // rtl/src/vc1/mod.rs:191
+    wire [47:0] merged;                                          // rtl/src/vc1/mod.rs:190
 
-    wire asserted_all;                                           // rtl/src/vc1/mod.rs:275
-    wire brought_all;                                            // rtl/src/vc1/mod.rs:235
-    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:237
-    wire covered_all;                                            // rtl/src/vc1/mod.rs:240
-    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:217
-    wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:206
-    wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:206
-    wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:206
-    wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:206
-    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:235
+    wire asserted_all;                                           // rtl/src/vc1/mod.rs:270
+    wire brought_all;                                            // rtl/src/vc1/mod.rs:230
+    wire u_lfb_idle_all;                                         // rtl/src/vc1/mod.rs:232
+    wire covered_all;                                            // rtl/src/vc1/mod.rs:235
+    wire [1:0] u_swap_idle;                                      // rtl/src/vc1/mod.rs:212
+    wire [1:0] u_swap_overflow;                                  // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_draws;                                     // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_clears;                                    // rtl/src/vc1/mod.rs:201
+    wire [1:0] u_swap_sending;                                   // rtl/src/vc1/mod.rs:201
+    wire brought = u_bus_idle & brought_all;                     // rtl/src/vc1/mod.rs:230
 
     genvar i;
 
@@ -123,7 +123,7 @@ module vc1_243f8525 (
     wire [1:0] u_lfb_clear_valid = {processors_1_clear_valid, processors_0_clear_valid};
     wire [5:0] u_lfb_clear_patch = {processors_1_clear_patch, processors_0_clear_patch};
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:206
+        for (i = 0; i < 2; i = i + 1) begin : u_lfb                  // rtl/src/vc1/mod.rs:201
             wire overflow;
             wire [2:0] pages_used;
             wire idle;
@@ -203,7 +203,7 @@ module vc1_243f8525 (
         end
     endgenerate
 
-    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:198
+    gfb_unit_width16_height8_units2_overhead20_period7934_blanking_at_start u_gfb ( // rtl/src/vc1/mod.rs:193
         .merge_clk             (merge_clk),
         .merge_rst             (merge_rst),
         .crt_clk               (crt_clk),
@@ -227,7 +227,7 @@ module vc1_243f8525 (
         .host_accesses_ready   (host_accesses_ready)
     );
 
-    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:204
+    broadcast_bus_processors2_queue4_word_clocks6 u_bus (        // rtl/src/vc1/mod.rs:199
         .clk              (pe_clk),
         .rst              (pe_rst),
         .senders_0_valid  (processors_0_sends_valid),
@@ -254,7 +254,7 @@ module vc1_243f8525 (
         .senders_2_ready  (command_ready)
     );
 
-    swap_control_376173f8 u_swap (                               // rtl/src/vc1/mod.rs:231
+    swap_control_376173f8 u_swap (                               // rtl/src/vc1/mod.rs:226
         .pe_clk    (pe_clk),
         .pe_rst    (pe_rst),
         .merge_clk (merge_clk),
@@ -279,7 +279,7 @@ module vc1_243f8525 (
         .shown     (shown)
     );
 
-    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:244
+    image_merger_units2 u_merger (                               // rtl/src/vc1/mod.rs:239
         .clk       (merge_clk),
         .left      (u_gfb_left),
         .samples_0 (u_lfb[0].word),
@@ -288,38 +288,38 @@ module vc1_243f8525 (
         .merged    (merged)
     );
 
-    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:202
-    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:202
-    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:202
-    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:202
+    assign processors_0_request_ready = u_lfb[0].request_ready;  // rtl/src/vc1/mod.rs:197
+    assign processors_0_clear_ready = u_lfb[0].clear_ready;      // rtl/src/vc1/mod.rs:197
+    assign processors_1_request_ready = u_lfb[1].request_ready;  // rtl/src/vc1/mod.rs:197
+    assign processors_1_clear_ready = u_lfb[1].clear_ready;      // rtl/src/vc1/mod.rs:197
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
             assign asserted_all_lanes[i] = sum_row[i].asserted_equal;
         end
     endgenerate
-    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:275
+    assign asserted_all = &asserted_all_lanes;                   // rtl/src/vc1/mod.rs:270
     wire [1:0] brought_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : brought_all_of
             assign brought_all_lanes[i] = u_bus_empty[i];
         end
     endgenerate
-    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:235
+    assign brought_all = &brought_all_lanes;                     // rtl/src/vc1/mod.rs:230
     wire [1:0] u_lfb_idle_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_lfb_idle_all_of
             assign u_lfb_idle_all_lanes[i] = u_lfb[i].idle;
         end
     endgenerate
-    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:237
+    assign u_lfb_idle_all = &u_lfb_idle_all_lanes;               // rtl/src/vc1/mod.rs:232
     wire [1:0] covered_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : covered_all_of
             assign covered_all_lanes[i] = covered_listed_row[i].covered_and;
         end
     endgenerate
-    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:240
+    assign covered_all = &covered_all_lanes;                     // rtl/src/vc1/mod.rs:235
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_swap_idle_of
             assign u_swap_idle[i] = finished_row[i].finished;
@@ -368,7 +368,7 @@ module vc1_243f8525 (
 `endif
 
 `ifndef SYNTHESIS
-    reg is_scanning;                                             // rtl/src/vc1/mod.rs:272
+    reg is_scanning;                                             // rtl/src/vc1/mod.rs:267
 
     always @(posedge merge_clk) begin
         if (merge_rst) is_scanning <= 1'b0;
@@ -377,27 +377,27 @@ module vc1_243f8525 (
 
 `ifdef FORMAL
     always @(posedge merge_clk) begin
-        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:274
+        if (!merge_rst) assert (!is_scanning | asserted_all);        // rtl/src/vc1/mod.rs:269
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:236
-        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:240
+        if (!pe_rst) assert (!line | (brought & u_lfb_idle_all));    // rtl/src/vc1/mod.rs:231
+        if (!pe_rst) cover (covered_all & ready & !brought);         // rtl/src/vc1/mod.rs:235
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge merge_clk) begin
-        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:274
+        if (!merge_rst && !(!is_scanning | asserted_all)) begin      // rtl/src/vc1/mod.rs:269
             $display("FAIL: time %0t: %m: each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame", $time);
             stop;
         end
     end
     always @(posedge pe_clk) begin
-        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:236
+        if (!pe_rst && !(!line | (brought & u_lfb_idle_all))) begin  // rtl/src/vc1/mod.rs:231
             $display("FAIL: time %0t: %m: the line is high only with the bus and all queues empty and all local frame buffers idle", $time);
             stop;
         end
-        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:240
+        if (!pe_rst && (covered_all & ready & !brought) && !is_covered) begin // rtl/src/vc1/mod.rs:235
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: a word on the bus or in a queue keeps the line low", $time);
             `endif
