@@ -29,7 +29,7 @@ block! {
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) BackingStoreIn {
         /// The commands of the controller.
-        save: Save = Save { claim: bit(), region: bits(REGION_BITS), plane: bit() },
+        save: Save,
         /// The number of the plane that comes.
         number: below(fields::WORD.bits),
         /// The bits of the plane that comes, a row for each line.
@@ -39,33 +39,21 @@ block! {
         /// The store can take a region.
         free: bit(),
         /// The region.
-        planes: stream(BitPlane = BitPlane::widths(self.side)),
+        planes: stream(BitPlane::widths(self.side)),
     }
 }
 
-bundle! {
+record! {
     /// One bit of each pixel of a line.
-    pub struct BitPlane<T> {
+    pub struct BitPlane(side: u32) {
         /// The number of the region.
-        pub region: T,
+        region: bits(REGION_BITS),
         /// The line of the region.
-        pub line: T,
+        line: below(side),
         /// The number of the bit in the visibility word.
-        pub plane: T,
+        plane: below(fields::WORD.bits),
         /// The plane's bit of each pixel of the line, from the left.
-        pub bits: T,
-    }
-}
-
-impl BitPlane<Width> {
-    /// The widths of its fields in a region with that side.
-    pub fn widths(side: u32) -> BitPlane<Width> {
-        BitPlane {
-            region: bits(REGION_BITS),
-            line: below(side),
-            plane: below(fields::WORD.bits),
-            bits: bit().of(row(side)),
-        }
+        bits: bit().of(row(side)),
     }
 }
 

@@ -59,7 +59,7 @@ block! {
     source = "Pixel-planes 5, section I.3.2.1 (PP5-UT)";
     in(self) ImageGenerationControllerIn {
         /// The instructions.
-        instructions: stream(Instruction = Instruction::widths()),
+        instructions: stream(Instruction),
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
         /// The backing store can take a region.
@@ -75,22 +75,25 @@ block! {
         /// To the pixels.
         control: Control,
         /// To the backing store.
-        save: pub struct Save {
-            /// A region is about to be saved: the store is no longer free.
-            claim: bit(),
-            /// The number of the region that is saved.
-            region: bits(REGION_BITS),
-            /// The bit that the pixels read is one of the region's; its number is the address that is written.
-            plane: bit(),
-        },
+        save: Save,
         /// Nothing is under way except in the pixels.
         idle: bit(),
     }
 }
 
-bundle! {
+record! {
+    /// The commands to the backing store.
+    pub struct Save {
+        /// A region is about to be saved: the store is no longer free.
+        claim: bit(),
+        /// The number of the region that is saved.
+        region: bits(REGION_BITS),
+        /// The bit that the pixels read is one of the region's; its number is the address that is written.
+        plane: bit(),
+    }
+
     /// The control of the pixels, and with it of the backing store.
-    struct Sent<T> { control: Control<T>, plane: T }
+    struct Sent { control: Control, plane: bit() }
 }
 
 impl ImageGenerationController {
@@ -191,7 +194,7 @@ impl ImageGenerationController {
     /// The same, delayed as long as the tree takes for an expression.
     fn later(&self, m: Module, sent: Sent) -> Sent {
         (1..=self.lag()).fold(sent, |sent, clock| {
-            let register = m.reg(&format!("sent{clock}"), Sent { control: Control::widths(), plane: bit() }).reset(0);
+            let register = m.reg(&format!("sent{clock}"), Sent::widths()).reset(0);
             register.next(sent);
             *register
         })

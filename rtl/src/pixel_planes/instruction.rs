@@ -71,22 +71,26 @@ pub const COEFFICIENT: u32 = 40;
 /// The most bits of a word; fewer may be skipped before it.
 pub const LONGEST: u32 = 64;
 
-bundle! {
+record! {
     /// An instruction.
-    pub struct Instruction<T> {
+    pub struct Instruction {
         /// The operation: an [`Operation`].
-        pub operation: T,
+        operation: one_of::<Operation>(),
         /// Bits of the expression before the word; 0 without an expression.
-        pub skip: T,
+        skip: below(LONGEST),
         /// Bits of the word: 1 to [`LONGEST`].
-        pub length: T,
+        length: up_to(LONGEST),
         /// The first address that is read.
-        pub read: T,
+        read: below(PixelProcessor::BITS),
         /// The first address that is written.
-        pub write: T,
+        write: below(PixelProcessor::BITS),
         /// The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c`
         /// is the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
-        pub coefficients: Coefficients<T>,
+        coefficients: Coefficients {
+            a: bits(COEFFICIENT).signed(),
+            b: bits(COEFFICIENT).signed(),
+            c: bits(COEFFICIENT).signed(),
+        },
     }
 }
 
@@ -109,65 +113,31 @@ impl Instruction<u64> {
     }
 }
 
-impl Instruction<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Instruction<Width> {
-        let coefficient = bits(COEFFICIENT).signed();
-        Instruction {
-            operation: one_of::<Operation>(),
-            skip: below(LONGEST),
-            length: up_to(LONGEST),
-            read: below(PixelProcessor::BITS),
-            write: below(PixelProcessor::BITS),
-            coefficients: Coefficients { a: coefficient, b: coefficient, c: coefficient },
-        }
-    }
-}
-
-bundle! {
+record! {
     /// The meaning of an operation: a word of the microcode.
-    pub struct Microcode<T> {
+    pub struct Microcode {
         /// It uses the tree, or changes `enable`: instructions of this kind follow one another.
-        pub on_tree: T,
+        on_tree: bit(),
         /// It reads or writes memory or flag, in the clocks of its word.
-        pub on_memory: T,
+        on_memory: bit(),
         /// The source of its bits: a [`Source`].
-        pub source: T,
+        source: one_of::<Source>(),
         /// They are added to the word that is read.
-        pub adds: T,
+        adds: bit(),
         /// Carry and flag restart with the word.
-        pub begins: T,
+        begins: bit(),
         /// Which pixels write: a [`Mask`].
-        pub mask: T,
+        mask: one_of::<Mask>(),
         /// The flag tells where the bits are less than the word that is read.
-        pub compares: T,
+        compares: bit(),
         /// The comparison changes the flag only where the pixel is enabled.
-        pub gates: T,
+        gates: bit(),
         /// The effect of the word's last bit on `enable`: an [`Enabling`].
-        pub enabling: T,
+        enabling: one_of::<Enabling>(),
         /// With that bit the flag takes the new value of `enable`.
-        pub captures: T,
+        captures: bit(),
         /// The word that is read goes to the backing store.
-        pub saves: T,
-    }
-}
-
-impl Microcode<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Microcode<Width> {
-        Microcode {
-            on_tree: bit(),
-            on_memory: bit(),
-            source: one_of::<Source>(),
-            adds: bit(),
-            begins: bit(),
-            mask: one_of::<Mask>(),
-            compares: bit(),
-            gates: bit(),
-            enabling: one_of::<Enabling>(),
-            captures: bit(),
-            saves: bit(),
-        }
+        saves: bit(),
     }
 }
 
@@ -202,19 +172,7 @@ impl Operation {
 
 /// An operation on the memory alone.
 fn writing(source: Source, mask: Mask) -> Microcode<u64> {
-    Microcode {
-        on_tree: 0,
-        on_memory: 1,
-        source: source.code(),
-        adds: 0,
-        begins: 0,
-        mask: mask.code(),
-        compares: 0,
-        gates: 0,
-        enabling: Enabling::Keep.code(),
-        captures: 0,
-        saves: 0,
-    }
+    Microcode { on_memory: 1, source: source.code(), mask: mask.code(), ..Microcode::ZERO }
 }
 
 /// An operation on tree and memory side by side.

@@ -53,7 +53,7 @@ block! {
         /// The numbers of the regions, the one with most primitives first.
         regions: stream(bits(REGION_BITS)),
         /// The instructions of the region that each renderer has.
-        bins: [stream(Instruction = Instruction::widths()); self.renderers],
+        bins: [stream(Instruction); self.renderers],
         /// The renderers whose region has instructions that are still to come.
         open: bit().of(row(self.renderers)),
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.

@@ -43,7 +43,7 @@ block! {
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in RendererIn {
         /// The instructions; all coefficients are relative to the region.
-        instructions: stream(Instruction = Instruction::widths()),
+        instructions: stream(Instruction),
         /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
     }

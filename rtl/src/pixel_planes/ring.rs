@@ -44,7 +44,7 @@ block! {
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) RingIn {
         /// The instructions for each renderer.
-        bins: [stream(Instruction = Instruction::widths()); self.renderers],
+        bins: [stream(Instruction); self.renderers],
         /// The renderers whose queues take an instruction in this clock.
         room: bit().of(row(self.renderers)),
         /// The finished regions of each.
@@ -52,7 +52,7 @@ block! {
     }
     out(self) RingOut {
         /// To each renderer.
-        instructions: [stream(Instruction = Instruction::widths()); self.renderers],
+        instructions: [stream(Instruction); self.renderers],
         /// To the frame buffer.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
     }

@@ -1,22 +1,22 @@
 //! A slot: the place of an instruction while its bits are sent.
 
-use super::super::instruction::{Instruction, LONGEST, Microcode};
-use super::super::pixel::{Control, Enabling, Mask};
+use super::super::instruction::{COEFFICIENT, Instruction, LONGEST, Microcode};
+use super::super::pixel::{Control, Enabling, Mask, PixelProcessor};
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The work for a slot.
-    pub struct Order<T> { pub microcode: Microcode<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
+    pub struct Order {
+        microcode: Microcode,
+        skip: below(LONGEST),
+        length: up_to(LONGEST),
+        read: below(PixelProcessor::BITS),
+        write: below(PixelProcessor::BITS),
+        constant: bits(COEFFICIENT).signed(),
+    }
 
     /// A slot's copy of its work.
-    struct Held<T> { microcode: Microcode<T>, length: T }
-}
-
-impl Order<Width> {
-    pub fn widths() -> Order<Width> {
-        let Instruction { skip, length, read, write, coefficients, .. } = Instruction::widths();
-        Order { microcode: Microcode::widths(), skip, length, read, write, constant: coefficients.c }
-    }
+    struct Held { microcode: Microcode, length: up_to(LONGEST) }
 }
 
 impl Order {
@@ -50,7 +50,7 @@ pub struct Slot {
 impl Slot {
     pub fn new(m: Module, name: &str) -> Slot {
         let widths = Order::widths();
-        let held = m.reg(name, Held { microcode: widths.microcode, length: widths.length }).reset(0);
+        let held = m.reg(name, Held::widths()).reset(0);
         m.within(name, || {
             def!(left = m.reg(up_to(2 * LONGEST)).reset(0));
             def!(is_word = left.ne(0) & left.le(Order::clocks(held.length)));
