@@ -44,7 +44,7 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) PixelArrayIn {
         /// The instructions; all coefficients are relative to the region.
-        instructions: stream(Instruction = Instruction::widths()).on(ARRAY),
+        instructions: stream(Instruction).on(ARRAY),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
         /// The network is done with a bank: a bit for each.
@@ -52,13 +52,13 @@ block! {
         /// The texture unit is done.
         texture_done: bit().on(ARRAY),
         /// From the network, of each bank.
-        network: [PortAccess = self.bank().access().on(NETWORK); BANKS],
+        network: [PortAccess::widths(&self.bank()).on(NETWORK); BANKS],
         /// From the texture unit.
-        texture: PortAccess = self.texture().access().on(ARRAY),
+        texture: PortAccess::widths(&self.texture()).on(ARRAY),
     }
     out(self) PixelArrayOut {
         /// To network and texture unit: after the next edge the registers contain the results of all instructions so far.
-        given: Given = Given { banks: bits(BANKS), texture: bit() },
+        given: Given,
         /// To the network, from each bank: a byte of each chip.
         network_seen: [bits(8).of(row(self.chips())); BANKS],
         /// To the texture unit: a byte of each chip.

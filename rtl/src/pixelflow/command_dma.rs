@@ -28,51 +28,41 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) CommandDmaIn {
         /// From the geometry processors.
-        store: Store = self.store(),
+        store: Store::widths(self.words),
         /// Frames, one after another.
-        frames: stream(Commands = self.commands()),
+        frames: stream(Commands::widths(self.words)),
     }
     out CommandDmaOut {
         /// To the array.
-        instructions: stream(Instruction = Instruction::widths()),
+        instructions: stream(Instruction),
         /// There is nothing to fetch, and nothing on its way.
         idle: bit(),
     }
 }
 
-bundle! {
+record! {
     /// A write of the memory.
-    pub struct Store<T> {
+    pub struct Store(words: u32) {
         /// An instruction is written.
-        pub writes: T,
+        writes: bit(),
         /// The address at which the instruction is written.
-        pub address: T,
+        address: below(words),
         /// The instruction that is written.
-        pub instruction: Instruction<T>,
+        instruction: Instruction,
     }
 
     /// The instructions of a frame.
-    pub struct Commands<T> {
+    pub struct Commands(words: u32) {
         /// The address of the frame's first instruction.
-        pub base: T,
+        base: below(words),
         /// The number of the frame's instructions; behind the end of the memory comes its beginning.
-        pub length: T,
+        length: up_to(words),
     }
 }
 
 impl CommandDma {
     /// The number of frames that may wait (PFL-NODE).
     pub const FRAMES: u32 = 2;
-
-    /// The widths of a write.
-    pub fn store(&self) -> Store<Width> {
-        Store { writes: bit(), address: below(self.words), instruction: Instruction::widths() }
-    }
-
-    /// The widths of a frame's description.
-    pub fn commands(&self) -> Commands<Width> {
-        Commands { base: below(self.words), length: up_to(self.words) }
-    }
 
     fn build(&self, m: Module, i: CommandDmaIn) -> CommandDmaOut {
         def!(memory = m.memory(self.words, Instruction::widths(), ReadUnderWrite::Old));

@@ -58,7 +58,7 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in ArrayControllerIn {
         /// The instructions.
-        instructions: stream(Instruction = Instruction::widths()),
+        instructions: stream(Instruction),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit(),
         /// The network is done with a bank: a bit for each.
@@ -76,20 +76,23 @@ block! {
         /// To the pixels.
         control: Control,
         /// To network and texture unit, with the pixels' control: after the next edge the registers contain the results of all instructions so far.
-        given: pub struct Given {
-            /// A bank is for the network now: a bit for each.
-            banks: bits(BANKS),
-            /// The texture unit begins.
-            texture: bit(),
-        },
+        given: Given,
         /// Nothing is under way except in the pixels.
         idle: bit(),
     }
 }
 
-bundle! {
+record! {
+    /// What network and texture unit are told about the registers.
+    pub struct Given {
+        /// A bank is for the network now: a bit for each.
+        banks: bits(BANKS),
+        /// The texture unit begins.
+        texture: bit(),
+    }
+
     /// The control of the pixels, and with it of the ports.
-    struct Sent<T> { control: Control<T>, given: Given<T> }
+    struct Sent { control: Control, given: Given }
 }
 
 /// The resources that an instruction needs.
@@ -194,9 +197,8 @@ impl ArrayController {
 
     /// The same, delayed as long as the evaluator takes for an expression.
     fn later(&self, m: Module, sent: Sent) -> Sent {
-        let widths = || Sent { control: Control::widths(), given: Given { banks: bits(BANKS), texture: bit() } };
         (1..=self.evaluator().latency()).fold(sent, |sent, clock| {
-            let register = m.reg(&format!("sent{clock}"), widths()).reset(0);
+            let register = m.reg(&format!("sent{clock}"), Sent::widths()).reset(0);
             register.next(sent);
             *register
         })

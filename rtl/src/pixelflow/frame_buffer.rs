@@ -73,23 +73,23 @@ block! {
         /// The frame buffer has the region.
         done: bit(),
         /// The pixels of the frame on display.
-        pixels: stream(Shown = Shown { red: bits(8), green: bits(8), blue: bits(8), first: bit(), last: bit() }),
+        pixels: stream(Shown),
     }
 }
 
-bundle! {
+record! {
     /// A pixel that is shown.
-    pub struct Shown<T> {
+    pub struct Shown {
         /// The red of the pixel.
-        pub red: T,
+        red: bits(CHANNEL),
         /// The green of the pixel.
-        pub green: T,
+        green: bits(CHANNEL),
         /// The blue of the pixel.
-        pub blue: T,
+        blue: bits(CHANNEL),
         /// The pixel is the first of a frame.
-        pub first: T,
+        first: bit(),
         /// The pixel is the last of a line.
-        pub last: T,
+        last: bit(),
     }
 }
 

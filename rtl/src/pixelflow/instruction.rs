@@ -43,98 +43,52 @@ pub const COEFFICIENT: u32 = 40;
 /// The most bytes of a word; fewer may be skipped before it.
 pub const LONGEST: u32 = 8;
 
-bundle! {
+record! {
     /// An instruction.
-    pub struct Instruction<T> {
+    pub struct Instruction {
         /// Where the operand comes from: a [`Source`].
-        pub source: T,
+        source: one_of::<Source>(),
         /// The function of the ALU: a [`Function`].
-        pub function: T,
+        function: one_of::<Function>(),
         /// The carry that comes into the first byte: a [`Begin`].
-        pub begin: T,
+        begin: one_of::<Begin>(),
         /// Which processors write: a [`Mask`].
-        pub mask: T,
+        mask: one_of::<Mask>(),
         /// Results go to the accumulator.
-        pub accumulates: T,
+        accumulates: bit(),
         /// Results go to memory.
-        pub stores: T,
+        stores: bit(),
         /// What the last byte's `enabling` and `flagging` depend on: a [`Condition`].
-        pub condition: T,
+        condition: one_of::<Condition>(),
         /// The change of the enable flags with the last byte: an [`Enabling`].
-        pub enabling: T,
+        enabling: one_of::<Enabling>(),
         /// The change of the flag with the last byte: a [`Flagging`].
-        pub flagging: T,
+        flagging: one_of::<Flagging>(),
         /// Bytes of the expression before the word; 0 without an expression.
-        pub skip: T,
+        skip: below(LONGEST),
         /// Bytes of the word: 1 to [`LONGEST`].
-        pub length: T,
+        length: up_to(LONGEST),
         /// Addresses decrease, from the most significant byte on: for shifts to the right.
-        pub descends: T,
+        descends: bit(),
         /// The address of the first byte that is read.
-        pub read: T,
+        read: below(PixelProcessor::BYTES),
         /// The address of the first byte that is written.
-        pub write: T,
+        write: below(PixelProcessor::BYTES),
         /// The synchronization with the ports: a [`Sync`].
-        pub sync: T,
+        sync: one_of::<Sync>(),
         /// Coefficient A of the expression, in two's complement.
-        pub a: T,
+        a: bits(COEFFICIENT).signed(),
         /// Coefficient B of the expression, in two's complement.
-        pub b: T,
+        b: bits(COEFFICIENT).signed(),
         /// Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no expression, from its least
         /// significant byte on. Longer words are of its sign.
-        pub c: T,
-    }
-}
-
-impl Instruction<Width> {
-    /// The widths of its fields.
-    pub fn widths() -> Instruction<Width> {
-        let coefficient = bits(COEFFICIENT).signed();
-        Instruction {
-            source: one_of::<Source>(),
-            function: one_of::<Function>(),
-            begin: one_of::<Begin>(),
-            mask: one_of::<Mask>(),
-            accumulates: bit(),
-            stores: bit(),
-            condition: one_of::<Condition>(),
-            enabling: one_of::<Enabling>(),
-            flagging: one_of::<Flagging>(),
-            skip: below(LONGEST),
-            length: up_to(LONGEST),
-            descends: bit(),
-            read: below(PixelProcessor::BYTES),
-            write: below(PixelProcessor::BYTES),
-            sync: one_of::<Sync>(),
-            a: coefficient,
-            b: coefficient,
-            c: coefficient,
-        }
+        c: bits(COEFFICIENT).signed(),
     }
 }
 
 impl Instruction<u64> {
     /// An instruction of one byte that does nothing, as a starting point.
-    pub const NOTHING: Instruction<u64> = Instruction {
-        source: 0,
-        function: 0,
-        begin: 0,
-        mask: 0,
-        accumulates: 0,
-        stores: 0,
-        condition: 0,
-        enabling: 0,
-        flagging: 0,
-        skip: 0,
-        length: 1,
-        descends: 0,
-        read: 0,
-        write: 0,
-        sync: 0,
-        a: 0,
-        b: 0,
-        c: 0,
-    };
+    pub const NOTHING: Instruction<u64> = Instruction { length: 1, ..Instruction::ZERO };
 
     /// The clocks that it takes, without waiting.
     pub fn clocks(&self) -> u64 {

@@ -49,19 +49,19 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) PixelFlowIn {
         /// Instructions that are written, of each node.
-        stores: [Store = self.node.store().on(ARRAY); self.nodes],
+        stores: [Store::widths(self.node.words()).on(ARRAY); self.nodes],
         /// Frames of them that are to be done.
-        frames: [stream(Commands = self.node.commands()).on(ARRAY); self.nodes],
+        frames: [stream(Commands::widths(self.node.words())).on(ARRAY); self.nodes],
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
         /// From the texture unit of each node.
-        textures: [PortAccess = self.node.array().texture().access().on(ARRAY); self.nodes],
+        textures: [PortAccess::widths(&self.node.array().texture()).on(ARRAY); self.nodes],
         /// The nodes whose texture unit is done.
         textures_done: bit().of(row(self.nodes)).on(ARRAY),
         /// The jobs of each node for the words that go forth, from the first node to the last.
-        forth: [stream(Job = Job::widths()).on(NETWORK); self.nodes],
+        forth: [stream(Job).on(NETWORK); self.nodes],
         /// The jobs of each node for the words that go back.
-        back: [stream(Job = Job::widths()).on(NETWORK); self.nodes],
+        back: [stream(Job).on(NETWORK); self.nodes],
     }
     out(self) PixelFlowOut {
         /// To the texture unit of each node: a byte of each chip.
@@ -75,7 +75,7 @@ block! {
         /// All nodes are ready for a word of the direction.
         go: [bit(); DIRECTIONS],
         /// The bytes that leave the network at the end of each direction.
-        off: [Transfer = self.node.port().transfer(); DIRECTIONS],
+        off: [Transfer::widths(&self.node.port()); DIRECTIONS],
     }
 }
 
@@ -112,7 +112,7 @@ impl PixelFlow {
 
     fn build(&self, m: Module, i: PixelFlowIn) -> PixelFlowOut {
         let network = m.on(NETWORK);
-        let transfer = self.node.port().transfer();
+        let transfer = Transfer::widths(&self.node.port());
         let [forth, back] = ["forth", "back"].map(|name| {
             (0..self.nodes).map(|number| network.wire(&format!("{name}{number}"), transfer)).collect::<Vec<_>>()
         });

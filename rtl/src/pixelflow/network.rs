@@ -29,7 +29,7 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
     in(self) NetworkIn {
         /// The inputs of each node.
-        nodes: [NodeIn = self.node(); self.nodes],
+        nodes: [NodeIn::widths(&self.port); self.nodes],
     }
     out(self) NetworkOut {
         /// To each node.
@@ -37,19 +37,21 @@ block! {
     }
 }
 
-bundle! {
+record! {
     /// A node's inputs to the network.
-    pub struct NodeIn<T> {
+    pub struct NodeIn(port: &NetworkPort) {
         /// The mode of the node: a [`Mode`]. It stays while a word goes.
-        pub mode: T,
+        mode: one_of::<Mode>(),
         /// A node that loads sends a byte of each chip.
-        pub sends: T,
+        sends: bit(),
         /// The byte is the first of a word.
-        pub first: T,
+        first: bit(),
         /// The node's own bytes of the current pixels.
-        pub own: T,
+        own: bits(port.width).of(row(port.chips)),
     }
+}
 
+bundle! {
     /// A node's outputs from the network.
     pub struct NodeOut<T> {
         /// The current pixel of each chip.
@@ -64,10 +66,6 @@ bundle! {
 }
 
 impl Network {
-    fn node(&self) -> NodeIn<Width> {
-        NodeIn { mode: one_of::<Mode>(), sends: bit(), first: bit(), own: self.port.transfer().bytes }
-    }
-
     fn build(&self, m: Module, i: NetworkIn) -> NetworkOut {
         let chips = row(self.port.chips);
         let mut upstream = Transfer { valid: lit(1, 0), first: lit(1, 0), bytes: lit(self.port.width, 0).of(chips) };

@@ -42,7 +42,7 @@ block! {
         /// The byte is the first of a word.
         first: bit(),
         /// What comes from the node before.
-        upstream: Transfer::widths(self.chips, self.width),
+        upstream: Transfer::widths(self),
         /// The bytes of `pixel` in this node.
         own: bits(self.width).of(row(self.chips)),
     }
@@ -54,28 +54,23 @@ block! {
         /// The bytes from upstream are for this node.
         unloaded: bit(),
         /// What goes to the node behind.
-        downstream: Transfer::widths(self.chips, self.width),
+        downstream: Transfer::widths(self),
     }
 }
 
 record! {
     /// A byte of each chip on the network.
-    pub struct Transfer(chips: u32, width: u32) {
+    pub struct Transfer(port: &NetworkPort) {
         /// There is a byte of each chip.
         valid: bit(),
         /// The byte is the first of a word.
         first: bit(),
         /// The bytes, one of each chip.
-        bytes: bits(width).of(row(chips)),
+        bytes: bits(port.width).of(row(port.chips)),
     }
 }
 
 impl NetworkPort {
-    /// The widths of a transfer.
-    pub fn transfer(&self) -> Transfer<Width> {
-        Transfer::widths(self.chips, self.width)
-    }
-
     fn build(&self, m: Module, i: NetworkPortIn) -> NetworkPortOut {
         let NetworkPort { chips, pixels, width } = *self;
         def!(loads = i.mode.is(Mode::Load));

@@ -50,7 +50,7 @@ record! {
         /// All nodes are ready.
         go: bit(),
         /// From the node before.
-        upstream: Transfer::widths(port.chips, port.width),
+        upstream: Transfer::widths(port),
     }
 }
 
@@ -80,13 +80,13 @@ block! {
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) NodeIn {
         /// Instructions that are written.
-        store: Store = self.store().on(ARRAY),
+        store: Store::widths(self.words).on(ARRAY),
         /// Frames of them that are to be done.
-        frames: stream(Commands = self.commands()).on(ARRAY),
+        frames: stream(Commands::widths(self.words)).on(ARRAY),
         /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
         side_by_side: bit().on(ARRAY),
         /// From the texture unit.
-        texture: PortAccess = self.array.texture().access().on(ARRAY),
+        texture: PortAccess::widths(&self.array.texture()).on(ARRAY),
         /// The texture unit is done.
         texture_done: bit().on(ARRAY),
         /// From both directions of the network.
@@ -138,20 +138,6 @@ impl Node {
         self.setup
     }
 
-    fn dma(&self) -> CommandDma {
-        CommandDma { words: self.words }
-    }
-
-    /// The widths of a write of its memory.
-    pub fn store(&self) -> Store<Width> {
-        self.dma().store()
-    }
-
-    /// The widths of a frame's description.
-    pub fn commands(&self) -> Commands<Width> {
-        self.dma().commands()
-    }
-
     /// Its port to a direction of the network.
     pub fn port(&self) -> NetworkPort {
         self.array.network_port()
@@ -160,7 +146,7 @@ impl Node {
     fn build(&self, m: Module, i: NodeIn) -> NodeOut {
         let (array, network) = (m.on(ARRAY), m.on(NETWORK));
         let NodeIn { store, frames, side_by_side, texture, texture_done, network: directions } = i;
-        def!(dma = array.instance(&self.dma(), CommandDmaIn { store, frames }));
+        def!(dma = array.instance(&CommandDma { words: self.words }, CommandDmaIn { store, frames }));
         def!(given = array.wire(bits(BANKS)));
         def!(done = network.wire(bits(BANKS)));
         let bank_done = m.within("done", || turned(array, network, *done));

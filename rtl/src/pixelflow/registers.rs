@@ -43,7 +43,7 @@ block! {
         /// What the pixels write; a row for each chip, its upper line and then its lower one.
         result: bits(8).of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
         /// From the port.
-        port: PortAccess = self.access().on(self.port),
+        port: PortAccess::widths(self).on(self.port),
     }
     out(self) CommunicationRegistersOut {
         /// The register that each pixel reads.
@@ -53,31 +53,21 @@ block! {
     }
 }
 
-bundle! {
+record! {
     /// The access of a port: which byte of which pixel of each chip it sees, and what it writes.
-    pub struct PortAccess<T> {
+    pub struct PortAccess(registers: &CommunicationRegisters) {
         /// The pixel of each chip, counted line by line.
-        pub pixel: T,
+        pixel: below(2 * registers.width),
         /// The register of the pixel.
-        pub address: T,
+        address: below(registers.bytes),
         /// The register is written.
-        pub writes: T,
+        writes: bit(),
         /// The bytes to write, one of each chip.
-        pub bytes: T,
+        bytes: bits(8).of(row(registers.height / 2)),
     }
 }
 
 impl CommunicationRegisters {
-    /// The widths of a port's access.
-    pub fn access(&self) -> PortAccess<Width> {
-        PortAccess {
-            pixel: below(2 * self.width),
-            address: below(self.bytes),
-            writes: bit(),
-            bytes: bits(8).of(row(self.height / 2)),
-        }
-    }
-
     fn build(&self, m: Module, i: CommunicationRegistersIn) -> CommunicationRegistersOut {
         let (chips, pixels) = (self.height / 2, 2 * self.width);
         def!(bytes = m.memory(self.bytes, bits(8).of(grid(chips, pixels)), ReadUnderWrite::Any));

@@ -34,9 +34,9 @@ block! {
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureMemoryIn {
         /// The texel that the geometry processors write.
-        write: TexelWrite = self.write(),
+        write: TexelWrite::widths(self),
         /// Where the geometry processors say that a texture is.
-        describe: Describe = self.describe(),
+        describe: Describe::widths(self),
         /// The place that is sought.
         request: pub struct TexturePlace {
             /// A place is sought.
@@ -59,29 +59,29 @@ block! {
     }
 }
 
-bundle! {
+record! {
     /// A texel that is written.
-    pub struct TexelWrite<T> {
+    pub struct TexelWrite(memory: &TextureMemory) {
         /// A texel is written.
-        pub valid: T,
+        valid: bit(),
         /// The texel's bank: the parity of the level, then of the row, then of the column.
-        pub bank: T,
+        bank: bits(3),
         /// The texel's address in its bank.
-        pub address: T,
+        address: below(memory.texels),
         /// The texel, red in the lowest byte, then green, then blue.
-        pub texel: T,
+        texel: bits(24),
     }
 
     /// Where a texture is.
-    pub struct Describe<T> {
+    pub struct Describe(memory: &TextureMemory) {
         /// A texture is described.
-        pub valid: T,
+        valid: bit(),
         /// The number of the texture.
-        pub texture: T,
+        texture: below(memory.textures),
         /// The texture's first address in each bank.
-        pub base: T,
+        base: below(memory.texels),
         /// The texture's finest level.
-        pub finest: T,
+        finest: up_to(TextureMemory::FINEST),
     }
 }
 
@@ -122,21 +122,10 @@ impl TextureMemory {
         (level % 2..level).step_by(2).map(size).sum()
     }
 
-    /// The widths of a texel that is written.
-    pub fn write(&self) -> TexelWrite<Width> {
-        TexelWrite { valid: bit(), bank: bits(3), address: below(self.texels), texel: bits(24) }
-    }
-
-    /// The widths of a texture's description.
-    pub fn describe(&self) -> Describe<Width> {
-        let (texture, base) = (below(self.textures), below(self.texels));
-        Describe { valid: bit(), texture, base, finest: up_to(TextureMemory::FINEST) }
-    }
-
     fn build(&self, m: Module, i: TextureMemoryIn) -> TextureMemoryOut {
         let valid = mark_delays(m, "valid", 3, i.request.valid)[3];
         // First clock: the texture's description.
-        let widths = self.describe();
+        let widths = Describe::widths(self);
         let [base, finest] = [("bases", widths.base, i.describe.base), ("finests", widths.finest, i.describe.finest)]
             .map(|(name, width, written)| {
                 let table = m.memory(name, self.textures, width, ReadUnderWrite::Old);

@@ -47,9 +47,9 @@ block! {
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureUnitIn {
         /// The texel that the geometry processors write.
-        write: TexelWrite = self.memory.write(),
+        write: TexelWrite::widths(&self.memory),
         /// Where the geometry processors say that a texture is.
-        describe: Describe = self.memory.describe(),
+        describe: Describe::widths(&self.memory),
         /// The texture unit begins.
         start: bit(),
         /// A byte of each chip, at the place that the port says.

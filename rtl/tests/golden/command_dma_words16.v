@@ -75,41 +75,41 @@ module command_dma_words16 (
     output wire        frames_ready
 );
 
-    reg [4:0] left;                                              // rtl/src/pixelflow/command_dma.rs:81
-    reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:82
-    reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:86
+    reg [4:0] left;                                              // rtl/src/pixelflow/command_dma.rs:71
+    reg [3:0] next;                                              // rtl/src/pixelflow/command_dma.rs:72
+    reg arrived;                                                 // rtl/src/pixelflow/command_dma.rs:76
 
-    reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:78
-    reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:88
+    reg [167:0] memory [0:15];                                   // rtl/src/pixelflow/command_dma.rs:68
+    reg [167:0] memory_read;                                     // rtl/src/pixelflow/command_dma.rs:78
 
-    wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:80
-    wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:80
+    wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:70
+    wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:70
 
-    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:83
-    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:83
-    wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:88
-    wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:87
-    assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_function = memory_read[165:162];         // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_begin = memory_read[161:160];            // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_mask = memory_read[159:158];             // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_accumulates = memory_read[157];          // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_stores = memory_read[156];               // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_condition = memory_read[155:154];        // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_enabling = memory_read[153:151];         // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_flagging = memory_read[150:149];         // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_skip = memory_read[148:146];             // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_length = memory_read[145:142];           // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_descends = memory_read[141];             // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_read = memory_read[140:132];             // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_write = memory_read[131:123];            // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_sync = memory_read[122:120];             // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_a = memory_read[119:80];                 // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_b = memory_read[79:40];                  // rtl/src/pixelflow/command_dma.rs:88
-    assign instructions_c = memory_read[39:0];                   // rtl/src/pixelflow/command_dma.rs:88
-    assign idle = !u_frames_out_valid & (left == 5'd0) & !arrived; // rtl/src/pixelflow/command_dma.rs:93
+    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:73
+    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:73
+    wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:78
+    wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:77
+    assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_function = memory_read[165:162];         // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_begin = memory_read[161:160];            // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_mask = memory_read[159:158];             // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_accumulates = memory_read[157];          // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_stores = memory_read[156];               // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_condition = memory_read[155:154];        // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_enabling = memory_read[153:151];         // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_flagging = memory_read[150:149];         // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_skip = memory_read[148:146];             // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_length = memory_read[145:142];           // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_descends = memory_read[141];             // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_read = memory_read[140:132];             // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_write = memory_read[131:123];            // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_sync = memory_read[122:120];             // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_a = memory_read[119:80];                 // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_b = memory_read[79:40];                  // rtl/src/pixelflow/command_dma.rs:78
+    assign instructions_c = memory_read[39:0];                   // rtl/src/pixelflow/command_dma.rs:78
+    assign idle = !u_frames_out_valid & (left == 5'd0) & !arrived; // rtl/src/pixelflow/command_dma.rs:83
 
-    fifo_depth2_width9_storage_registers u_frames (              // rtl/src/pixelflow/command_dma.rs:80
+    fifo_depth2_width9_storage_registers u_frames (              // rtl/src/pixelflow/command_dma.rs:70
         .clk          (clk),
         .rst          (rst),
         .into_valid   (frames_valid),

@@ -6,7 +6,7 @@
 // Latency     0 clocks to read; a write takes effect at the edge
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/registers.rs:22
-// Stable      port and array leave alone what the other one works with (rtl/src/pixelflow/registers.rs:92)
+// Stable      port and array leave alone what the other one works with (rtl/src/pixelflow/registers.rs:82)
 `default_nettype none
 
 module communication_registers_width8_height4_bytes32_port_network (
@@ -28,13 +28,13 @@ module communication_registers_width8_height4_bytes32_port_network (
 
     (* no_rw_check *)
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
-    reg [255:0] bytes [0:31];                                    // rtl/src/pixelflow/registers.rs:83
+    reg [255:0] bytes [0:31];                                    // rtl/src/pixelflow/registers.rs:73
     /* verilator lint_on MULTIDRIVEN */
 
-    wire [31:0] bytes_write_enable;                              // rtl/src/pixelflow/registers.rs:90
-    wire [255:0] bytes_write_data;                               // rtl/src/pixelflow/registers.rs:90
-    wire [255:0] bytes_word0 = bytes[port_address];              // rtl/src/pixelflow/registers.rs:93
-    assign word = bytes[read];                                   // rtl/src/pixelflow/registers.rs:94
+    wire [31:0] bytes_write_enable;                              // rtl/src/pixelflow/registers.rs:80
+    wire [255:0] bytes_write_data;                               // rtl/src/pixelflow/registers.rs:80
+    wire [255:0] bytes_word0 = bytes[port_address];              // rtl/src/pixelflow/registers.rs:83
+    assign word = bytes[read];                                   // rtl/src/pixelflow/registers.rs:84
 
     genvar i;
     genvar j;

@@ -39,15 +39,15 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     output wire [15:0] nodes_2_bytes
 );
 
-    wire u_port0_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
-    wire u_port0_downstream_first;                               // rtl/src/pixelflow/network.rs:77
-    wire u_port1_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
-    wire u_port1_downstream_first;                               // rtl/src/pixelflow/network.rs:77
-    wire u_port2_downstream_valid;                               // rtl/src/pixelflow/network.rs:77
-    wire u_port2_downstream_first;                               // rtl/src/pixelflow/network.rs:77
-    wire [15:0] u_port2_downstream_bytes;                        // rtl/src/pixelflow/network.rs:77
+    wire u_port0_downstream_valid;                               // rtl/src/pixelflow/network.rs:75
+    wire u_port0_downstream_first;                               // rtl/src/pixelflow/network.rs:75
+    wire u_port1_downstream_valid;                               // rtl/src/pixelflow/network.rs:75
+    wire u_port1_downstream_first;                               // rtl/src/pixelflow/network.rs:75
+    wire u_port2_downstream_valid;                               // rtl/src/pixelflow/network.rs:75
+    wire u_port2_downstream_first;                               // rtl/src/pixelflow/network.rs:75
+    wire [15:0] u_port2_downstream_bytes;                        // rtl/src/pixelflow/network.rs:75
 
-    network_port_chips2_pixels4_width8 u_port0 (                 // rtl/src/pixelflow/network.rs:77
+    network_port_chips2_pixels4_width8 u_port0 (                 // rtl/src/pixelflow/network.rs:75
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_0_mode),
@@ -65,7 +65,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
         .downstream_bytes (nodes_1_bytes)
     );
 
-    network_port_chips2_pixels4_width8 u_port1 (                 // rtl/src/pixelflow/network.rs:77
+    network_port_chips2_pixels4_width8 u_port1 (                 // rtl/src/pixelflow/network.rs:75
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_1_mode),
@@ -83,7 +83,7 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
         .downstream_bytes (nodes_2_bytes)
     );
 
-    network_port_chips2_pixels4_width8 u_port2 (                 // rtl/src/pixelflow/network.rs:77
+    network_port_chips2_pixels4_width8 u_port2 (                 // rtl/src/pixelflow/network.rs:75
         .clk              (clk),
         .rst              (rst),
         .mode             (nodes_2_mode),

@@ -32,15 +32,15 @@ module network_port_chips2_pixels16_width8 (
     localparam [1:0] MODE_UNLOAD = 2'd3;
     // Not used here: MODE_FORWARD = 0, MODE_COMPOSITE = 2.
 
-    wire loads = mode == MODE_LOAD;                              // rtl/src/pixelflow/network_port.rs:81
-    assign advances = loads ? sends : upstream_valid;            // rtl/src/pixelflow/network_port.rs:82
-    wire is_first = loads ? first : upstream_first;              // rtl/src/pixelflow/network_port.rs:83
-    assign unloaded = (mode == MODE_UNLOAD) & upstream_valid;    // rtl/src/pixelflow/network_port.rs:103
+    wire loads = mode == MODE_LOAD;                              // rtl/src/pixelflow/network_port.rs:76
+    assign advances = loads ? sends : upstream_valid;            // rtl/src/pixelflow/network_port.rs:77
+    wire is_first = loads ? first : upstream_first;              // rtl/src/pixelflow/network_port.rs:78
+    assign unloaded = (mode == MODE_UNLOAD) & upstream_valid;    // rtl/src/pixelflow/network_port.rs:98
 
     genvar i;
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : u_compositor           // rtl/src/pixelflow/network_port.rs:89
+        for (i = 0; i < 2; i = i + 1) begin : u_compositor           // rtl/src/pixelflow/network_port.rs:84
             wire [7:0] downstream;
 
             compositor_pixels16_width8 lane (
@@ -96,11 +96,11 @@ module network_port_chips2_pixels16_width8 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!(loads & upstream_valid));                // rtl/src/pixelflow/network_port.rs:86
+        if (!rst) assume (!(loads & upstream_valid));                // rtl/src/pixelflow/network_port.rs:81
     end
 `else
     always @(posedge clk) begin
-        if (!rst && (loads & upstream_valid)) begin                  // rtl/src/pixelflow/network_port.rs:86
+        if (!rst && (loads & upstream_valid)) begin                  // rtl/src/pixelflow/network_port.rs:81
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: nothing comes while a node loads", $time);
             stop;
         end

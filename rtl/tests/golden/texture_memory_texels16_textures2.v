@@ -33,122 +33,122 @@ module texture_memory_texels16_textures2 (
     output wire [191:0] texels
 );
 
-    reg valid1;                                                  // rtl/src/pixelflow/texture_memory.rs:137
-    reg valid2;                                                  // rtl/src/pixelflow/texture_memory.rs:137
-    reg valid3;                                                  // rtl/src/pixelflow/texture_memory.rs:137
-    reg [15:0] u;                                                // rtl/src/pixelflow/texture_memory.rs:146
-    reg [15:0] v;                                                // rtl/src/pixelflow/texture_memory.rs:146
-    reg [7:0] level;                                             // rtl/src/pixelflow/texture_memory.rs:147
-    reg [3:0] base;                                              // rtl/src/pixelflow/texture_memory.rs:150
-    reg [3:0] coarser_level;                                     // rtl/src/pixelflow/texture_memory.rs:156
-    reg [9:0] coarser_left;                                      // rtl/src/pixelflow/texture_memory.rs:156
-    reg [9:0] coarser_right;                                     // rtl/src/pixelflow/texture_memory.rs:156
-    reg [9:0] coarser_below;                                     // rtl/src/pixelflow/texture_memory.rs:156
-    reg [9:0] coarser_above;                                     // rtl/src/pixelflow/texture_memory.rs:156
-    reg [3:0] finer_level;                                       // rtl/src/pixelflow/texture_memory.rs:157
-    reg [9:0] finer_left;                                        // rtl/src/pixelflow/texture_memory.rs:157
-    reg [9:0] finer_right;                                       // rtl/src/pixelflow/texture_memory.rs:157
-    reg [9:0] finer_below;                                       // rtl/src/pixelflow/texture_memory.rs:157
-    reg [9:0] finer_above;                                       // rtl/src/pixelflow/texture_memory.rs:157
+    reg valid1;                                                  // rtl/src/pixelflow/texture_memory.rs:126
+    reg valid2;                                                  // rtl/src/pixelflow/texture_memory.rs:126
+    reg valid3;                                                  // rtl/src/pixelflow/texture_memory.rs:126
+    reg [15:0] u;                                                // rtl/src/pixelflow/texture_memory.rs:135
+    reg [15:0] v;                                                // rtl/src/pixelflow/texture_memory.rs:135
+    reg [7:0] level;                                             // rtl/src/pixelflow/texture_memory.rs:136
+    reg [3:0] base;                                              // rtl/src/pixelflow/texture_memory.rs:139
+    reg [3:0] coarser_level;                                     // rtl/src/pixelflow/texture_memory.rs:145
+    reg [9:0] coarser_left;                                      // rtl/src/pixelflow/texture_memory.rs:145
+    reg [9:0] coarser_right;                                     // rtl/src/pixelflow/texture_memory.rs:145
+    reg [9:0] coarser_below;                                     // rtl/src/pixelflow/texture_memory.rs:145
+    reg [9:0] coarser_above;                                     // rtl/src/pixelflow/texture_memory.rs:145
+    reg [3:0] finer_level;                                       // rtl/src/pixelflow/texture_memory.rs:146
+    reg [9:0] finer_left;                                        // rtl/src/pixelflow/texture_memory.rs:146
+    reg [9:0] finer_right;                                       // rtl/src/pixelflow/texture_memory.rs:146
+    reg [9:0] finer_below;                                       // rtl/src/pixelflow/texture_memory.rs:146
+    reg [9:0] finer_above;                                       // rtl/src/pixelflow/texture_memory.rs:146
 
-    reg [3:0] bases [0:1];                                       // rtl/src/pixelflow/texture_memory.rs:142
-    reg [3:0] bases_read;                                        // rtl/src/pixelflow/texture_memory.rs:144
-    reg [3:0] finests [0:1];                                     // rtl/src/pixelflow/texture_memory.rs:142
-    reg [3:0] finests_read;                                      // rtl/src/pixelflow/texture_memory.rs:144
-    reg [23:0] bank0 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank0_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank1 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank1_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank2 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank2_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank3 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank3_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank4 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank4_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank5 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank5_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank6 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank6_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
-    reg [23:0] bank7 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:161
-    reg [23:0] bank7_read;                                       // rtl/src/pixelflow/texture_memory.rs:163
+    reg [3:0] bases [0:1];                                       // rtl/src/pixelflow/texture_memory.rs:131
+    reg [3:0] bases_read;                                        // rtl/src/pixelflow/texture_memory.rs:133
+    reg [3:0] finests [0:1];                                     // rtl/src/pixelflow/texture_memory.rs:131
+    reg [3:0] finests_read;                                      // rtl/src/pixelflow/texture_memory.rs:133
+    reg [23:0] bank0 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank0_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank1 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank1_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank2 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank2_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank3 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank3_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank4 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank4_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank5 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank5_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank6 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank6_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
+    reg [23:0] bank7 [0:15];                                     // rtl/src/pixelflow/texture_memory.rs:150
+    reg [23:0] bank7_read;                                       // rtl/src/pixelflow/texture_memory.rs:152
 
-    wire [20:0] even_line0_picked;                               // rtl/src/pixelflow/texture_memory.rs:177
-    wire [20:0] odd_line0_picked;                                // rtl/src/pixelflow/texture_memory.rs:177
-    wire [3:0] coarser_level_next = ({1'd0, level} < {5'd0, finests_read}) ? level[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:152
-    wire [25:0] coarser_left_shifted = {10'd0, u} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [25:0] coarser_left_difference = {8'd0, coarser_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [10:0] coarser_left_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [9:0] coarser_left_next = coarser_left_difference[17:8] & coarser_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:220
-    wire [25:0] coarser_below_shifted = {10'd0, v} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [25:0] coarser_below_difference = {8'd0, coarser_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [10:0] coarser_below_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [9:0] coarser_below_next = coarser_below_difference[17:8] & coarser_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:220
-    wire [8:0] finer_level_sum = {1'd0, level} + 9'd1;           // rtl/src/pixelflow/texture_memory.rs:157
-    wire finer_level_less = finer_level_sum < {5'd0, finests_read}; // rtl/src/pixelflow/texture_memory.rs:152
-    wire [3:0] finer_level_next = finer_level_less ? finer_level_sum[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:152
-    wire [25:0] finer_left_shifted = {10'd0, u} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [25:0] finer_left_difference = {8'd0, finer_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [10:0] finer_left_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [9:0] finer_left_next = finer_left_difference[17:8] & finer_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:220
-    wire [25:0] finer_below_shifted = {10'd0, v} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [25:0] finer_below_difference = {8'd0, finer_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:217
-    wire [10:0] finer_below_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:218
-    wire [9:0] finer_below_next = finer_below_difference[17:8] & finer_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:220
-    wire even_level_inverse = !coarser_level[0];                 // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] even_level = even_level_inverse ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] even_left = even_level_inverse ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] even_right = even_level_inverse ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] even_below = even_level_inverse ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] even_above = even_level_inverse ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] even_line0_choice = !even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] even_line0_shifted = {12'd0, even_line0_choice[9:1]} << even_level; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [20:0] even_line0 = even_line0_picked + {1'd0, even_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [9:0] even_line1_choice = even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] even_line1_shifted = {12'd0, even_line1_choice[9:1]} << even_level; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [20:0] even_line1 = even_line0_picked + {1'd0, even_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [9:0] even_column0_choice = !even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] even_column0 = {12'd0, even_column0_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] even_column1_choice = even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] even_column1 = {12'd0, even_column1_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:184
-    wire [20:0] bank0_read_sum = even_line0 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank0_read_address = base + bank0_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank1_read_sum = even_line0 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank1_read_address = base + bank1_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank2_read_sum = even_line1 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank2_read_address = base + bank2_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank3_read_sum = even_line1 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank3_read_address = base + bank3_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] odd_level = coarser_level[0] ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] odd_left = coarser_level[0] ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] odd_right = coarser_level[0] ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] odd_below = coarser_level[0] ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] odd_above = coarser_level[0] ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:176
-    wire [9:0] odd_line0_choice = !odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] odd_line0_shifted = {12'd0, odd_line0_choice[9:1]} << odd_level; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [20:0] odd_line0 = odd_line0_picked + {1'd0, odd_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [9:0] odd_line1_choice = odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] odd_line1_shifted = {12'd0, odd_line1_choice[9:1]} << odd_level; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [20:0] odd_line1 = odd_line0_picked + {1'd0, odd_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:180
-    wire [9:0] odd_column0_choice = !odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] odd_column0 = {12'd0, odd_column0_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [9:0] odd_column1_choice = odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] odd_column1 = {12'd0, odd_column1_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:184
-    wire [20:0] bank4_read_sum = odd_line0 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank4_read_address = base + bank4_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank5_read_sum = odd_line0 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank5_read_address = base + bank5_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank6_read_sum = odd_line1 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank6_read_address = base + bank6_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [20:0] bank7_read_sum = odd_line1 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:187
-    wire [3:0] bank7_read_address = base + bank7_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:187
-    wire [2:0] from_joined = {coarser_level[0], coarser_below[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_2 = {coarser_level[0], coarser_below[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_3 = {coarser_level[0], coarser_above[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_4 = {coarser_level[0], coarser_above[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_5 = {finer_level[0], finer_below[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_6 = {finer_level[0], finer_below[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_7 = {finer_level[0], finer_above[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:209
-    wire [2:0] from_joined_8 = {finer_level[0], finer_above[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:209
+    wire [20:0] even_line0_picked;                               // rtl/src/pixelflow/texture_memory.rs:166
+    wire [20:0] odd_line0_picked;                                // rtl/src/pixelflow/texture_memory.rs:166
+    wire [3:0] coarser_level_next = ({1'd0, level} < {5'd0, finests_read}) ? level[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:141
+    wire [25:0] coarser_left_shifted = {10'd0, u} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [25:0] coarser_left_difference = {8'd0, coarser_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [10:0] coarser_left_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [9:0] coarser_left_next = coarser_left_difference[17:8] & coarser_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:209
+    wire [25:0] coarser_below_shifted = {10'd0, v} << coarser_level_next; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [25:0] coarser_below_difference = {8'd0, coarser_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [10:0] coarser_below_difference_2 = (11'd1 << coarser_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [9:0] coarser_below_next = coarser_below_difference[17:8] & coarser_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:209
+    wire [8:0] finer_level_sum = {1'd0, level} + 9'd1;           // rtl/src/pixelflow/texture_memory.rs:146
+    wire finer_level_less = finer_level_sum < {5'd0, finests_read}; // rtl/src/pixelflow/texture_memory.rs:141
+    wire [3:0] finer_level_next = finer_level_less ? finer_level_sum[3:0] : finests_read; // rtl/src/pixelflow/texture_memory.rs:141
+    wire [25:0] finer_left_shifted = {10'd0, u} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [25:0] finer_left_difference = {8'd0, finer_left_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [10:0] finer_left_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [9:0] finer_left_next = finer_left_difference[17:8] & finer_left_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:209
+    wire [25:0] finer_below_shifted = {10'd0, v} << finer_level_next; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [25:0] finer_below_difference = {8'd0, finer_below_shifted[25:8]} - 26'd128; // rtl/src/pixelflow/texture_memory.rs:206
+    wire [10:0] finer_below_difference_2 = (11'd1 << finer_level_next) - 11'd1; // rtl/src/pixelflow/texture_memory.rs:207
+    wire [9:0] finer_below_next = finer_below_difference[17:8] & finer_below_difference_2[9:0]; // rtl/src/pixelflow/texture_memory.rs:209
+    wire even_level_inverse = !coarser_level[0];                 // rtl/src/pixelflow/texture_memory.rs:165
+    wire [3:0] even_level = even_level_inverse ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] even_left = even_level_inverse ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] even_right = even_level_inverse ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] even_below = even_level_inverse ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] even_above = even_level_inverse ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] even_line0_choice = !even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] even_line0_shifted = {12'd0, even_line0_choice[9:1]} << even_level; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [20:0] even_line0 = even_line0_picked + {1'd0, even_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [9:0] even_line1_choice = even_below[0] ? even_below : even_above; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] even_line1_shifted = {12'd0, even_line1_choice[9:1]} << even_level; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [20:0] even_line1 = even_line0_picked + {1'd0, even_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [9:0] even_column0_choice = !even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] even_column0 = {12'd0, even_column0_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:173
+    wire [9:0] even_column1_choice = even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] even_column1 = {12'd0, even_column1_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:173
+    wire [20:0] bank0_read_sum = even_line0 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank0_read_address = base + bank0_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank1_read_sum = even_line0 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank1_read_address = base + bank1_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank2_read_sum = even_line1 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank2_read_address = base + bank2_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank3_read_sum = even_line1 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank3_read_address = base + bank3_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] odd_level = coarser_level[0] ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] odd_left = coarser_level[0] ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] odd_right = coarser_level[0] ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] odd_below = coarser_level[0] ? coarser_below : finer_below; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] odd_above = coarser_level[0] ? coarser_above : finer_above; // rtl/src/pixelflow/texture_memory.rs:165
+    wire [9:0] odd_line0_choice = !odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] odd_line0_shifted = {12'd0, odd_line0_choice[9:1]} << odd_level; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [20:0] odd_line0 = odd_line0_picked + {1'd0, odd_line0_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [9:0] odd_line1_choice = odd_below[0] ? odd_below : odd_above; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] odd_line1_shifted = {12'd0, odd_line1_choice[9:1]} << odd_level; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [20:0] odd_line1 = odd_line0_picked + {1'd0, odd_line1_shifted[20:1]}; // rtl/src/pixelflow/texture_memory.rs:169
+    wire [9:0] odd_column0_choice = !odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] odd_column0 = {12'd0, odd_column0_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:173
+    wire [9:0] odd_column1_choice = odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:162
+    wire [20:0] odd_column1 = {12'd0, odd_column1_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:173
+    wire [20:0] bank4_read_sum = odd_line0 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank4_read_address = base + bank4_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank5_read_sum = odd_line0 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank5_read_address = base + bank5_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank6_read_sum = odd_line1 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank6_read_address = base + bank6_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] bank7_read_sum = odd_line1 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank7_read_address = base + bank7_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [2:0] from_joined = {coarser_level[0], coarser_below[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_2 = {coarser_level[0], coarser_below[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_3 = {coarser_level[0], coarser_above[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_4 = {coarser_level[0], coarser_above[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_5 = {finer_level[0], finer_below[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_6 = {finer_level[0], finer_below[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_7 = {finer_level[0], finer_above[0], finer_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
+    wire [2:0] from_joined_8 = {finer_level[0], finer_above[0], finer_right[0]}; // rtl/src/pixelflow/texture_memory.rs:198
 
     genvar i;
     genvar j;
@@ -212,14 +212,14 @@ module texture_memory_texels16_textures2 (
             assign even_line0_picked_lanes[i] = even_line0_listed_row[i].even_line0_listed;
         end
     endgenerate
-    assign even_line0_picked = (even_level < 4'd11) ? even_line0_picked_lanes[even_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:177
+    assign even_line0_picked = (even_level < 4'd11) ? even_line0_picked_lanes[even_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:166
     wire [20:0] odd_line0_picked_lanes [0:10];
     generate
         for (i = 0; i < 11; i = i + 1) begin : odd_line0_picked_of
             assign odd_line0_picked_lanes[i] = even_line0_listed_row[i].even_line0_listed;
         end
     endgenerate
-    assign odd_line0_picked = (odd_level < 4'd11) ? odd_line0_picked_lanes[odd_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:177
+    assign odd_line0_picked = (odd_level < 4'd11) ? odd_line0_picked_lanes[odd_level] : 21'd0; // rtl/src/pixelflow/texture_memory.rs:166
     generate
         for (i = 0; i < 8; i = i + 1) begin : texels_of
             assign texels[i * 24 +: 24] = from_row[i].texels_picked;

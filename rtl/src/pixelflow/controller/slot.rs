@@ -1,46 +1,42 @@
 //! A slot: the place of an instruction while its bytes are sent.
 
-use super::super::instruction::{Instruction, LONGEST, Sync};
-use super::super::pixel::{Begin, Control, Enabling, Flagging, Function, Mask};
+use super::super::instruction::{COEFFICIENT, Instruction, LONGEST, Sync};
+use super::super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
 use super::{BANKS, Given};
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The fields of an instruction that are the same for all of its bytes.
-    pub struct Action<T> {
-        source: T, function: T, begin: T, mask: T, accumulates: T, stores: T, condition: T,
-        enabling: T, by_sign: T, flagging: T, on_memory: T, descends: T, gives: T, bank: T, starts: T,
+    pub struct Action {
+        source: one_of::<Source>(),
+        function: one_of::<Function>(),
+        begin: one_of::<Begin>(),
+        mask: one_of::<Mask>(),
+        accumulates: bit(),
+        stores: bit(),
+        condition: one_of::<Condition>(),
+        enabling: one_of::<Enabling>(),
+        by_sign: bit(),
+        flagging: one_of::<Flagging>(),
+        on_memory: bit(),
+        descends: bit(),
+        gives: bit(),
+        bank: bits(BANKS),
+        starts: bit(),
     }
 
     /// The work for a slot.
-    pub struct Order<T> { pub action: Action<T>, pub skip: T, pub length: T, pub read: T, pub write: T, pub constant: T }
+    pub struct Order {
+        action: Action,
+        skip: below(LONGEST),
+        length: up_to(LONGEST),
+        read: below(PixelProcessor::BYTES),
+        write: below(PixelProcessor::BYTES),
+        constant: bits(COEFFICIENT).signed(),
+    }
 
     /// A slot's copy of its work.
-    struct Held<T> { action: Action<T>, length: T }
-}
-
-impl Order<Width> {
-    pub fn widths() -> Order<Width> {
-        let i = Instruction::widths();
-        let action = Action {
-            source: i.source,
-            function: i.function,
-            begin: i.begin,
-            mask: i.mask,
-            accumulates: bit(),
-            stores: bit(),
-            condition: i.condition,
-            enabling: i.enabling,
-            by_sign: bit(),
-            flagging: i.flagging,
-            on_memory: bit(),
-            descends: bit(),
-            gives: bit(),
-            bank: bits(BANKS),
-            starts: bit(),
-        };
-        Order { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
-    }
+    struct Held { action: Action, length: up_to(LONGEST) }
 }
 
 impl Order {
@@ -96,7 +92,7 @@ pub struct Slot {
 impl Slot {
     pub fn new(m: Module, name: &str) -> Slot {
         let widths = Order::widths();
-        let held = m.reg(name, Held { action: widths.action, length: widths.length }).reset(0);
+        let held = m.reg(name, Held::widths()).reset(0);
         m.within(name, || {
             def!(left = m.reg(up_to(2 * LONGEST)).reset(0));
             def!(is_word = left.ne(0) & left.le(Order::clocks(held.length)));
