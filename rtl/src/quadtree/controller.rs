@@ -26,20 +26,13 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoControllerIn {
         /// The settings of the read-out.
-        show: pub struct Show {
-            /// For one clock, while no picture is read: read one.
-            start: bit(),
-            /// Empty the buffers on the way; constant while a picture is read.
-            clear: bit(),
-            /// The colour where nothing was drawn.
-            background: bits(24),
-        },
+        show: Show,
         /// The words sent by the video buffers, row by row of the matrix.
         words: bits(WORD).of(row(self.format.matrix().processors())),
     }
     out(self) VideoControllerOut {
         /// To each video buffer.
-        scan: Scan = self.scan(),
+        scan: Scan = Scan::widths(self.format).of(row(self.format.matrix().processors())),
         /// Pixels side by side; the last group of a line may have some that are beyond its end.
         pixels: stream(bits(WORD).of(row(self.format.matrix().columns()))),
         /// A picture is read.
@@ -47,13 +40,19 @@ block! {
     }
 }
 
-impl VideoController {
-    pub(super) fn scan(&self) -> Scan<Width> {
-        let each = row(self.format.matrix().processors());
-        let at = |count: u32| below(count).of(each);
-        Scan { enable: bit().of(each), x: at(self.format.columns()), y: at(self.format.rows()), clear: bit().of(each) }
+record! {
+    /// The settings of the read-out.
+    pub struct Show {
+        /// For one clock, while no picture is read: read one.
+        start: bit(),
+        /// Empty the buffers on the way; constant while a picture is read.
+        clear: bit(),
+        /// The colour where nothing was drawn.
+        background: bits(24),
     }
+}
 
+impl VideoController {
     fn build(&self, m: Module, i: VideoControllerIn) -> VideoControllerOut {
         let (matrix, screen) = (self.format.matrix(), self.format.screen());
         let (p, q, each) = (matrix.columns(), matrix.rows(), row(matrix.processors()));

@@ -60,18 +60,14 @@ block! {
         Test::Parallel => "a window takes a clock for each quarter, and 4 more for each that passes",
     };
     source = "sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)";
-    in(self) = DividerIn { works: stream(self.format.work()) };
-    out(self) = DividerOut {
-        parts: stream(self.format.work()),
-        idle: bit(),
-        tally: vec![Tally::widths(); self.sizes as usize],
-    };
+    in(self) = DividerIn::widths(self.format);
+    out(self) = DividerOut::widths(self.format, self.sizes);
 }
 
 impl CoverageTest {
     fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         def!(busy = m.reg(bit()).reset(0));
-        def!(held = m.reg(self.format.work()));
+        def!(held = m.reg(Work::widths(self.format)));
         def!(number = m.reg(2).reset(0));
         def!(moves = m.reg(bit()).reset(0));
         def!(step = m.reg(below(Format::MAX_EDGES)).reset(0));

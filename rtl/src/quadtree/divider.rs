@@ -1,23 +1,23 @@
 //! The ports of blocks that divide windows: a raster processor, and each of its parts (MPG-RP).
 
-use super::format::Work;
+use super::format::{Format, Work};
 use super::tally::Tally;
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The windows to divide.
-    pub struct DividerIn<T> {
+    pub struct DividerIn(format: Format) {
         /// Windows with their polygons.
-        pub works: Stream<Work<T>, T>,
+        works: stream(Work::widths(format)),
     }
 
     /// The results of the divisions.
-    pub struct DividerOut<T> {
+    pub struct DividerOut(format: Format, levels: u32) {
         /// The parts of the windows that the polygon may cover; divided to the end, the leaves.
-        pub parts: Stream<Work<T>, T>,
+        parts: stream(Work::widths(format)),
         /// No window is under way.
-        pub idle: T,
+        idle: bit(),
         /// The counters of each level, from the first.
-        pub tally: Vec<Tally<T>>,
+        tally: [Tally; levels],
     }
 }

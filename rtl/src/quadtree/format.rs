@@ -152,22 +152,6 @@ impl Format {
         (self.levels() + spacing.trailing_zeros()).saturating_sub(SIDE.trailing_zeros())
     }
 
-    /// The widths of a packet.
-    pub fn packet(&self) -> Packet<Width> {
-        let edge = || row(self.edges());
-        let plane = || bits(PLANE).of(row(PLANES));
-        Packet {
-            last_edge: below(Format::MAX_EDGES),
-            edges: EdgeFunction {
-                a: bits(SLOPE).signed().of(edge()),
-                b: bits(SLOPE).signed().of(edge()),
-                c: bits(EDGE).signed().of(edge()),
-            },
-            planes: Plane { x: plane(), y: plane(), origin: plane() },
-            bounds: Bounds { left: below(SIDE), top: below(SIDE), right: below(SIDE), bottom: below(SIDE) },
-        }
-    }
-
     /// The widths of a place: the first and the last sample of a video processor.
     pub fn place(&self) -> Bounds<Width> {
         let distance = bits(self.distance_bits()).signed();
@@ -183,30 +167,9 @@ impl Format {
         Bounds { left, top, right, bottom }
     }
 
-    /// The widths of a window with its polygon.
-    pub fn work(&self) -> Work<Width> {
-        let edges = row(self.edges());
-        let decrease = |spacing: u32| bits(SLOPE - 1 + spacing.trailing_zeros()).of(edges);
-        let planes = || bits(PLANE).of(row(PLANES));
-        Work {
-            polygon: Polygon {
-                last_edge: below(Format::MAX_EDGES),
-                step_x: decrease(self.matrix.columns),
-                step_y: decrease(self.matrix.rows),
-                right: bit().of(edges),
-                lower: bit().of(edges),
-                plane_x: planes(),
-                plane_y: planes(),
-            },
-            window: Window {
-                size: up_to(self.levels()),
-                x: bits(self.levels()),
-                y: bits(self.levels()),
-                edges: bits(self.edge_bits()).signed().of(edges),
-                bounds: self.place(),
-                planes: planes(),
-            },
-        }
+    /// The width of the steps of edge functions between samples that are `spacing` pixels apart.
+    fn step(&self, spacing: u32) -> Width {
+        bits(SLOPE - 1 + spacing.trailing_zeros()).of(row(self.edges))
     }
 }
 
@@ -220,26 +183,6 @@ impl fmt::Debug for Format {
 }
 
 bundle! {
-    /// Edge functions `a x + b y + c` of whole pixels, 0 or more inside: a row (facts E0, the reduced form).
-    pub struct EdgeFunction<T> {
-        /// What a pixel to the right adds to the edge function.
-        pub a: T,
-        /// What a line down adds to the edge function.
-        pub b: T,
-        /// The value of the edge function at the upper left pixel.
-        pub c: T,
-    }
-
-    /// Linear functions of whole pixels, modulo 2^40: a row of depth, red, green, blue.
-    pub struct Plane<T> {
-        /// What a pixel to the right adds to the plane.
-        pub x: T,
-        /// What a line down adds to the plane.
-        pub y: T,
-        /// The value of the plane at the upper left pixel, with half a unit for rounding.
-        pub origin: T,
-    }
-
     /// Four bounds of a rectangle in pixels.
     pub struct Bounds<T> {
         /// The left bound, a column of pixels.
@@ -251,59 +194,81 @@ bundle! {
         /// The lower bound, a line of pixels.
         pub bottom: T,
     }
+}
+
+record! {
+    /// Edge functions `a x + b y + c` of whole pixels, 0 or more inside: a row (facts E0, the reduced form).
+    pub struct EdgeFunction(edges: u32) {
+        /// What a pixel to the right adds to the edge function.
+        a: bits(SLOPE).signed().of(row(edges)),
+        /// What a line down adds to the edge function.
+        b: bits(SLOPE).signed().of(row(edges)),
+        /// The value of the edge function at the upper left pixel.
+        c: bits(EDGE).signed().of(row(edges)),
+    }
+
+    /// Linear functions of whole pixels, modulo 2^40: a row of depth, red, green, blue.
+    pub struct Plane {
+        /// What a pixel to the right adds to the plane.
+        x: bits(PLANE).of(row(PLANES)),
+        /// What a line down adds to the plane.
+        y: bits(PLANE).of(row(PLANES)),
+        /// The value of the plane at the upper left pixel, with half a unit for rounding.
+        origin: bits(PLANE).of(row(PLANES)),
+    }
 
     /// A convex polygon, as the geometry processor sends it to all video processors.
-    pub struct Packet<T> {
+    pub struct Packet(format: Format) {
         /// The number of the polygon's edges, less one.
-        pub last_edge: T,
+        last_edge: below(Format::MAX_EDGES),
         /// The polygon's edges; those beyond the last mean nothing.
-        pub edges: EdgeFunction<T>,
+        edges: EdgeFunction::widths(format.edges),
         /// The attributes of the polygon.
-        pub planes: Plane<T>,
+        planes: Plane,
         /// The pixels whose centres lie within the polygon's vertices along each axis.
-        pub bounds: Bounds<T>,
+        bounds: Bounds { left: below(SIDE), top: below(SIDE), right: below(SIDE), bottom: below(SIDE) },
     }
 
     /// The common values of a polygon's windows, for the samples of one video processor.
-    pub struct Polygon<T> {
+    pub struct Polygon(format: Format) {
         /// The number of the polygon's edges, less one.
-        pub last_edge: T,
+        last_edge: below(Format::MAX_EDGES),
         /// The step of each edge function per sample along x, as a decrease from its greatest value.
-        pub step_x: T,
+        step_x: format.step(format.matrix.columns),
         /// The step of each edge function per sample along y, as a decrease from its greatest value.
-        pub step_y: T,
+        step_y: format.step(format.matrix.rows),
         /// Whether each edge function is greatest at the right side of a window.
-        pub right: T,
+        right: bit().of(row(format.edges)),
         /// Whether each edge function is greatest at the lower side of a window.
-        pub lower: T,
+        lower: bit().of(row(format.edges)),
         /// What a sample to the right adds to each plane.
-        pub plane_x: T,
+        plane_x: bits(PLANE).of(row(PLANES)),
         /// What a sample down adds to each plane.
-        pub plane_y: T,
+        plane_y: bits(PLANE).of(row(PLANES)),
     }
 
     /// A square window of samples, with what belongs to its place.
-    pub struct Window<T> {
+    pub struct Window(format: Format) {
         /// The binary logarithm of the window's side in samples: n less the level.
-        pub size: T,
+        size: up_to(format.levels()),
         /// The window's leftmost sample.
-        pub x: T,
+        x: bits(format.levels()),
         /// The window's uppermost sample.
-        pub y: T,
+        y: bits(format.levels()),
         /// The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
-        pub edges: T,
+        edges: bits(format.edge_bits()).signed().of(row(format.edges)),
         /// How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-        pub bounds: Bounds<T>,
+        bounds: Bounds = format.place(),
         /// The value of each plane at the window's upper left sample.
-        pub planes: T,
+        planes: bits(PLANE).of(row(PLANES)),
     }
 
     /// A window, and the polygon that may cover it.
-    pub struct Work<T> {
+    pub struct Work(format: Format) {
         /// The polygon.
-        pub polygon: Polygon<T>,
+        polygon: Polygon::widths(format),
         /// The window.
-        pub window: Window<T>,
+        window: Window::widths(format),
     }
 }
 

@@ -30,6 +30,7 @@ use super::format::{Format, Packet};
 use super::processor::{Queues, VideoProcessor, VideoProcessorIn};
 use super::raster::Form;
 use super::tally::Tally;
+use super::video_buffer::Scan;
 use crate::prelude::*;
 
 block! {
@@ -41,13 +42,13 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
     in(self) QuadtreeGeneratorIn {
         /// Polygons.
-        packets: stream(Packet = self.format().packet()),
+        packets: stream(Packet::widths(self.format())),
         /// Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is drawn.
         strict: bit(),
         /// For one clock, when idle and while no picture is read: swap the banks.
         swap: bit(),
         /// The settings of the read-out.
-        show: Show = VideoController { format: self.format() }.inputs().show,
+        show: Show,
         /// Of which unit the counters are wanted.
         probe: pub struct Probe {
             /// The video processor, counted row by row.
@@ -64,11 +65,11 @@ block! {
         /// A picture is read.
         showing: bit(),
         /// The counters asked for.
-        tally: Tally = Tally::widths(),
+        tally: Tally,
         /// The fragments of the video processor asked for.
         fragments: bits(32),
         /// The counters of the broadcast: packets that all have, and clocks in which one waited for room.
-        broadcast: Tally = Tally::widths(),
+        broadcast: Tally,
     }
 }
 
@@ -120,7 +121,7 @@ impl QuadtreeGenerator {
         let broadcast = Tally { busy: gone.taken, stalled: waits, results: gone.taken };
         let broadcast = m.within("broadcast", || Tally::count(m, broadcast));
 
-        def!(scan = m.wire(VideoController { format }.scan()));
+        def!(scan = m.wire(Scan::widths(format).of(each)));
         let places = format.place().map(|width| width.of(each));
         let p = matrix.columns();
         def!(

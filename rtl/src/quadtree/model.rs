@@ -108,7 +108,7 @@ impl Raster {
 
     /// A window with its polygon, as the blocks exchange it.
     pub(crate) fn work(&self, polygon: &Convex, window: Square) -> Work<Bits> {
-        let (format, widths) = (self.format, self.format.work());
+        let (format, widths) = (self.format, Work::widths(self.format));
         let matrix = format.matrix();
         let edge = |width: Width, value: &dyn Fn([i64; 3]) -> i64| {
             let values = polygon.edges.iter().map(|edge| value(*edge));
@@ -155,7 +155,7 @@ impl Convex {
     /// The packet of the geometry processor. Lanes beyond its last edge have an edge with everything outside: no block
     /// may look at them.
     pub(crate) fn packet(&self, format: &Format) -> Packet<Bits> {
-        let widths = format.packet();
+        let widths = Packet::widths(*format);
         let edge = |width: Width, number: usize| {
             lanes(width, self.edges.iter().map(|edge| edge[number]).chain(std::iter::repeat(-1)))
         };

@@ -14,7 +14,6 @@ use tilewright_blocks::StreamBlocks;
 use super::coverage_test::{CoverageTest, Test};
 use super::divider::{DividerIn, DividerOut};
 use super::format::Format;
-use super::tally::Tally;
 use crate::prelude::*;
 
 block! {
@@ -33,12 +32,8 @@ block! {
     }
     latency = "the clocks of the slowest level, as the units of all work at the same time";
     source = "sparse-raster quadtree generator, equation 9 (MPG-RP, MPG-EQ9)";
-    in(self) = DividerIn { works: stream(self.format.work()) };
-    out(self) = DividerOut {
-        parts: stream(self.format.work()),
-        idle: bit(),
-        tally: vec![Tally::widths(); self.levels as usize],
-    };
+    in(self) = DividerIn::widths(self.format);
+    out(self) = DividerOut::widths(self.format, self.levels);
 }
 
 impl Pipe {

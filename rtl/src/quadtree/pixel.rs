@@ -24,22 +24,27 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
     in(self) PixelProcessorIn {
         /// Windows of one sample; each is taken at once.
-        leaves: stream(Work = self.format.work()),
+        leaves: stream(Work::widths(self.format)),
     }
     out(self) PixelProcessorOut {
         /// A pixel of the polygon.
-        fragment: pub struct Fragment {
-            /// There is a fragment.
-            valid: bit(),
-            /// The fragment's column among those of the video processor.
-            x: below(self.format.columns()),
-            /// The fragment's line among those of the video processor.
-            y: below(self.format.rows()),
-            /// The word of the fragment: depth above colour.
-            word: bits(WORD),
-        },
+        fragment: Fragment::widths(self.format),
         /// Fragments since the reset, modulo 2^32.
         fragments: bits(32),
+    }
+}
+
+record! {
+    /// A pixel of a polygon.
+    pub struct Fragment(format: Format) {
+        /// There is a fragment.
+        valid: bit(),
+        /// The fragment's column among those of the video processor.
+        x: below(format.columns()),
+        /// The fragment's line among those of the video processor.
+        y: below(format.rows()),
+        /// The word of the fragment: depth above colour.
+        word: bits(WORD),
     }
 }
 

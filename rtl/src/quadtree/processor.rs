@@ -51,7 +51,7 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoProcessorIn {
         /// Polygons.
-        packets: stream(Packet = self.format.packet()),
+        packets: stream(Packet::widths(self.format)),
         /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
         place: Bounds = self.format.place(),
         /// Depth alone is compared, and the first drawn of equal depths stays.
@@ -59,7 +59,7 @@ block! {
         /// The bank that is drawn.
         back: bit(),
         /// A pixel of the other bank to send.
-        scan: Scan = VideoBuffer { format: self.format }.inputs().scan,
+        scan: Scan::widths(self.format),
     }
     out(self) VideoProcessorOut {
         /// The word sent to the video controller.
@@ -67,7 +67,7 @@ block! {
         /// No polygon is under way.
         idle: bit(),
         /// The counters of the set-up, and of each level of the raster processor.
-        tally: [Tally = Tally::widths(); self.format.levels() + 1],
+        tally: [Tally; self.format.levels() + 1],
         /// Fragments since the reset, modulo 2^32.
         fragments: bits(32),
     }

@@ -14,7 +14,6 @@ use super::divider::{DividerIn, DividerOut};
 use super::format::Format;
 use super::pipe::Pipe;
 use super::stack::Stack;
-use super::tally::Tally;
 use super::tree::Tree;
 use crate::prelude::*;
 
@@ -165,12 +164,8 @@ block! {
     }
     latency = "the clocks of the windows that the polygon covers, in its slowest part";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP)";
-    in(self) = DividerIn { works: stream(self.format.work()) };
-    out(self) = DividerOut {
-        parts: stream(self.format.work()),
-        idle: bit(),
-        tally: vec![Tally::widths(); self.format.levels() as usize],
-    };
+    in(self) = DividerIn::widths(self.format);
+    out(self) = DividerOut::widths(self.format, self.format.levels());
 }
 
 impl RasterProcessor {

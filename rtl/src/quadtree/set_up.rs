@@ -29,17 +29,17 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-SPR, MPG-WIN)";
     in(self) SetUpIn {
         /// Polygons.
-        packets: stream(Packet = self.format.packet()),
+        packets: stream(Packet::widths(self.format)),
         /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
         place: Bounds = self.format.place(),
     }
     out(self) SetUpOut {
         /// The window of all samples, for each polygon.
-        roots: stream(Work = self.format.work()),
+        roots: stream(Work::widths(self.format)),
         /// No polygon is under way.
         idle: bit(),
         /// The counters of the set-up.
-        tally: Tally = Tally::widths(),
+        tally: Tally,
     }
 }
 

@@ -18,7 +18,6 @@
 use super::coverage_test::{CoverageTest, Test};
 use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, Work};
-use super::tally::Tally;
 use crate::prelude::*;
 
 block! {
@@ -35,18 +34,14 @@ block! {
     }
     latency = "the clocks of all windows of a polygon, one after another";
     source = "sparse-raster quadtree generator, equation 6 (MPG-RP, MPG-EQ6)";
-    in(self) = DividerIn { works: stream(self.format.work()) };
-    out(self) = DividerOut {
-        parts: stream(self.format.work()),
-        idle: bit(),
-        tally: vec![Tally::widths(); self.levels as usize],
-    };
+    in(self) = DividerIn::widths(self.format);
+    out(self) = DividerOut::widths(self.format, self.levels);
 }
 
 impl Stack {
     fn build(&self, m: Module, i: DividerIn) -> DividerOut {
         let Stack { format, test, from, levels } = *self;
-        def!(next = m.stream_wire(format.work()));
+        def!(next = m.stream_wire(Work::widths(format)));
         let unit = CoverageTest { format, test, from, sizes: levels };
         def!(test = m.instance(&unit, DividerIn { works: *next }));
 

@@ -2,23 +2,16 @@
 
 use crate::prelude::*;
 
-bundle! {
+record! {
     /// The work of a unit, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not
     /// counted.
-    pub struct Tally<T> {
+    pub struct Tally {
         /// Clocks in which the unit worked.
-        pub busy: T,
+        busy: bits(32),
         /// Clocks in which the unit had a result that was not taken.
-        pub stalled: T,
+        stalled: bits(32),
         /// Results that the unit gave.
-        pub results: T,
-    }
-}
-
-impl Tally<Width> {
-    /// The widths of the three counters.
-    pub fn widths() -> Tally<Width> {
-        Tally { busy: bits(32), stalled: bits(32), results: bits(32) }
+        results: bits(32),
     }
 }
 

@@ -19,7 +19,6 @@ use tilewright_blocks::{StreamBlocks, Turns};
 use super::coverage_test::{CoverageTest, Test};
 use super::divider::{DividerIn, DividerOut};
 use super::format::{Format, Work};
-use super::tally::Tally;
 use crate::prelude::*;
 
 block! {
@@ -38,12 +37,8 @@ block! {
     }
     latency = "the clocks of the slowest unit, as the quarters of a window are divided at the same time";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)";
-    in(self) = DividerIn { works: stream(self.format.work()) };
-    out(self) = DividerOut {
-        parts: stream(self.format.work()),
-        idle: bit(),
-        tally: vec![Tally::widths(); self.levels as usize],
-    };
+    in(self) = DividerIn::widths(self.format);
+    out(self) = DividerOut::widths(self.format, self.levels);
 }
 
 impl Tree {

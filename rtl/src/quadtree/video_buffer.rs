@@ -31,31 +31,31 @@ block! {
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH)";
     in(self) VideoBufferIn {
         /// A pixel to draw.
-        draw: Fragment = Fragment {
-            valid: bit(),
-            x: below(self.format.columns()),
-            y: below(self.format.rows()),
-            word: bits(WORD),
-        },
+        draw: Fragment::widths(self.format),
         /// Depth alone is compared, and the first drawn of equal depths stays.
         strict: bit(),
         /// The bank that is drawn.
         back: bit(),
         /// A pixel of the other bank to send.
-        scan: pub struct Scan {
-            /// A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
-            enable: bit(),
-            /// The pixel's column among those of the video processor.
-            x: below(self.format.columns()),
-            /// The pixel's line among those of the video processor.
-            y: below(self.format.rows()),
-            /// The pixel is emptied when it is read.
-            clear: bit(),
-        },
+        scan: Scan::widths(self.format),
     }
     out VideoBufferOut {
         /// The word sent to the video controller.
         word: bits(WORD),
+    }
+}
+
+record! {
+    /// A pixel to send.
+    pub struct Scan(format: Format) {
+        /// A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
+        enable: bit(),
+        /// The pixel's column among those of the video processor.
+        x: below(format.columns()),
+        /// The pixel's line among those of the video processor.
+        y: below(format.rows()),
+        /// The pixel is emptied when it is read.
+        clear: bit(),
     }
 }
 

@@ -74,59 +74,59 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
     output wire         works_ready
 );
 
-    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:73
-    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:74
-    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:74
-    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:74
-    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:74
-    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:74
-    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:74
-    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:74
-    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:74
-    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:75
-    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:76
-    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:77
-    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:142
-    reg [31:0] size2_busy;                                       // rtl/src/quadtree/tally.rs:29
-    reg [31:0] size2_stalled;                                    // rtl/src/quadtree/tally.rs:29
-    reg [31:0] size2_results;                                    // rtl/src/quadtree/tally.rs:29
+    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:69
+    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:70
+    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:70
+    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:70
+    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:70
+    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:70
+    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:70
+    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:70
+    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:70
+    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:71
+    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:72
+    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:73
+    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:138
+    reg [31:0] size2_busy;                                       // rtl/src/quadtree/tally.rs:22
+    reg [31:0] size2_stalled;                                    // rtl/src/quadtree/tally.rs:22
+    reg [31:0] size2_results;                                    // rtl/src/quadtree/tally.rs:22
 
-    wire [31:0] edge_of_window;                                  // rtl/src/quadtree/coverage_test.rs:134
-    wire right;                                                  // rtl/src/quadtree/coverage_test.rs:137
-    wire [16:0] step_x;                                          // rtl/src/quadtree/coverage_test.rs:135
-    wire lower;                                                  // rtl/src/quadtree/coverage_test.rs:138
-    wire [16:0] step_y;                                          // rtl/src/quadtree/coverage_test.rs:136
-    wire [39:0] plane_of_window;                                 // rtl/src/quadtree/coverage_test.rs:94
-    wire [39:0] plane_x;                                         // rtl/src/quadtree/coverage_test.rs:95
-    wire [39:0] plane_y;                                         // rtl/src/quadtree/coverage_test.rs:96
-    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:85
-    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:141
-    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {14'd0, step_x, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
-    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {14'd0, step_y, 1'b0}; // rtl/src/quadtree/coverage_test.rs:165
-    wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:139
-    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:143
-    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:314
-    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:314
-    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:328
-    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:314
-    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:328
-    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:314
-    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:88
-    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:90
-    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:99
-    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:103
-    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:105
-    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:106
-    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:107
-    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:89
-    wire [39:0] plane_choice = number[0] ? {plane_x[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:93
-    wire [39:0] plane_choice_2 = number[1] ? {plane_y[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:93
-    wire [39:0] plane = plane_of_window + plane_choice + plane_choice_2; // rtl/src/quadtree/coverage_test.rs:97
-    assign parts_window_x = held_window_x | {number[0], 1'b0};   // rtl/src/quadtree/coverage_test.rs:100
-    assign parts_window_y = held_window_y | {number[1], 1'b0};   // rtl/src/quadtree/coverage_test.rs:100
-    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:107
-    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:114
-    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:120
+    wire [31:0] edge_of_window;                                  // rtl/src/quadtree/coverage_test.rs:130
+    wire right;                                                  // rtl/src/quadtree/coverage_test.rs:133
+    wire [16:0] step_x;                                          // rtl/src/quadtree/coverage_test.rs:131
+    wire lower;                                                  // rtl/src/quadtree/coverage_test.rs:134
+    wire [16:0] step_y;                                          // rtl/src/quadtree/coverage_test.rs:132
+    wire [39:0] plane_of_window;                                 // rtl/src/quadtree/coverage_test.rs:90
+    wire [39:0] plane_x;                                         // rtl/src/quadtree/coverage_test.rs:91
+    wire [39:0] plane_y;                                         // rtl/src/quadtree/coverage_test.rs:92
+    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:81
+    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:137
+    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {14'd0, step_x, 1'b0}; // rtl/src/quadtree/coverage_test.rs:161
+    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {14'd0, step_y, 1'b0}; // rtl/src/quadtree/coverage_test.rs:161
+    wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:135
+    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:139
+    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:279
+    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:279
+    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:293
+    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:279
+    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:293
+    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd4); // rtl/src/quadtree/format.rs:279
+    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:84
+    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:86
+    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:95
+    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:99
+    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:101
+    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:102
+    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:103
+    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:85
+    wire [39:0] plane_choice = number[0] ? {plane_x[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:89
+    wire [39:0] plane_choice_2 = number[1] ? {plane_y[38:0], 1'b0} : 40'd0; // rtl/src/quadtree/coverage_test.rs:89
+    wire [39:0] plane = plane_of_window + plane_choice + plane_choice_2; // rtl/src/quadtree/coverage_test.rs:93
+    assign parts_window_x = held_window_x | {number[0], 1'b0};   // rtl/src/quadtree/coverage_test.rs:96
+    assign parts_window_y = held_window_y | {number[1], 1'b0};   // rtl/src/quadtree/coverage_test.rs:96
+    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:103
+    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:110
+    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:116
 
     genvar i;
 
@@ -245,56 +245,56 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 (
             assign edge_of_window_lanes[i] = held_window_edges_row[i].held_window_edges;
         end
     endgenerate
-    assign edge_of_window = (step < 3'd3) ? edge_of_window_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:134
+    assign edge_of_window = (step < 3'd3) ? edge_of_window_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:130
     wire [2:0] right_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : right_of
             assign right_lanes[i] = held_polygon_right_row[i].held_polygon_right;
         end
     endgenerate
-    assign right = (step < 3'd3) ? right_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:137
+    assign right = (step < 3'd3) ? right_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:133
     wire [16:0] step_x_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : step_x_of
             assign step_x_lanes[i] = held_polygon_step_x_row[i].held_polygon_step_x;
         end
     endgenerate
-    assign step_x = (step < 3'd3) ? step_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:135
+    assign step_x = (step < 3'd3) ? step_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:131
     wire [2:0] lower_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : lower_of
             assign lower_lanes[i] = held_polygon_lower_row[i].held_polygon_lower;
         end
     endgenerate
-    assign lower = (step < 3'd3) ? lower_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:138
+    assign lower = (step < 3'd3) ? lower_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:134
     wire [16:0] step_y_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : step_y_of
             assign step_y_lanes[i] = held_polygon_step_y_row[i].held_polygon_step_y;
         end
     endgenerate
-    assign step_y = (step < 3'd3) ? step_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:136
+    assign step_y = (step < 3'd3) ? step_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:132
     wire [39:0] plane_of_window_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_of_window_of
             assign plane_of_window_lanes[i] = held_window_planes_row[i].held_window_planes;
         end
     endgenerate
-    assign plane_of_window = (step < 3'd4) ? plane_of_window_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:94
+    assign plane_of_window = (step < 3'd4) ? plane_of_window_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:90
     wire [39:0] plane_x_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_x_of
             assign plane_x_lanes[i] = held_polygon_plane_x_row[i].held_polygon_plane_x;
         end
     endgenerate
-    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:95
+    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
     wire [39:0] plane_y_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_y_of
             assign plane_y_lanes[i] = held_polygon_plane_y_row[i].held_polygon_plane_y;
         end
     endgenerate
-    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:96
+    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
     generate
         for (i = 0; i < 3; i = i + 1) begin : parts_polygon_step_x_of
             assign parts_polygon_step_x[i * 17 +: 17] = held_polygon_step_x_row[i].held_polygon_step_x;

@@ -5,7 +5,7 @@
 // Parameters  Pipe { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2, queue: 2 }
 // Latency     the clocks of the slowest level, as the units of all work at the same time
 // Source      sparse-raster quadtree generator, equation 9 (MPG-RP, MPG-EQ9)
-// Described   rtl/src/quadtree/pipe.rs:20
+// Described   rtl/src/quadtree/pipe.rs:19
 `default_nettype none
 
 module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
@@ -77,36 +77,36 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     output wire         works_ready
 );
 
-    wire u_queue0_out_valid;                                     // rtl/src/quadtree/pipe.rs:49
-    wire [744:0] u_queue0_out_payload;                           // rtl/src/quadtree/pipe.rs:49
-    wire u_test0_parts_valid;                                    // rtl/src/quadtree/pipe.rs:51
-    wire [2:0] u_test0_parts_polygon_last_edge;                  // rtl/src/quadtree/pipe.rs:51
-    wire [50:0] u_test0_parts_polygon_step_x;                    // rtl/src/quadtree/pipe.rs:51
-    wire [50:0] u_test0_parts_polygon_step_y;                    // rtl/src/quadtree/pipe.rs:51
-    wire [2:0] u_test0_parts_polygon_right;                      // rtl/src/quadtree/pipe.rs:51
-    wire [2:0] u_test0_parts_polygon_lower;                      // rtl/src/quadtree/pipe.rs:51
-    wire [159:0] u_test0_parts_polygon_plane_x;                  // rtl/src/quadtree/pipe.rs:51
-    wire [159:0] u_test0_parts_polygon_plane_y;                  // rtl/src/quadtree/pipe.rs:51
-    wire [1:0] u_test0_parts_window_size;                        // rtl/src/quadtree/pipe.rs:51
-    wire [1:0] u_test0_parts_window_x;                           // rtl/src/quadtree/pipe.rs:51
-    wire [1:0] u_test0_parts_window_y;                           // rtl/src/quadtree/pipe.rs:51
-    wire [95:0] u_test0_parts_window_edges;                      // rtl/src/quadtree/pipe.rs:51
-    wire [12:0] u_test0_parts_window_bounds_left;                // rtl/src/quadtree/pipe.rs:51
-    wire [12:0] u_test0_parts_window_bounds_top;                 // rtl/src/quadtree/pipe.rs:51
-    wire [12:0] u_test0_parts_window_bounds_right;               // rtl/src/quadtree/pipe.rs:51
-    wire [12:0] u_test0_parts_window_bounds_bottom;              // rtl/src/quadtree/pipe.rs:51
-    wire [159:0] u_test0_parts_window_planes;                    // rtl/src/quadtree/pipe.rs:51
-    wire u_test0_idle;                                           // rtl/src/quadtree/pipe.rs:51
-    wire u_test0_works_ready;                                    // rtl/src/quadtree/pipe.rs:51
-    wire u_queue1_out_valid;                                     // rtl/src/quadtree/pipe.rs:49
-    wire [744:0] u_queue1_out_payload;                           // rtl/src/quadtree/pipe.rs:49
-    wire u_queue1_into_ready;                                    // rtl/src/quadtree/pipe.rs:49
-    wire u_test1_idle;                                           // rtl/src/quadtree/pipe.rs:51
-    wire u_test1_works_ready;                                    // rtl/src/quadtree/pipe.rs:51
+    wire u_queue0_out_valid;                                     // rtl/src/quadtree/pipe.rs:44
+    wire [744:0] u_queue0_out_payload;                           // rtl/src/quadtree/pipe.rs:44
+    wire u_test0_parts_valid;                                    // rtl/src/quadtree/pipe.rs:46
+    wire [2:0] u_test0_parts_polygon_last_edge;                  // rtl/src/quadtree/pipe.rs:46
+    wire [50:0] u_test0_parts_polygon_step_x;                    // rtl/src/quadtree/pipe.rs:46
+    wire [50:0] u_test0_parts_polygon_step_y;                    // rtl/src/quadtree/pipe.rs:46
+    wire [2:0] u_test0_parts_polygon_right;                      // rtl/src/quadtree/pipe.rs:46
+    wire [2:0] u_test0_parts_polygon_lower;                      // rtl/src/quadtree/pipe.rs:46
+    wire [159:0] u_test0_parts_polygon_plane_x;                  // rtl/src/quadtree/pipe.rs:46
+    wire [159:0] u_test0_parts_polygon_plane_y;                  // rtl/src/quadtree/pipe.rs:46
+    wire [1:0] u_test0_parts_window_size;                        // rtl/src/quadtree/pipe.rs:46
+    wire [1:0] u_test0_parts_window_x;                           // rtl/src/quadtree/pipe.rs:46
+    wire [1:0] u_test0_parts_window_y;                           // rtl/src/quadtree/pipe.rs:46
+    wire [95:0] u_test0_parts_window_edges;                      // rtl/src/quadtree/pipe.rs:46
+    wire [12:0] u_test0_parts_window_bounds_left;                // rtl/src/quadtree/pipe.rs:46
+    wire [12:0] u_test0_parts_window_bounds_top;                 // rtl/src/quadtree/pipe.rs:46
+    wire [12:0] u_test0_parts_window_bounds_right;               // rtl/src/quadtree/pipe.rs:46
+    wire [12:0] u_test0_parts_window_bounds_bottom;              // rtl/src/quadtree/pipe.rs:46
+    wire [159:0] u_test0_parts_window_planes;                    // rtl/src/quadtree/pipe.rs:46
+    wire u_test0_idle;                                           // rtl/src/quadtree/pipe.rs:46
+    wire u_test0_works_ready;                                    // rtl/src/quadtree/pipe.rs:46
+    wire u_queue1_out_valid;                                     // rtl/src/quadtree/pipe.rs:44
+    wire [744:0] u_queue1_out_payload;                           // rtl/src/quadtree/pipe.rs:44
+    wire u_queue1_into_ready;                                    // rtl/src/quadtree/pipe.rs:44
+    wire u_test1_idle;                                           // rtl/src/quadtree/pipe.rs:46
+    wire u_test1_works_ready;                                    // rtl/src/quadtree/pipe.rs:46
 
-    assign idle = u_test0_idle & u_test1_idle;                   // rtl/src/quadtree/pipe.rs:53
+    assign idle = u_test0_idle & u_test1_idle;                   // rtl/src/quadtree/pipe.rs:48
 
-    fifo_depth2_width745_storage_registers u_queue0 (            // rtl/src/quadtree/pipe.rs:49
+    fifo_depth2_width745_storage_registers u_queue0 (            // rtl/src/quadtree/pipe.rs:44
         .clk          (clk),
         .rst          (rst),
         .into_valid   (works_valid),
@@ -123,7 +123,7 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .into_ready   (works_ready)
     );
 
-    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 u_test0 ( // rtl/src/quadtree/pipe.rs:51
+    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 u_test0 ( // rtl/src/quadtree/pipe.rs:46
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_queue0_out_valid),
@@ -168,7 +168,7 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .works_ready                (u_test0_works_ready)
     );
 
-    fifo_depth2_width745_storage_registers u_queue1 (            // rtl/src/quadtree/pipe.rs:49
+    fifo_depth2_width745_storage_registers u_queue1 (            // rtl/src/quadtree/pipe.rs:44
         .clk          (clk),
         .rst          (rst),
         .into_valid   (u_test0_parts_valid),
@@ -188,7 +188,7 @@ module pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .into_ready   (u_queue1_into_ready)
     );
 
-    coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 u_test1 ( // rtl/src/quadtree/pipe.rs:51
+    coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 u_test1 ( // rtl/src/quadtree/pipe.rs:46
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_queue1_out_valid),

@@ -47,11 +47,11 @@ module pixel_processor_format8x8_2x2_edges3 (
     output wire         leaves_ready
 );
 
-    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:53
-    assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:49
-    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:54
+    wire [47:0] word;                                            // rtl/src/quadtree/pixel.rs:58
+    assign leaves_ready = 1'b1;                                  // rtl/src/quadtree/pixel.rs:54
+    wire covered = 1'b1;                                         // rtl/src/quadtree/pixel.rs:59
 
-    assign word = {                                              // rtl/src/quadtree/pixel.rs:53
+    assign word = {                                              // rtl/src/quadtree/pixel.rs:58
         leaves_window_planes[39:16], leaves_window_planes[63:56],
         leaves_window_planes[103:96], leaves_window_planes[143:136]
     };
@@ -91,11 +91,11 @@ module pixel_processor_format8x8_2x2_edges3 (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:65
+        if (!rst) assume (!leaves_valid | (leaves_window_size == 2'd0)); // rtl/src/quadtree/pixel.rs:70
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:65
+        if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:70
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the windows are divided down to one sample", $time);
             stop;
         end

@@ -6,7 +6,7 @@
 // Parameters  QuadtreeGenerator { video_processor: VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } } }
 // Latency     the clocks of the slowest video processor; 2 clocks from `start` to the first pixels
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/generator.rs:35
+// Described   rtl/src/quadtree/generator.rs:36
 `default_nettype none
 
 module quadtree_generator_584f30ed (
@@ -57,36 +57,36 @@ module quadtree_generator_584f30ed (
     output wire         packets_ready
 );
 
-    reg back;                                                    // rtl/src/quadtree/generator.rs:106
+    reg back;                                                    // rtl/src/quadtree/generator.rs:107
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:109
-    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:109
-    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:136
-    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:136
-    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:136
-    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:136
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:110
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:110
+    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:137
+    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:137
+    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:137
+    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:137
 
-    wire all_have;                                               // rtl/src/quadtree/generator.rs:116
-    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:139
-    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:141
-    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:141
-    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:126
-    wire [50:0] u_processor_packets_edges_a_part = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:109
-    wire [50:0] u_processor_packets_edges_b_part = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:109
-    wire [95:0] u_processor_packets_edges_c_part = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:109
-    wire [159:0] u_processor_packets_planes_x_part = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:109
-    wire [159:0] u_processor_packets_planes_y_part = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:109
-    wire [159:0] u_processor_packets_planes_origin_part = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:109
-    wire has_and = u_queue_out_valid & all_have;                 // rtl/src/quadtree/generator.rs:117
-    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:119
-    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:139
+    wire all_have;                                               // rtl/src/quadtree/generator.rs:117
+    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:140
+    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:142
+    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:142
+    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:127
+    wire [50:0] u_processor_packets_edges_a_part = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:110
+    wire [50:0] u_processor_packets_edges_b_part = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:110
+    wire [95:0] u_processor_packets_edges_c_part = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:110
+    wire [159:0] u_processor_packets_planes_x_part = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:110
+    wire [159:0] u_processor_packets_planes_y_part = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:110
+    wire [159:0] u_processor_packets_planes_origin_part = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:110
+    wire has_and = u_queue_out_valid & all_have;                 // rtl/src/quadtree/generator.rs:118
+    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:120
+    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:140
     always @* begin
         case (probe_unit)
             2'd1: tally_busy = tally_busy_picked;
@@ -113,7 +113,7 @@ module quadtree_generator_584f30ed (
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:126
+        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:127
             wire [47:0] word;
             wire lane_idle;
             wire [31:0] tally_0_busy;
@@ -212,7 +212,7 @@ module quadtree_generator_584f30ed (
         end
     endgenerate
 
-    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:109
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:110
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
@@ -227,7 +227,7 @@ module quadtree_generator_584f30ed (
         .into_ready   (packets_ready)
     );
 
-    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:136
+    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:137
         .clk             (clk),
         .rst             (rst),
         .show_start      (show_start),
@@ -250,84 +250,84 @@ module quadtree_generator_584f30ed (
             assign all_have_lanes[i] = u_processor[i].all_have_or;
         end
     endgenerate
-    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:116
+    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:117
     wire [3:0] u_processor_idle_all_lanes;
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_processor_idle_all_of
             assign u_processor_idle_all_lanes[i] = u_processor[i].lane_idle;
         end
     endgenerate
-    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:139
+    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:140
     wire [31:0] tally_busy_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_3_of
             assign tally_busy_picked_3_lanes[i] = u_processor[i].tally_0_busy;
         end
     endgenerate
-    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_stalled_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_3_of
             assign tally_stalled_picked_3_lanes[i] = u_processor[i].tally_0_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_results_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_3_of
             assign tally_results_picked_3_lanes[i] = u_processor[i].tally_0_results;
         end
     endgenerate
-    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_busy_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_of
             assign tally_busy_picked_lanes[i] = u_processor[i].tally_1_busy;
         end
     endgenerate
-    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_stalled_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_of
             assign tally_stalled_picked_lanes[i] = u_processor[i].tally_1_stalled;
         end
     endgenerate
-    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_results_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_of
             assign tally_results_picked_lanes[i] = u_processor[i].tally_1_results;
         end
     endgenerate
-    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_busy_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_2_of
             assign tally_busy_picked_2_lanes[i] = u_processor[i].tally_2_busy;
         end
     endgenerate
-    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_stalled_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_2_of
             assign tally_stalled_picked_2_lanes[i] = u_processor[i].tally_2_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] tally_results_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_2_of
             assign tally_results_picked_2_lanes[i] = u_processor[i].tally_2_results;
         end
     endgenerate
-    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:141
+    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
     wire [31:0] fragments_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : fragments_of
             assign fragments_lanes[i] = u_processor[i].lane_fragments;
         end
     endgenerate
-    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:150
+    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:151
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_controller_words_of
             assign u_controller_words[i * 48 +: 48] = u_processor[i].word;
@@ -365,11 +365,11 @@ module quadtree_generator_584f30ed (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:140
+        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:141
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:140
+        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:141
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped when nothing is drawn or read", $time);
             stop;
         end

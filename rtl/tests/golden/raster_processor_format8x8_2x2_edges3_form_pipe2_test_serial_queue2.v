@@ -5,7 +5,7 @@
 // Parameters  RasterProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queue: 2 }
 // Latency     the clocks of the windows that the polygon covers, in its slowest part
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP)
-// Described   rtl/src/quadtree/raster.rs:154
+// Described   rtl/src/quadtree/raster.rs:153
 `default_nettype none
 
 module raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 (
@@ -77,7 +77,7 @@ module raster_processor_format8x8_2x2_edges3_form_pipe2_test_serial_queue2 (
     output wire         works_ready
 );
 
-    pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 u_pipe0 ( // rtl/src/quadtree/raster.rs:185
+    pipe_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 u_pipe0 ( // rtl/src/quadtree/raster.rs:180
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (works_valid),

@@ -70,9 +70,9 @@ module set_up_format8x8_2x2_edges3 (
 );
 
     reg [2:0] step;                                              // rtl/src/quadtree/set_up.rs:49
-    reg [31:0] set_up_busy;                                      // rtl/src/quadtree/tally.rs:29
-    reg [31:0] set_up_stalled;                                   // rtl/src/quadtree/tally.rs:29
-    reg [31:0] set_up_results;                                   // rtl/src/quadtree/tally.rs:29
+    reg [31:0] set_up_busy;                                      // rtl/src/quadtree/tally.rs:22
+    reg [31:0] set_up_stalled;                                   // rtl/src/quadtree/tally.rs:22
+    reg [31:0] set_up_results;                                   // rtl/src/quadtree/tally.rs:22
 
     wire [16:0] a;                                               // rtl/src/quadtree/set_up.rs:56
     wire [16:0] b;                                               // rtl/src/quadtree/set_up.rs:57

@@ -5,7 +5,7 @@
 // Parameters  Stack { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2 }
 // Latency     the clocks of all windows of a polygon, one after another
 // Source      sparse-raster quadtree generator, equation 6 (MPG-RP, MPG-EQ6)
-// Described   rtl/src/quadtree/stack.rs:24
+// Described   rtl/src/quadtree/stack.rs:23
 `default_nettype none
 
 module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
@@ -77,52 +77,52 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     output wire         works_ready
 );
 
-    reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:64
+    reg [1:0] used;                                              // rtl/src/quadtree/stack.rs:59
 
     (* no_rw_check *)
-    reg [313:0] windows [0:2];                                   // rtl/src/quadtree/stack.rs:63
+    reg [313:0] windows [0:2];                                   // rtl/src/quadtree/stack.rs:58
 
-    wire u_test_parts_valid;                                     // rtl/src/quadtree/stack.rs:51
-    wire u_test_works_ready;                                     // rtl/src/quadtree/stack.rs:51
+    wire u_test_parts_valid;                                     // rtl/src/quadtree/stack.rs:46
+    wire u_test_works_ready;                                     // rtl/src/quadtree/stack.rs:46
 
-    wire [50:0] u_test_works_polygon_step_x;                     // rtl/src/quadtree/stack.rs:49
-    wire [50:0] u_test_works_polygon_step_y;                     // rtl/src/quadtree/stack.rs:49
-    wire [2:0] u_test_works_polygon_right;                       // rtl/src/quadtree/stack.rs:49
-    wire [2:0] u_test_works_polygon_lower;                       // rtl/src/quadtree/stack.rs:49
-    wire [159:0] u_test_works_polygon_plane_x;                   // rtl/src/quadtree/stack.rs:49
-    wire [159:0] u_test_works_polygon_plane_y;                   // rtl/src/quadtree/stack.rs:49
-    wire [95:0] u_test_works_window_edges;                       // rtl/src/quadtree/stack.rs:49
-    wire [159:0] u_test_works_window_planes;                     // rtl/src/quadtree/stack.rs:49
-    wire is_empty = used == 2'd0;                                // rtl/src/quadtree/stack.rs:66
-    wire is_done = parts_window_size == 2'd0;                    // rtl/src/quadtree/stack.rs:55
-    wire comes_back = u_test_parts_valid & !is_done;             // rtl/src/quadtree/stack.rs:58
-    wire is_new = is_empty & !comes_back;                        // rtl/src/quadtree/stack.rs:68
-    assign works_ready = is_new & u_test_works_ready;            // rtl/src/quadtree/stack.rs:70
-    wire next_valid = !is_new | works_valid;                     // rtl/src/quadtree/stack.rs:49
-    wire [2:0] next_polygon_last_edge = is_new ? works_polygon_last_edge : parts_polygon_last_edge; // rtl/src/quadtree/stack.rs:49
-    wire [1:0] windows_read_address = used - 2'd1;               // rtl/src/quadtree/stack.rs:65
-    wire [313:0] windows_word = (windows_read_address < 2'd3) ? windows[windows_read_address] : 314'd0; // rtl/src/quadtree/stack.rs:65
-    wire [1:0] next_window_size_choice = comes_back ? parts_window_size : windows_word[313:312]; // rtl/src/quadtree/stack.rs:67
-    wire [1:0] next_window_size = is_new ? works_window_size : next_window_size_choice; // rtl/src/quadtree/stack.rs:49
-    wire [1:0] next_window_x_choice = comes_back ? parts_window_x : windows_word[311:310]; // rtl/src/quadtree/stack.rs:67
-    wire [1:0] next_window_x = is_new ? works_window_x : next_window_x_choice; // rtl/src/quadtree/stack.rs:49
-    wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_word[309:308]; // rtl/src/quadtree/stack.rs:67
-    wire [1:0] next_window_y = is_new ? works_window_y : next_window_y_choice; // rtl/src/quadtree/stack.rs:49
-    wire [95:0] next_window_edges_part = windows_word[307:212];  // rtl/src/quadtree/stack.rs:65
-    wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_word[211:199]; // rtl/src/quadtree/stack.rs:67
-    wire [12:0] next_window_bounds_left = is_new ? works_window_bounds_left : next_window_bounds_left_choice; // rtl/src/quadtree/stack.rs:49
-    wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_word[198:186]; // rtl/src/quadtree/stack.rs:67
-    wire [12:0] next_window_bounds_top = is_new ? works_window_bounds_top : next_window_bounds_top_choice; // rtl/src/quadtree/stack.rs:49
-    wire [12:0] next_window_bounds_right_choice = comes_back ? parts_window_bounds_right : windows_word[185:173]; // rtl/src/quadtree/stack.rs:67
-    wire [12:0] next_window_bounds_right = is_new ? works_window_bounds_right : next_window_bounds_right_choice; // rtl/src/quadtree/stack.rs:49
-    wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_word[172:160]; // rtl/src/quadtree/stack.rs:67
-    wire [12:0] next_window_bounds_bottom = is_new ? works_window_bounds_bottom : next_window_bounds_bottom_choice; // rtl/src/quadtree/stack.rs:49
-    wire [159:0] next_window_planes_part = windows_word[159:0];  // rtl/src/quadtree/stack.rs:65
-    assign parts_valid = u_test_parts_valid & is_done;           // rtl/src/quadtree/stack.rs:56
-    wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:69
-    wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:73
-    wire pops = pushes_and & !comes_back & !is_empty;            // rtl/src/quadtree/stack.rs:74
-    wire past_next = used == 2'd3;                               // rtl/src/quadtree/stack.rs:78
+    wire [50:0] u_test_works_polygon_step_x;                     // rtl/src/quadtree/stack.rs:44
+    wire [50:0] u_test_works_polygon_step_y;                     // rtl/src/quadtree/stack.rs:44
+    wire [2:0] u_test_works_polygon_right;                       // rtl/src/quadtree/stack.rs:44
+    wire [2:0] u_test_works_polygon_lower;                       // rtl/src/quadtree/stack.rs:44
+    wire [159:0] u_test_works_polygon_plane_x;                   // rtl/src/quadtree/stack.rs:44
+    wire [159:0] u_test_works_polygon_plane_y;                   // rtl/src/quadtree/stack.rs:44
+    wire [95:0] u_test_works_window_edges;                       // rtl/src/quadtree/stack.rs:44
+    wire [159:0] u_test_works_window_planes;                     // rtl/src/quadtree/stack.rs:44
+    wire is_empty = used == 2'd0;                                // rtl/src/quadtree/stack.rs:61
+    wire is_done = parts_window_size == 2'd0;                    // rtl/src/quadtree/stack.rs:50
+    wire comes_back = u_test_parts_valid & !is_done;             // rtl/src/quadtree/stack.rs:53
+    wire is_new = is_empty & !comes_back;                        // rtl/src/quadtree/stack.rs:63
+    assign works_ready = is_new & u_test_works_ready;            // rtl/src/quadtree/stack.rs:65
+    wire next_valid = !is_new | works_valid;                     // rtl/src/quadtree/stack.rs:44
+    wire [2:0] next_polygon_last_edge = is_new ? works_polygon_last_edge : parts_polygon_last_edge; // rtl/src/quadtree/stack.rs:44
+    wire [1:0] windows_read_address = used - 2'd1;               // rtl/src/quadtree/stack.rs:60
+    wire [313:0] windows_word = (windows_read_address < 2'd3) ? windows[windows_read_address] : 314'd0; // rtl/src/quadtree/stack.rs:60
+    wire [1:0] next_window_size_choice = comes_back ? parts_window_size : windows_word[313:312]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_size = is_new ? works_window_size : next_window_size_choice; // rtl/src/quadtree/stack.rs:44
+    wire [1:0] next_window_x_choice = comes_back ? parts_window_x : windows_word[311:310]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_x = is_new ? works_window_x : next_window_x_choice; // rtl/src/quadtree/stack.rs:44
+    wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_word[309:308]; // rtl/src/quadtree/stack.rs:62
+    wire [1:0] next_window_y = is_new ? works_window_y : next_window_y_choice; // rtl/src/quadtree/stack.rs:44
+    wire [95:0] next_window_edges_part = windows_word[307:212];  // rtl/src/quadtree/stack.rs:60
+    wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_word[211:199]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_left = is_new ? works_window_bounds_left : next_window_bounds_left_choice; // rtl/src/quadtree/stack.rs:44
+    wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_word[198:186]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_top = is_new ? works_window_bounds_top : next_window_bounds_top_choice; // rtl/src/quadtree/stack.rs:44
+    wire [12:0] next_window_bounds_right_choice = comes_back ? parts_window_bounds_right : windows_word[185:173]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_right = is_new ? works_window_bounds_right : next_window_bounds_right_choice; // rtl/src/quadtree/stack.rs:44
+    wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_word[172:160]; // rtl/src/quadtree/stack.rs:62
+    wire [12:0] next_window_bounds_bottom = is_new ? works_window_bounds_bottom : next_window_bounds_bottom_choice; // rtl/src/quadtree/stack.rs:44
+    wire [159:0] next_window_planes_part = windows_word[159:0];  // rtl/src/quadtree/stack.rs:60
+    assign parts_valid = u_test_parts_valid & is_done;           // rtl/src/quadtree/stack.rs:51
+    wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:64
+    wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:68
+    wire pops = pushes_and & !comes_back & !is_empty;            // rtl/src/quadtree/stack.rs:69
+    wire past_next = used == 2'd3;                               // rtl/src/quadtree/stack.rs:73
 
     genvar i;
 
@@ -176,7 +176,7 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
         end
     endgenerate
 
-    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 u_test ( // rtl/src/quadtree/stack.rs:51
+    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes2 u_test ( // rtl/src/quadtree/stack.rs:46
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (next_valid),
@@ -296,8 +296,8 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 `endif
 
 `ifndef SYNTHESIS
-    reg past;                                                    // rtl/src/quadtree/stack.rs:78
-    reg has_past;                                                // rtl/src/quadtree/stack.rs:78
+    reg past;                                                    // rtl/src/quadtree/stack.rs:73
+    reg has_past;                                                // rtl/src/quadtree/stack.rs:73
 
     initial has_past = 1'b0;
 
@@ -312,18 +312,18 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assert (!pushes | (used != 2'd3));                 // rtl/src/quadtree/stack.rs:77
-        if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:78
+        if (!rst) assert (!pushes | (used != 2'd3));                 // rtl/src/quadtree/stack.rs:72
+        if (!rst) cover (has_past & (past_next & !past));            // rtl/src/quadtree/stack.rs:73
     end
 `else
     reg is_covered;
     initial is_covered = 1'b0;
     always @(posedge clk) begin
-        if (!rst && !(!pushes | (used != 2'd3))) begin               // rtl/src/quadtree/stack.rs:77
+        if (!rst && !(!pushes | (used != 2'd3))) begin               // rtl/src/quadtree/stack.rs:72
             $display("FAIL: time %0t: %m: of each size three windows are held at most", $time);
             stop;
         end
-        if (!rst && (has_past & (past_next & !past)) && !is_covered) begin // rtl/src/quadtree/stack.rs:78
+        if (!rst && (has_past & (past_next & !past)) && !is_covered) begin // rtl/src/quadtree/stack.rs:73
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: the stack is full", $time);
             `endif

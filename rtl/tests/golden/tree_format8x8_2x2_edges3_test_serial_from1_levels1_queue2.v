@@ -5,7 +5,7 @@
 // Parameters  Tree { format: "8x8_2x2_edges3", test: Serial, from: 1, levels: 1, queue: 2 }
 // Latency     the clocks of the slowest unit, as the quarters of a window are divided at the same time
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)
-// Described   rtl/src/quadtree/tree.rs:25
+// Described   rtl/src/quadtree/tree.rs:24
 `default_nettype none
 
 module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
@@ -74,11 +74,11 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
     output wire         works_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/tree.rs:52
-    wire [744:0] u_queue_out_payload;                            // rtl/src/quadtree/tree.rs:52
-    wire u_test_works_ready;                                     // rtl/src/quadtree/tree.rs:54
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/tree.rs:47
+    wire [744:0] u_queue_out_payload;                            // rtl/src/quadtree/tree.rs:47
+    wire u_test_works_ready;                                     // rtl/src/quadtree/tree.rs:49
 
-    fifo_depth2_width745_storage_registers u_queue (             // rtl/src/quadtree/tree.rs:52
+    fifo_depth2_width745_storage_registers u_queue (             // rtl/src/quadtree/tree.rs:47
         .clk          (clk),
         .rst          (rst),
         .into_valid   (works_valid),
@@ -95,7 +95,7 @@ module tree_format8x8_2x2_edges3_test_serial_from1_levels1_queue2 (
         .into_ready   (works_ready)
     );
 
-    coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 u_test ( // rtl/src/quadtree/tree.rs:54
+    coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 u_test ( // rtl/src/quadtree/tree.rs:49
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_queue_out_valid),

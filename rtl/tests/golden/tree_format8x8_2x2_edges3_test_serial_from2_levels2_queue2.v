@@ -5,7 +5,7 @@
 // Parameters  Tree { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2, queue: 2 }
 // Latency     the clocks of the slowest unit, as the quarters of a window are divided at the same time
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)
-// Described   rtl/src/quadtree/tree.rs:25
+// Described   rtl/src/quadtree/tree.rs:24
 `default_nettype none
 
 module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
@@ -77,97 +77,97 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     output wire         works_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/tree.rs:52
-    wire [744:0] u_queue_out_payload;                            // rtl/src/quadtree/tree.rs:52
-    wire u_test_parts_valid;                                     // rtl/src/quadtree/tree.rs:54
-    wire [2:0] u_test_parts_polygon_last_edge;                   // rtl/src/quadtree/tree.rs:54
-    wire [50:0] u_test_parts_polygon_step_x;                     // rtl/src/quadtree/tree.rs:54
-    wire [50:0] u_test_parts_polygon_step_y;                     // rtl/src/quadtree/tree.rs:54
-    wire [2:0] u_test_parts_polygon_right;                       // rtl/src/quadtree/tree.rs:54
-    wire [2:0] u_test_parts_polygon_lower;                       // rtl/src/quadtree/tree.rs:54
-    wire [159:0] u_test_parts_polygon_plane_x;                   // rtl/src/quadtree/tree.rs:54
-    wire [159:0] u_test_parts_polygon_plane_y;                   // rtl/src/quadtree/tree.rs:54
-    wire [1:0] u_test_parts_window_size;                         // rtl/src/quadtree/tree.rs:54
-    wire [1:0] u_test_parts_window_x;                            // rtl/src/quadtree/tree.rs:54
-    wire [1:0] u_test_parts_window_y;                            // rtl/src/quadtree/tree.rs:54
-    wire [95:0] u_test_parts_window_edges;                       // rtl/src/quadtree/tree.rs:54
-    wire [12:0] u_test_parts_window_bounds_left;                 // rtl/src/quadtree/tree.rs:54
-    wire [12:0] u_test_parts_window_bounds_top;                  // rtl/src/quadtree/tree.rs:54
-    wire [12:0] u_test_parts_window_bounds_right;                // rtl/src/quadtree/tree.rs:54
-    wire [12:0] u_test_parts_window_bounds_bottom;               // rtl/src/quadtree/tree.rs:54
-    wire [159:0] u_test_parts_window_planes;                     // rtl/src/quadtree/tree.rs:54
-    wire u_test_idle;                                            // rtl/src/quadtree/tree.rs:54
-    wire u_test_works_ready;                                     // rtl/src/quadtree/tree.rs:54
-    wire [744:0] u_arbiter_out_payload;                          // rtl/src/quadtree/tree.rs:64
-    wire u_arbiter_into_0_ready;                                 // rtl/src/quadtree/tree.rs:64
-    wire u_arbiter_into_1_ready;                                 // rtl/src/quadtree/tree.rs:64
-    wire u_arbiter_into_2_ready;                                 // rtl/src/quadtree/tree.rs:64
-    wire u_arbiter_into_3_ready;                                 // rtl/src/quadtree/tree.rs:64
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/tree.rs:47
+    wire [744:0] u_queue_out_payload;                            // rtl/src/quadtree/tree.rs:47
+    wire u_test_parts_valid;                                     // rtl/src/quadtree/tree.rs:49
+    wire [2:0] u_test_parts_polygon_last_edge;                   // rtl/src/quadtree/tree.rs:49
+    wire [50:0] u_test_parts_polygon_step_x;                     // rtl/src/quadtree/tree.rs:49
+    wire [50:0] u_test_parts_polygon_step_y;                     // rtl/src/quadtree/tree.rs:49
+    wire [2:0] u_test_parts_polygon_right;                       // rtl/src/quadtree/tree.rs:49
+    wire [2:0] u_test_parts_polygon_lower;                       // rtl/src/quadtree/tree.rs:49
+    wire [159:0] u_test_parts_polygon_plane_x;                   // rtl/src/quadtree/tree.rs:49
+    wire [159:0] u_test_parts_polygon_plane_y;                   // rtl/src/quadtree/tree.rs:49
+    wire [1:0] u_test_parts_window_size;                         // rtl/src/quadtree/tree.rs:49
+    wire [1:0] u_test_parts_window_x;                            // rtl/src/quadtree/tree.rs:49
+    wire [1:0] u_test_parts_window_y;                            // rtl/src/quadtree/tree.rs:49
+    wire [95:0] u_test_parts_window_edges;                       // rtl/src/quadtree/tree.rs:49
+    wire [12:0] u_test_parts_window_bounds_left;                 // rtl/src/quadtree/tree.rs:49
+    wire [12:0] u_test_parts_window_bounds_top;                  // rtl/src/quadtree/tree.rs:49
+    wire [12:0] u_test_parts_window_bounds_right;                // rtl/src/quadtree/tree.rs:49
+    wire [12:0] u_test_parts_window_bounds_bottom;               // rtl/src/quadtree/tree.rs:49
+    wire [159:0] u_test_parts_window_planes;                     // rtl/src/quadtree/tree.rs:49
+    wire u_test_idle;                                            // rtl/src/quadtree/tree.rs:49
+    wire u_test_works_ready;                                     // rtl/src/quadtree/tree.rs:49
+    wire [744:0] u_arbiter_out_payload;                          // rtl/src/quadtree/tree.rs:59
+    wire u_arbiter_into_0_ready;                                 // rtl/src/quadtree/tree.rs:59
+    wire u_arbiter_into_1_ready;                                 // rtl/src/quadtree/tree.rs:59
+    wire u_arbiter_into_2_ready;                                 // rtl/src/quadtree/tree.rs:59
+    wire u_arbiter_into_3_ready;                                 // rtl/src/quadtree/tree.rs:59
 
-    wire u_test_parts_ready_and_2;                               // rtl/src/quadtree/tree.rs:60
-    wire u_test_parts_ready_or_2;                                // rtl/src/quadtree/tree.rs:60
-    wire u_test_parts_ready_or;                                  // rtl/src/quadtree/tree.rs:60
-    wire [50:0] u_arbiter_into_0_payload_lanes;                  // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_0_payload_lanes_2;                // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_0_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_0_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_0_payload_lanes_5;               // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_0_payload_lanes_6;               // rtl/src/quadtree/tree.rs:64
-    wire [95:0] u_arbiter_into_0_payload_lanes_7;                // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_0_payload_lanes_8;               // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_1_payload_lanes;                  // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_1_payload_lanes_2;                // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_1_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_1_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_1_payload_lanes_5;               // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_1_payload_lanes_6;               // rtl/src/quadtree/tree.rs:64
-    wire [95:0] u_arbiter_into_1_payload_lanes_7;                // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_1_payload_lanes_8;               // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_2_payload_lanes;                  // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_2_payload_lanes_2;                // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_2_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_2_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_2_payload_lanes_5;               // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_2_payload_lanes_6;               // rtl/src/quadtree/tree.rs:64
-    wire [95:0] u_arbiter_into_2_payload_lanes_7;                // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_2_payload_lanes_8;               // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_3_payload_lanes;                  // rtl/src/quadtree/tree.rs:64
-    wire [50:0] u_arbiter_into_3_payload_lanes_2;                // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_3_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:64
-    wire [2:0] u_arbiter_into_3_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_3_payload_lanes_5;               // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_3_payload_lanes_6;               // rtl/src/quadtree/tree.rs:64
-    wire [95:0] u_arbiter_into_3_payload_lanes_7;                // rtl/src/quadtree/tree.rs:64
-    wire [159:0] u_arbiter_into_3_payload_lanes_8;               // rtl/src/quadtree/tree.rs:64
-    wire u_branch_idle_all;                                      // rtl/src/quadtree/tree.rs:65
-    wire [1:0] u_test_parts_ready_joined = {u_test_parts_window_y[1], u_test_parts_window_x[1]}; // rtl/src/quadtree/tree.rs:59
-    wire u_test_parts_ready_and = u_test_parts_valid & (u_test_parts_ready_joined == 2'd0); // rtl/src/quadtree/tree.rs:60
-    wire u_test_parts_ready_and_3 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd1); // rtl/src/quadtree/tree.rs:60
-    wire u_test_parts_ready_and_4 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd2); // rtl/src/quadtree/tree.rs:60
-    wire u_test_parts_ready_and_5 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd3); // rtl/src/quadtree/tree.rs:60
-    assign parts_polygon_last_edge = u_arbiter_out_payload[744:742]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_step_x = u_arbiter_out_payload[741:691]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_step_y = u_arbiter_out_payload[690:640]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_right = u_arbiter_out_payload[639:637]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_lower = u_arbiter_out_payload[636:634]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_plane_x = u_arbiter_out_payload[633:474]; // rtl/src/quadtree/tree.rs:64
-    assign parts_polygon_plane_y = u_arbiter_out_payload[473:314]; // rtl/src/quadtree/tree.rs:64
-    assign parts_window_size = u_arbiter_out_payload[313:312];   // rtl/src/quadtree/tree.rs:64
-    assign parts_window_x = u_arbiter_out_payload[311:310];      // rtl/src/quadtree/tree.rs:64
-    assign parts_window_y = u_arbiter_out_payload[309:308];      // rtl/src/quadtree/tree.rs:64
-    assign parts_window_edges = u_arbiter_out_payload[307:212];  // rtl/src/quadtree/tree.rs:64
-    assign parts_window_bounds_left = u_arbiter_out_payload[211:199]; // rtl/src/quadtree/tree.rs:64
-    assign parts_window_bounds_top = u_arbiter_out_payload[198:186]; // rtl/src/quadtree/tree.rs:64
-    assign parts_window_bounds_right = u_arbiter_out_payload[185:173]; // rtl/src/quadtree/tree.rs:64
-    assign parts_window_bounds_bottom = u_arbiter_out_payload[172:160]; // rtl/src/quadtree/tree.rs:64
-    assign parts_window_planes = u_arbiter_out_payload[159:0];   // rtl/src/quadtree/tree.rs:64
-    assign idle = u_test_idle & u_branch_idle_all;               // rtl/src/quadtree/tree.rs:65
+    wire u_test_parts_ready_and_2;                               // rtl/src/quadtree/tree.rs:55
+    wire u_test_parts_ready_or_2;                                // rtl/src/quadtree/tree.rs:55
+    wire u_test_parts_ready_or;                                  // rtl/src/quadtree/tree.rs:55
+    wire [50:0] u_arbiter_into_0_payload_lanes;                  // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_0_payload_lanes_2;                // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_0_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_0_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_0_payload_lanes_5;               // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_0_payload_lanes_6;               // rtl/src/quadtree/tree.rs:59
+    wire [95:0] u_arbiter_into_0_payload_lanes_7;                // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_0_payload_lanes_8;               // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_1_payload_lanes;                  // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_1_payload_lanes_2;                // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_1_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_1_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_1_payload_lanes_5;               // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_1_payload_lanes_6;               // rtl/src/quadtree/tree.rs:59
+    wire [95:0] u_arbiter_into_1_payload_lanes_7;                // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_1_payload_lanes_8;               // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_2_payload_lanes;                  // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_2_payload_lanes_2;                // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_2_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_2_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_2_payload_lanes_5;               // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_2_payload_lanes_6;               // rtl/src/quadtree/tree.rs:59
+    wire [95:0] u_arbiter_into_2_payload_lanes_7;                // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_2_payload_lanes_8;               // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_3_payload_lanes;                  // rtl/src/quadtree/tree.rs:59
+    wire [50:0] u_arbiter_into_3_payload_lanes_2;                // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_3_payload_lanes_3;                 // rtl/src/quadtree/tree.rs:59
+    wire [2:0] u_arbiter_into_3_payload_lanes_4;                 // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_3_payload_lanes_5;               // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_3_payload_lanes_6;               // rtl/src/quadtree/tree.rs:59
+    wire [95:0] u_arbiter_into_3_payload_lanes_7;                // rtl/src/quadtree/tree.rs:59
+    wire [159:0] u_arbiter_into_3_payload_lanes_8;               // rtl/src/quadtree/tree.rs:59
+    wire u_branch_idle_all;                                      // rtl/src/quadtree/tree.rs:60
+    wire [1:0] u_test_parts_ready_joined = {u_test_parts_window_y[1], u_test_parts_window_x[1]}; // rtl/src/quadtree/tree.rs:54
+    wire u_test_parts_ready_and = u_test_parts_valid & (u_test_parts_ready_joined == 2'd0); // rtl/src/quadtree/tree.rs:55
+    wire u_test_parts_ready_and_3 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd1); // rtl/src/quadtree/tree.rs:55
+    wire u_test_parts_ready_and_4 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd2); // rtl/src/quadtree/tree.rs:55
+    wire u_test_parts_ready_and_5 = u_test_parts_valid & (u_test_parts_ready_joined == 2'd3); // rtl/src/quadtree/tree.rs:55
+    assign parts_polygon_last_edge = u_arbiter_out_payload[744:742]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_step_x = u_arbiter_out_payload[741:691]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_step_y = u_arbiter_out_payload[690:640]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_right = u_arbiter_out_payload[639:637]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_lower = u_arbiter_out_payload[636:634]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_plane_x = u_arbiter_out_payload[633:474]; // rtl/src/quadtree/tree.rs:59
+    assign parts_polygon_plane_y = u_arbiter_out_payload[473:314]; // rtl/src/quadtree/tree.rs:59
+    assign parts_window_size = u_arbiter_out_payload[313:312];   // rtl/src/quadtree/tree.rs:59
+    assign parts_window_x = u_arbiter_out_payload[311:310];      // rtl/src/quadtree/tree.rs:59
+    assign parts_window_y = u_arbiter_out_payload[309:308];      // rtl/src/quadtree/tree.rs:59
+    assign parts_window_edges = u_arbiter_out_payload[307:212];  // rtl/src/quadtree/tree.rs:59
+    assign parts_window_bounds_left = u_arbiter_out_payload[211:199]; // rtl/src/quadtree/tree.rs:59
+    assign parts_window_bounds_top = u_arbiter_out_payload[198:186]; // rtl/src/quadtree/tree.rs:59
+    assign parts_window_bounds_right = u_arbiter_out_payload[185:173]; // rtl/src/quadtree/tree.rs:59
+    assign parts_window_bounds_bottom = u_arbiter_out_payload[172:160]; // rtl/src/quadtree/tree.rs:59
+    assign parts_window_planes = u_arbiter_out_payload[159:0];   // rtl/src/quadtree/tree.rs:59
+    assign idle = u_test_idle & u_branch_idle_all;               // rtl/src/quadtree/tree.rs:60
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_branch               // rtl/src/quadtree/tree.rs:62
+        for (i = 0; i < 4; i = i + 1) begin : u_branch               // rtl/src/quadtree/tree.rs:57
             wire lane_parts_valid;
             wire [2:0] lane_parts_polygon_last_edge;
             wire [50:0] lane_parts_polygon_step_x;
@@ -284,7 +284,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         end
     endgenerate
 
-    fifo_depth2_width745_storage_registers u_queue (             // rtl/src/quadtree/tree.rs:52
+    fifo_depth2_width745_storage_registers u_queue (             // rtl/src/quadtree/tree.rs:47
         .clk          (clk),
         .rst          (rst),
         .into_valid   (works_valid),
@@ -301,7 +301,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .into_ready   (works_ready)
     );
 
-    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 u_test ( // rtl/src/quadtree/tree.rs:54
+    coverage_test_format8x8_2x2_edges3_test_serial_from2_sizes1 u_test ( // rtl/src/quadtree/tree.rs:49
         .clk                        (clk),
         .rst                        (rst),
         .works_valid                (u_queue_out_valid),
@@ -346,7 +346,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .works_ready                (u_test_works_ready)
     );
 
-    arbiter_senders4_width745_turns_round_robin u_arbiter (      // rtl/src/quadtree/tree.rs:64
+    arbiter_senders4_width745_turns_round_robin u_arbiter (      // rtl/src/quadtree/tree.rs:59
         .clk            (clk),
         .rst            (rst),
         .into_0_valid   (u_branch[0].lane_parts_valid),
@@ -406,9 +406,9 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
         .into_3_ready   (u_arbiter_into_3_ready)
     );
 
-    assign u_test_parts_ready_and_2 = u_test_parts_ready_and_3 & u_branch[1].lane_works_ready; // rtl/src/quadtree/tree.rs:60
-    assign u_test_parts_ready_or_2 = (u_test_parts_ready_and & u_branch[0].lane_works_ready) | u_test_parts_ready_and_2; // rtl/src/quadtree/tree.rs:60
-    assign u_test_parts_ready_or = u_test_parts_ready_or_2 | (u_test_parts_ready_and_4 & u_branch[2].lane_works_ready); // rtl/src/quadtree/tree.rs:60
+    assign u_test_parts_ready_and_2 = u_test_parts_ready_and_3 & u_branch[1].lane_works_ready; // rtl/src/quadtree/tree.rs:55
+    assign u_test_parts_ready_or_2 = (u_test_parts_ready_and & u_branch[0].lane_works_ready) | u_test_parts_ready_and_2; // rtl/src/quadtree/tree.rs:55
+    assign u_test_parts_ready_or = u_test_parts_ready_or_2 | (u_test_parts_ready_and_4 & u_branch[2].lane_works_ready); // rtl/src/quadtree/tree.rs:55
     generate
         for (i = 0; i < 7; i = i + 1) begin : tally_1_busy_tree
             wire [31:0] value;
@@ -419,7 +419,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
             end
         end
     endgenerate
-    assign tally_1_busy = tally_1_busy_tree[6].value;            // rtl/src/quadtree/tree.rs:63
+    assign tally_1_busy = tally_1_busy_tree[6].value;            // rtl/src/quadtree/tree.rs:58
     generate
         for (i = 0; i < 7; i = i + 1) begin : tally_1_stalled_tree
             wire [31:0] value;
@@ -430,7 +430,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
             end
         end
     endgenerate
-    assign tally_1_stalled = tally_1_stalled_tree[6].value;      // rtl/src/quadtree/tree.rs:63
+    assign tally_1_stalled = tally_1_stalled_tree[6].value;      // rtl/src/quadtree/tree.rs:58
     generate
         for (i = 0; i < 7; i = i + 1) begin : tally_1_results_tree
             wire [31:0] value;
@@ -441,7 +441,7 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
             end
         end
     endgenerate
-    assign tally_1_results = tally_1_results_tree[6].value;      // rtl/src/quadtree/tree.rs:63
+    assign tally_1_results = tally_1_results_tree[6].value;      // rtl/src/quadtree/tree.rs:58
     generate
         for (i = 0; i < 3; i = i + 1) begin : u_arbiter_into_0_payload_lanes_of
             assign u_arbiter_into_0_payload_lanes[i * 17 +: 17] = u_branch[0].lane_parts_polygon_step_x[i * 17 +: 17];
@@ -608,6 +608,6 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
             assign u_branch_idle_all_lanes[i] = u_branch[i].lane_idle;
         end
     endgenerate
-    assign u_branch_idle_all = &u_branch_idle_all_lanes;         // rtl/src/quadtree/tree.rs:65
+    assign u_branch_idle_all = &u_branch_idle_all_lanes;         // rtl/src/quadtree/tree.rs:60
 endmodule
 `default_nettype wire
