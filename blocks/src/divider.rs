@@ -40,41 +40,33 @@ block! {
     latency(self) = format!("{} clocks", self.width);
     in(self) DividerIn {
         /// The numbers to divide.
-        operands: stream(Operands { dividend: bits(self.width), divisor: bits(self.width) }),
+        ///
+        /// ```
+        /// # use tilewright_blocks::Operands;
+        /// let third = Operands { dividend: 100, divisor: 3 };
+        /// assert_eq!(third.dividend / third.divisor, 33);
+        /// ```
+        operands: stream(pub struct Operands {
+            /// The number that is divided.
+            dividend: bits(self.width),
+            /// The number by which the dividend is divided.
+            divisor: bits(self.width),
+        }),
     }
     out(self) DividerOut {
         /// The quotients and remainders.
-        results: stream(Quotient { quotient: bits(self.width), remainder: bits(self.width) }),
-    }
-}
-
-bundle! {
-    /// The operands of a [`Divider`].
-    ///
-    /// ```
-    /// # use tilewright_blocks::Operands;
-    /// let third = Operands { dividend: 100, divisor: 3 };
-    /// assert_eq!(third.dividend / third.divisor, 33);
-    /// ```
-    pub struct Operands<T> {
-        /// The number that is divided.
-        pub dividend: T,
-        /// The number by which the dividend is divided.
-        pub divisor: T,
-    }
-
-    /// The result of a division.
-    ///
-    /// ```
-    /// # use tilewright_blocks::Quotient;
-    /// let third = Quotient { quotient: 33, remainder: 1 };
-    /// assert_eq!(third.quotient * 3 + third.remainder, 100);
-    /// ```
-    pub struct Quotient<T> {
-        /// How often the divisor goes into the dividend.
-        pub quotient: T,
-        /// What is left of the dividend.
-        pub remainder: T,
+        ///
+        /// ```
+        /// # use tilewright_blocks::Quotient;
+        /// let third = Quotient { quotient: 33, remainder: 1 };
+        /// assert_eq!(third.quotient * 3 + third.remainder, 100);
+        /// ```
+        results: stream(pub struct Quotient {
+            /// How often the divisor goes into the dividend.
+            quotient: bits(self.width),
+            /// What is left of the dividend.
+            remainder: bits(self.width),
+        }),
     }
 }
 

@@ -45,20 +45,6 @@ bundle! {
         /// The remaining angle.
         angle: T,
     }
-
-    /// The results of a [`SineCosine`].
-    ///
-    /// ```
-    /// # use tilewright_blocks::OnCircle;
-    /// let east = OnCircle { cosine: 64, sine: 0 };
-    /// assert_eq!(east.cosine * east.cosine + east.sine * east.sine, 64 * 64);
-    /// ```
-    pub struct OnCircle<T> {
-        /// The cosine, signed.
-        pub cosine: T,
-        /// The sine, signed.
-        pub sine: T,
-    }
 }
 
 block! {
@@ -90,7 +76,18 @@ block! {
     in(self) = StreamIn { into: stream(bits(self.width)) };
     out(self) SineCosineOut {
         /// The points of the circle; 1 is a quarter of their range.
-        points: stream(OnCircle { cosine: bits(self.width).signed(), sine: bits(self.width).signed() }),
+        ///
+        /// ```
+        /// # use tilewright_blocks::OnCircle;
+        /// let east = OnCircle { cosine: 64, sine: 0 };
+        /// assert_eq!(east.cosine * east.cosine + east.sine * east.sine, 64 * 64);
+        /// ```
+        points: stream(pub struct OnCircle {
+            /// The cosine, signed.
+            cosine: bits(self.width).signed(),
+            /// The sine, signed.
+            sine: bits(self.width).signed(),
+        }),
     }
 }
 

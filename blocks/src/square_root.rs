@@ -11,20 +11,6 @@ bundle! {
         remainder: T,
         root: T,
     }
-
-    /// The results of a [`SquareRoot`].
-    ///
-    /// ```
-    /// # use tilewright_blocks::Root;
-    /// let of_ten = Root { root: 3, remainder: 1 };
-    /// assert_eq!(of_ten.root * of_ten.root + of_ten.remainder, 10);
-    /// ```
-    pub struct Root<T> {
-        /// The largest number whose square is no larger than what came in.
-        pub root: T,
-        /// What is left when the square of the root is taken away.
-        pub remainder: T,
-    }
 }
 
 block! {
@@ -52,7 +38,18 @@ block! {
     in(self) = StreamIn { into: stream(bits(2 * self.width)) };
     out(self) SquareRootOut {
         /// The roots.
-        roots: stream(Root { root: bits(self.width), remainder: bits(self.width + 1) }),
+        ///
+        /// ```
+        /// # use tilewright_blocks::Root;
+        /// let of_ten = Root { root: 3, remainder: 1 };
+        /// assert_eq!(of_ten.root * of_ten.root + of_ten.remainder, 10);
+        /// ```
+        roots: stream(pub struct Root {
+            /// The largest number whose square is no larger than what came in.
+            root: bits(self.width),
+            /// What is left when the square of the root is taken away.
+            remainder: bits(self.width + 1),
+        }),
     }
 }
 
