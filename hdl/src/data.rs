@@ -308,18 +308,16 @@ pub(crate) fn number_of_field(
         _ => (Loc::caller(), name()),
     };
     let problem = match kind {
-        Kind::Code(names) => Problem::new(
-            Mistake::UnknownCode,
-            loc,
-            format!("`{number}` is not a code of `{}`, the enum of {name}", names.of),
-        ),
-        _ => Problem::new(
-            Mistake::TooLarge,
-            loc,
-            format!("`{number}` does not fit in the {} of {name}", bits_text(width)),
-        ),
+        Kind::Code(names) => {
+            let message = format!("`{number}` is not a code of `{}`, the enum of {name}", names.of);
+            Problem::new(Mistake::UnknownCode, loc, message).help("name one of its codes")
+        }
+        _ => {
+            let message = format!("`{number}` does not fit in the {} of {name}", bits_text(width));
+            Problem::new(Mistake::TooLarge, loc, message)
+                .help("a number takes the width and the sign of the declaration")
+        }
     };
-    let problem = problem.help("a number takes the width and the sign of the declaration");
     elaboration::with(|e| e.report_instead_of(stand_in.as_slice(), problem));
     Bits::zero(width)
 }

@@ -6,6 +6,7 @@ use tilewright_hdl::*;
 bundle! {
     struct Entry<T> { resident: T, page: T }
     struct Row<T> { cells: Vec<T> }
+    struct Coded<T> { opcode: T, rest: T }
 }
 
 fn entry() -> Entry<Width> {
@@ -103,6 +104,46 @@ fn words_of_records_name_the_field() {
 
          2 problems in this description",
     );
+}
+
+codes! { enum Opcode { Load = 0x03, Store = 0x23 } }
+
+#[test]
+fn zero_for_a_record_whose_enum_has_no_code_0() {
+    fn coded() -> Coded<Width> {
+        Coded { opcode: one_of::<Opcode>(), rest: bits(8) }
+    }
+    let cases: [(&str, Build); 5] = [
+        ("`0` is not a code of `Opcode`, the enum of `held_opcode` [T207]", |m, i| {
+            let held = m.reg("held", coded()).reset(0);
+            held.when(i.c, Coded { opcode: Opcode::Load.into(), rest: i.a });
+            held.rest
+        }),
+        ("`0` is not a code of `Opcode`, the enum of `held_opcode` [T207]", |m, i| {
+            let held = m.reg("held", coded());
+            held.when(i.c, 0);
+            held.rest
+        }),
+        ("`0` is not a code of `Opcode`, the enum of `wire_opcode` [T207]", |m, _| {
+            let wire = m.wire("wire", coded());
+            wire.drive(0);
+            wire.rest
+        }),
+        (
+            "`0` is not a code of `Opcode`, the enum of field `opcode` of the contents of memory `words` [T207]",
+            |m, i| m.memory("words", 2, coded(), ReadUnderWrite::Old).fill(0).read(i.c).rest,
+        ),
+        ("`0` is not a code of `Opcode`, the enum of field `opcode` of memory `words` [T207]", |m, i| {
+            let words = m.memory("words", 2, coded(), ReadUnderWrite::Old);
+            words.write(i.c, i.c, 0);
+            words.read(i.c).rest
+        }),
+    ];
+    for (start, build) in cases {
+        let text = problems(&Case(build));
+        assert!(text.starts_with(start), "{text}");
+        assert!(text.ends_with("help: name one of its codes") && text.contains("\n  --> ["), "{text}");
+    }
 }
 
 #[test]

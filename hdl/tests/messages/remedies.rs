@@ -91,7 +91,7 @@ fn of_registers_and_memories() {
         ),
         (
             "`3` is not a code of `Operation`, the enum of the contents of memory `program` [T207]",
-            "a number takes the width and the sign of the declaration",
+            "name one of its codes",
             |m, i| m.memory("program", 2, one_of::<Operation>(), ReadUnderWrite::Old).fill(3).read(i.c).bits(),
         ),
         (
