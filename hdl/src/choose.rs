@@ -72,7 +72,10 @@ pub struct ChosenArm<C, V: Data> {
 
 impl<C: Codes, V: Data> ChosenArm<C, V> {
     #[track_caller]
-    pub fn new<const N: usize>(codes: [Option<C>; N], value: impl Fits<V>) -> ChosenArm<C, V> {
+    pub fn new<const N: usize>(
+        codes: [Option<C>; N],
+        value: impl Fits<V>, // Numbers alone have no width: write one as `lit(8, 0)`.
+    ) -> ChosenArm<C, V> {
         ChosenArm { codes: codes.into(), value: value.given() }
     }
 

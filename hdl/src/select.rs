@@ -200,7 +200,11 @@ fn sized(mut values: Vec<Value>, of: &str) -> Vec<Signal> {
 /// # });
 /// ```
 #[track_caller]
-pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: impl Fits<V>) -> V {
+pub fn mux<V: Data>(
+    select: impl IntoSignal,
+    on_true: impl Fits<V>, // Numbers alone have no width: write one as `lit(8, 0)`.
+    on_false: impl Fits<V>,
+) -> V {
     let select = condition(select.into(), "mux");
     let (shape, fields) = fields(vec![on_true.given(), on_false.given()], "mux");
     let mut chosen = Vec::with_capacity(fields.len());
@@ -227,7 +231,10 @@ pub fn mux<V: Data>(select: impl IntoSignal, on_true: impl Fits<V>, on_false: im
 /// # });
 /// ```
 #[track_caller]
-pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, default: impl Fits<V>) -> V {
+pub fn select<V: Data, A: Fits<V>>(
+    arms: impl IntoIterator<Item = (Signal, A)>,
+    default: impl Fits<V>, // Numbers alone have no width: write one as `lit(8, 0)`.
+) -> V {
     let loc = Loc::caller();
     let (signals, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();
     let count = signals.len();
@@ -269,7 +276,7 @@ pub fn select<V: Data, A: Fits<V>>(arms: impl IntoIterator<Item = (Signal, A)>, 
 pub fn case<V: Data, K: Integer, A: Fits<V>>(
     subject: impl IntoSignal,
     arms: impl IntoIterator<Item = (K, A)>,
-    default: impl Fits<V>,
+    default: impl Fits<V>, // Numbers alone have no width: write one as `lit(8, 0)`.
 ) -> V {
     let (loc, subject) = (Loc::caller(), subject.into());
     let (numbers, values): (Vec<_>, Vec<_>) = arms.into_iter().unzip();

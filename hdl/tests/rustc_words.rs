@@ -34,9 +34,19 @@ pub fn build(m: Module, a: Signal, pair: Pair) {
     let _ = if a { 1 } else { 2 };
     let _ = a && a;
 }
-pub fn numbers(m: Module, c: Signal) {
+pub fn two(m: Module, c: Signal) {
     m.reg(TEXT, 8).when(c, mux(c, 0, 2));
 }
+pub fn selected(m: Module, c: Signal) {
+    m.reg(TEXT, 8).next(select([(c, 1)], 2));
+}
+pub fn cases(m: Module, c: Signal) {
+    m.reg(TEXT, 8).next(case(c, [(1, 3)], 2));
+}
+pub fn chosen(m: Module, c: Signal) {
+    m.reg(TEXT, 8).next(choose!(c, Way { Left => 0, Right => 2 }));
+}
+codes! { pub enum Way { Left, Right } }
 block! {
     pub struct Sum { pub width: u32 }
     input(self) SumIn { a: bits(self.width), b: bits(self.width) }
@@ -52,6 +62,8 @@ fn of_a_record<B: Bundle>(_: B) {}
 const TEXT: &str = stringify!(words);
 ";
 const NOT_COMPARED: &str = "signals cannot be compared by `==`, `<` and their like, which return a `bool`";
+/// rustc shows the line of the parameter that is given a number.
+const NO_WIDTH: &str = "// Numbers alone have no width: write one as `lit(8, 0)`.";
 
 #[test]
 fn rustc_says_what_to_write() {
@@ -91,7 +103,10 @@ fn rustc_says_what_to_write() {
         ("let _ = count % 3;", "signals are not divided by `/` or `%`", "instantiate `Divider`"),
         ("let _ = if a { 1 } else { 2 };", "expected `bool`, found `Signal`", "E0308"),
         ("let _ = a && a;", "expected `bool`, found `Signal`", "E0308"),
-        ("when(c, mux(c, 0, 2));", "type annotations needed", "E0283"),
+        ("when(c, mux(c, 0, 2));", "type annotations needed", NO_WIDTH),
+        ("next(select([(c, 1)], 2));", "type annotations needed", NO_WIDTH),
+        ("next(case(c, [(1, 3)], 2));", "type annotations needed", NO_WIDTH),
+        ("next(choose!(c, Way { Left => 0, Right => 2 }));", "type annotations needed", NO_WIDTH),
         ("input(self) SumIn", "`input` is no clause of a block", "`in Name { .. }`"),
         ("speed = 1;", "`speed` is no clause of a block", "`latency = ..;`"),
         ("outputs SumOut", "`outputs` is no clause of a block", "`out Name { .. }`"),
@@ -129,6 +144,9 @@ fn what_it_names_compiles() {
         .replace("if a { 1 } else { 2 }", "mux(a.bit(0), a, a)")
         .replace("a && a", "a & a")
         .replace("mux(c, 0, 2)", "mux(c, lit(8, 0), 2)")
+        .replace("(c, 1)], 2)", "(c, lit(8, 1))], 2)")
+        .replace("(1, 3)], 2)", "(1, lit(8, 3))], 2)")
+        .replace("Left => 0,", "Left => lit(8, 0),")
         .replace("input(self)", "in(self)")
         .replace("speed = 1;", "")
         .replace("outputs", "out");
@@ -306,6 +324,8 @@ fn compile(text: &str) -> String {
         .arg("--out-dir")
         .arg(folder.path())
         .arg(&source)
+        // The places of the library are relative to the workspace.
+        .current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
         .output()
         .unwrap();
     String::from_utf8_lossy(&output.stderr).into_owned()
