@@ -134,6 +134,16 @@ pub fn join(path: &str, field: &str) -> String {
 /// # let _ = widths;
 /// ```
 ///
+/// A record of numbers has a default, in which every number is 0 and every list is empty. So a test names what is
+/// not 0:
+///
+/// ```
+/// # use tilewright_hdl::*;
+/// # bundle! { struct LampIn<T> { on: T, red: T, green: T, blue: T } }
+/// let red = LampIn { on: 1, red: 200u64, ..LampIn::default() };
+/// assert_eq!(red, LampIn { on: 1, red: 200, green: 0, blue: 0 });
+/// ```
+///
 /// A record of signals is a value. Registers, wires and memories store it ([`Reg`](crate::Reg), [`Mem`](crate::Mem));
 /// [`mux`](crate::mux()), [`select`](crate::select()) and [`case`](crate::case()) choose between records. Packed into
 /// a word, the fields stand side by side, the first most significant:
@@ -162,6 +172,13 @@ macro_rules! bundle {
         }
 
         impl<$leaf: Copy> Copy for $name<$leaf> where $($ty: Copy),* {}
+
+        /// Zeros, for the numbers of a test; a list is empty.
+        impl<$leaf: Default> Default for $name<$leaf> where $($ty: Default),* {
+            fn default() -> Self {
+                $name { $($field: Default::default()),* }
+            }
+        }
 
         impl<$leaf: $crate::Leaf> $crate::Fields<$leaf> for $name<$leaf> {
             type With<U: $crate::Leaf> = $name<U>;

@@ -69,7 +69,7 @@ use std::ops::Deref;
 /// assert_eq!(names(design.top().outputs.iter().map(|port| &*port.name).collect()), "delayed_valid delayed_page delayed_last jobs_ready");
 /// # Ok::<(), Problems>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stream<P = crate::Signal, T = crate::Signal> {
     /// The sender has a payload.
     pub valid: T,

@@ -80,8 +80,7 @@ fn lfb_swap(values: &Values) -> Result<LfbSwap, CatalogError> {
 }
 
 fn a_frame_and_an_overflow(control: &LfbSwap) -> Scenario {
-    let idle =
-        LfbSwapIn { done: 0, idle: 1, overflow: 0, draws: 0, clears: 0, patch: 0, line: 0, shown: 0, sending: 0 };
+    let idle = LfbSwapIn { idle: 1, ..LfbSwapIn::default() };
     let mut script = Script::new(control, PE.period);
     let clear = |script: &mut Script<LfbSwap>, shown| {
         for patch in 0..control.patches.into() {

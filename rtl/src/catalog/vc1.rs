@@ -54,12 +54,7 @@ fn a_frame(vc1: &Vc1) -> Scenario {
     let [last_x, last_y] = [width - 1, height - 1].map(u64::from);
 
     let silent = Stream::of(0, BusWord { word: 0, last: 0 });
-    let processor = ProcessorIn {
-        request: Stream::of(0, Request { x: 0, y: 0, word: 0 }),
-        clear: Stream::of(0, Wanted { patch: 0 }),
-        sends: silent,
-        done: 0,
-    };
+    let processor = ProcessorIn::default();
     let access = |valid, address| Stream::of(valid, Access { address, writes: 0, word: 0 });
     let multipass = two_passes(vc1.accumulation);
     let host = Host { accesses: access(0, 0), background: 0xffffff_102030, multipass };

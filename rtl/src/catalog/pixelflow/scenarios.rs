@@ -343,11 +343,7 @@ fn checkers(memory: &TextureMemory) -> (Describe<u64>, Vec<TexelWrite<u64>>) {
 
 pub(super) fn places(memory: &TextureMemory) -> Scenario {
     let (describe, texels) = checkers(memory);
-    let quiet = TextureMemoryIn {
-        write: TexelWrite { valid: 0, bank: 0, address: 0, texel: 0 },
-        describe: Describe { valid: 0, texture: 0, base: 0, finest: 0 },
-        request: TexturePlace { valid: 0, u: 0, v: 0, level: 0, texture: 0 },
-    };
+    let quiet = TextureMemoryIn::default();
     let mut script = Script::new(memory, ARRAY.period);
     script.clock(&TextureMemoryIn { describe, ..quiet });
     texels.into_iter().for_each(|write| script.clock(&TextureMemoryIn { write, ..quiet }));
@@ -361,13 +357,8 @@ pub(super) fn places(memory: &TextureMemory) -> Scenario {
 
 pub(super) fn a_region_of_texels(unit: &TextureUnit) -> Scenario {
     let (describe, texels) = checkers(&unit.memory);
-    let quiet = TextureUnitIn {
-        write: TexelWrite { valid: 0, bank: 0, address: 0, texel: 0 },
-        describe: Describe { valid: 0, texture: 0, base: 0, finest: 0 },
-        start: 0,
-        // All pixels ask for a place at the left, on level 0.
-        seen: 0,
-    };
+    // All pixels ask for a place at the left, on level 0.
+    let quiet = TextureUnitIn::default();
     let mut script = Script::new(unit, ARRAY.period);
     script.clock(&TextureUnitIn { describe, ..quiet });
     texels.into_iter().for_each(|write| script.clock(&TextureUnitIn { write, ..quiet }));

@@ -137,12 +137,7 @@ pub(super) fn four_pixels(processor: &PixelProcessor) -> Scenario {
 
 pub(super) fn draw_thrice_and_send(buffer: &VideoBuffer) -> Scenario {
     let mut script = Script::new(buffer, DEFAULT_PERIOD);
-    let idle = VideoBufferIn {
-        draw: Fragment { valid: 0, x: 0, y: 0, word: 0 },
-        strict: 0,
-        back: 0,
-        scan: Scan { enable: 0, x: 0, y: 0, clear: 1 },
-    };
+    let idle = VideoBufferIn { scan: Scan { clear: 1, ..Scan::default() }, ..VideoBufferIn::default() };
     script.clock(&idle);
     for word in [70, 60, 65] {
         script.clock(&VideoBufferIn { draw: Fragment { valid: 1, word, ..idle.draw }, ..idle });

@@ -151,10 +151,10 @@ fn a_clear_takes_3_clocks_and_comes_before_a_look_up_of_the_same_edge() {
         look_up: Stream::of(1, Wanted { patch: 3 }),
         clear: Stream::of(1, Wanted { patch: 3 }),
         settled: 1,
-        ..idle()
+        ..PatchTableIn::default()
     });
     assert_eq!(clocks(&mut sim, 1), ["Idle"]);
-    sim.drive(PatchTableIn { settled: 1, ..idle() });
+    sim.drive(PatchTableIn { settled: 1, ..PatchTableIn::default() });
     assert_eq!(clocks(&mut sim, 6), ["Read", "Read", "Read", "Examine", "Allocate", "Found"]);
     assert_eq!(sim.get_u64(sim.o.page), 1, "a cleared patch gets a new page");
 }
@@ -168,18 +168,6 @@ fn a_reset_ends_a_clear() {
         assert_eq!(sim.get_u64(sim.i.clear.ready), 0);
         sim.reset();
         assert_eq!(sim.get_u64(sim.i.clear.ready), 1, "a reset {wait} clocks after the first");
-    }
-}
-
-fn idle() -> PatchTableIn<u64> {
-    PatchTableIn {
-        look_up: Stream::of(0, Wanted { patch: 0 }),
-        clear: Stream::of(0, Wanted { patch: 0 }),
-        front: 0,
-        settled: 0,
-        restart: 0,
-        resume: 0,
-        scan: ScanLookUp { enable: 0, patch: 0, buffer: 0 },
     }
 }
 
@@ -224,7 +212,7 @@ fn the_scan_reads_the_buffer_it_names() {
     look_up(&mut sim, 3);
     clocks(&mut sim, 5);
     let mut entry = |patch, buffer| {
-        sim.drive(PatchTableIn { scan: ScanLookUp { enable: 1, patch, buffer }, ..idle() });
+        sim.drive(PatchTableIn { scan: ScanLookUp { enable: 1, patch, buffer }, ..PatchTableIn::default() });
         sim.step_clock(MERGE, 1);
         let Entry { resident, page } = sim.read_u64().scan_entry;
         (resident == 1).then_some(page)
