@@ -52,6 +52,18 @@ fn memories_their_reads_and_instances_take_the_same_numbers() {
 }
 
 #[test]
+fn an_instance_has_the_name_of_its_variable() {
+    assert_eq!(
+        names(|m, i| {
+            def!(r#final = m.instance(&Inverter { registered: true }, Link { x: i.a }));
+            def!(rest = m.array(2, &Inverter { registered: true }, |_| Link { x: i.a }));
+            r#final.out & rest.out.last()
+        }),
+        ["u_final", "u_rest"]
+    );
+}
+
+#[test]
 fn an_output_keeps_the_name_of_the_net_that_drives_it() {
     fn next(m: Module, x: Signal) -> Signal {
         def!(out = m.pipe(x));
@@ -111,15 +123,15 @@ fn a_prefix_stands_before_all_names_but_those_inside_of_an_instance() {
         def!(sum = late.left + late.right.zext(8));
         m.instance("u_inverter", &Inverter { registered: true }, Link { x: sum }).out
     }
-    let build = |m: Module, i: In| m.within("outer", || m.within("inner", || all(m, i)));
-    assert_eq!(
-        names(build),
-        ["pair_left", "pair_right", "left1", "right1", "sum", "words"]
-            .map(|name| format!("outer_inner_{name}"))
-            .into_iter()
-            .chain(["u_outer_inner_inverter".to_owned()])
-            .collect::<Vec<_>>()
-    );
+    let build = |m: Module, i: In| {
+        let inside = m.within("outer", || m.within("inner", || all(m, i)));
+        def!(after = !inside);
+        after
+    };
+    let mut expected =
+        ["pair_left", "pair_right", "left1", "right1", "sum"].map(|name| format!("outer_inner_{name}")).to_vec();
+    expected.extend(["after", "outer_inner_words", "u_outer_inner_inverter"].map(str::to_owned));
+    assert_eq!(names(build), expected);
     let design = elaborate(&Case(build)).unwrap();
     assert!(design.modules()[0].nodes.iter().any(|node| node.name.as_deref() == Some("y")));
 }

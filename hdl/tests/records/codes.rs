@@ -61,6 +61,15 @@ fn numbers_of_codes() {
 }
 
 #[test]
+fn a_state_with_a_number_of_its_own_is_left() {
+    let mut sim = Simulation::of(&Answers).unwrap();
+    sim.drive(AnswersIn { opcode: Opcode::Load.code(), ..AnswersIn::default() });
+    // `Decerr` is left, and `Okay` is not.
+    sim.run(3);
+    assert_eq!((sim.get_u64(sim.o.answer), sim.get_u64(sim.o.faults)), (Response::Okay.code(), 1));
+}
+
+#[test]
 fn verilog_has_their_numbers_and_names() {
     let text = &tilewright_gen::verilog(&elaborate(&Answers).unwrap())[0].text;
     for line in [
@@ -135,4 +144,5 @@ fn a_code_is_a_signal() {
     }
     let text = &tilewright_gen::verilog(&elaborate(&Refuses).unwrap())[0].text;
     assert!(text.contains("go ? RESPONSE_SLVERR : RESPONSE_OKAY"), "{text}");
+    assert!(text.contains("// Not used here: RESPONSE_DECERR = 3."), "{text}");
 }
