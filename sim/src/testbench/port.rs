@@ -88,13 +88,22 @@ impl IntoValue for u64 {
     fn into_value(self, width: u32) -> Result<Bits, String> {
         match width >= 64 || self >> width == 0 {
             true => Ok(Bits::new(width, self)),
-            false => Err(format!("cannot hold {self}")),
+            false => Err(cannot_hold(self, width)),
         }
     }
 
     #[inline]
     fn to_limb(&self) -> Option<u64> {
         Some(*self)
+    }
+}
+
+/// What is wrong with a number that is too large for this width, which is less than 64.
+fn cannot_hold(number: u64, width: u32) -> String {
+    let negative = number as i64;
+    match negative >> (width - 1) {
+        -1 => format!("cannot hold {number}: give it {negative}, as a signed integer"),
+        _ => format!("cannot hold {number}"),
     }
 }
 
@@ -183,6 +192,9 @@ mod tests {
         assert_eq!((-9i32).into_value(4), Err("cannot hold -9".to_string()));
         assert_eq!(16u64.into_value(4), Err("cannot hold 16".to_string()));
         assert_eq!((-1i64).into_value(100), Ok(Bits::ones(100)));
+        let unsigned = (-3i64 as u64).into_value(4).unwrap_err();
+        assert_eq!(unsigned, "cannot hold 18446744073709551613: give it -3, as a signed integer");
+        assert_eq!((-9i64 as u64).into_value(4), Err("cannot hold 18446744073709551607".to_string()));
         assert!(Bits::new(5, 1).into_value(4).unwrap_err().contains("of 5 bits"));
     }
 }

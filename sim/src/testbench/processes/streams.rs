@@ -23,6 +23,9 @@ impl Testbench<'_> {
     /// # Ok::<(), tilewright_sim::Error>(())
     /// ```
     ///
+    /// A negative word is a signed integer. All numbers of a record have one type, so a code among them is cast:
+    /// `Step { operation: Operation::Add as i64, least: -3 }`.
+    ///
     /// # Panics
     ///
     /// A value does not fit, or a list is not as long as that of the ports.

@@ -160,6 +160,62 @@ fn waves_name_the_fields_of_records_and_their_codes() {
     );
 }
 
+codes! { enum Other { Add = 0, Subtract = 2, Smaller = 5 } }
+
+#[test]
+fn a_signal_as_a_code_of_its_enum() {
+    let mut sim = of(&Unit);
+    for code in Operation::ALL {
+        sim.set(sim.i.operation, code.code());
+        assert_eq!(sim.code::<Operation>("done").unwrap(), *code);
+    }
+    let problem = sim.code::<Operation>("dome").unwrap_err().to_string();
+    assert!(problem.contains("did you mean `done`?"), "{problem}");
+}
+
+#[test]
+#[should_panic(expected = "`done` is a code of `Operation`, not a code of `Other`")]
+fn a_code_of_another_enum() {
+    let _ = of(&Unit).code::<Other>("done");
+}
+
+#[test]
+#[should_panic(expected = "`left` is signed, not a code of `Operation`")]
+fn a_signal_that_is_no_code() {
+    let _ = of(&Unit).code::<Operation>("left");
+}
+
+#[test]
+#[should_panic(expected = "`done` is 3'h3, which is no code of `Operation`")]
+fn a_value_that_is_no_code() {
+    let mut sim = of(&Unit);
+    sim.set(sim.i.operation, 3);
+    let _ = sim.code::<Operation>("done");
+}
+
+#[test]
+fn signed_words_of_a_stream_are_signed_integers() {
+    let mut sim = of(&Steps);
+    let (steps, sent) = (sim.i.steps, sim.o.sent);
+    let t = sim.testbench();
+    let step = |least| Step { operation: Operation::Smaller as i64, least, amount: 9 };
+    t.run((
+        async {
+            t.send(steps, step(-32)).await;
+            t.send_all(steps, [step(31), step(-1)], Pauses::NONE).await;
+        },
+        t.expect_all(sent, [step(-32), step(31), step(-1)], Pauses::NONE),
+    ));
+}
+
+#[test]
+#[should_panic(expected = "and cannot hold 18446744073709551615: give it -1, as a signed integer")]
+fn a_negative_word_that_has_become_unsigned() {
+    let mut sim = of(&Steps);
+    let (steps, t) = (sim.i.steps, sim.testbench());
+    t.run((t.send(steps, Step { operation: 0, least: -1i64 as u64, amount: 9 }),));
+}
+
 #[test]
 #[should_panic(expected = "there is no signal `entrie_*`: did you mean `entry`?")]
 fn a_record_that_is_not_there() {
