@@ -223,6 +223,9 @@ impl Signal {
     /// its `valid` is low. For those, state with [`is_code`](Signal::is_code) when the value is a code:
     /// `m.assert(i.valid.implies(i.opcode.is_code()), ..)`.
     ///
+    /// [`choose!`](crate::choose!) is shorter where each arm is a value: it names each code without its enum. Use the
+    /// method where the arms are computed, as by a function of the code.
+    ///
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
