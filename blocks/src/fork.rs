@@ -24,7 +24,7 @@ block! {
     /// def!(fork = m.instance(&Fork::new(2, 4), StreamIn { into }));
     /// let out = fork.out;
     /// def!(slow = m.reg(1).reset(0));
-    /// slow.next(!*slow);
+    /// slow.next(!slow);
     /// def!(fast_takes = out[0].take_when(1).taken);
     /// def!(slow_takes = out[1].take_when(*slow).taken);
     /// # });

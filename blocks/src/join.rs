@@ -21,7 +21,7 @@ block! {
     /// # use tilewright_blocks::{Join, JoinIn};
     /// # let example = tilewright_sim::traced(|m| {
     /// def!(half = m.reg(1).reset(0));
-    /// half.next(!*half);
+    /// half.next(!half);
     /// let (left, _) = m.offer(lit(1, 1), lit(8, 0xab));
     /// let (right, _) = m.offer(*half, lit(4, 0xc));
     /// def!(join = m.instance(&Join::new(8, 4), JoinIn { left, right }));
@@ -65,6 +65,6 @@ impl Join {
     fn build(&self, m: Module, i: JoinIn) -> StreamOut {
         m.cover("a word of `left` waits for one of `right`", i.left.valid & !i.right.valid);
         m.cover("a word of `right` waits for one of `left`", i.right.valid & !i.left.valid);
-        StreamOut { out: m.join(i.left, i.right, |left, right| cat!(left, right)) }
+        StreamOut { out: m.join(i.left, i.right, |left, right| cat![left, right]) }
     }
 }

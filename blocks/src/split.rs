@@ -26,8 +26,8 @@ block! {
     /// let out = split.out;
     /// def!(even_taken = out[0].take_when(1).taken);
     /// def!(slow = m.reg(1).reset(0));
-    /// slow.next(!*slow);
-    /// def!(odd_taken = out[1].take_when(!*slow).taken);
+    /// slow.next(!slow);
+    /// def!(odd_taken = out[1].take_when(!slow).taken);
     /// # });
     /// assert_eq!(example.values("even_taken"), [1, 0, 0, 1, 0, 1]);
     /// assert_eq!(example.values("odd_taken"), [0, 0, 1, 0, 1, 0]); // the word after an odd one waits with it

@@ -197,7 +197,7 @@ pub trait StreamBlocks {
     /// let (left, sent) = m.offer(lit(1, 1), *count);
     /// count.when(sent, count + 1);
     /// def!(half = m.reg(1).reset(0));
-    /// half.next(!*half);
+    /// half.next(!half);
     /// let (right, _) = m.offer(*half, lit(4, 10));
     ///
     /// let sum = m.join(left, right, |left, right| left + right).take_when(1);

@@ -24,7 +24,7 @@ block! {
     /// # let example = tilewright_sim::traced(|m| {
     /// def!(turns = m.reg(1).reset(1));
     /// turns.next(0);
-    /// let moves = UpDownCounterIn { restart: lit(1, 0), up: *turns, down: !*turns };
+    /// let moves = UpDownCounterIn { restart: lit(1, 0), up: *turns, down: !turns };
     /// def!(counter = m.instance(&UpDownCounter::new(10), moves));
     /// def!(count = counter.count);
     /// def!(next = counter.next);

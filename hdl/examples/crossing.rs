@@ -22,7 +22,7 @@ impl Crossing {
         def!(clocks = m.reg(4).reset(1));
         def!(over = clocks.eq(light.constants(4, |light| self.clocks[light as usize])));
         def!(changes = over & (i.button | !light.is(Light::Green)));
-        clocks.enable(changes | !over).next(mux(changes, 1, clocks + 1));
+        clocks.when(changes | !over, mux(changes, 1, clocks + 1));
         light.next(|light| match light {
             Light::Green => when(changes, Light::Amber),
             Light::Amber => when(changes, Light::Red),

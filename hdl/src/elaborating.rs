@@ -69,7 +69,7 @@ pub fn elaborate<B: Block>(block: &B) -> Result<Design, Problems> {
 /// # impl Toggle {
 /// #     fn build(&self, m: Module, _: ()) -> ToggleOut {
 /// #         def!(high = m.reg(1).reset(0));
-/// #         high.next(!*high);
+/// #         high.next(!high);
 /// #         ToggleOut { high: *high }
 /// #     }
 /// # }

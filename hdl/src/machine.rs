@@ -320,8 +320,8 @@ impl<S> Transition<S> {
     /// level.next(1);
     /// def!(line = m.fsm(Line::Idle));
     /// line.next(|line| match line {
-    ///     Line::Idle => when(!*level, Line::Start),
-    ///     Line::Start => when(!*level, Line::Data).or_else(Line::Idle), // without it, it would stay
+    ///     Line::Idle => when(!level, Line::Start),
+    ///     Line::Start => when(!level, Line::Data).or_else(Line::Idle), // without it, it would stay
     ///     Line::Data => hold(),
     /// });
     /// # });

@@ -48,8 +48,8 @@ pub trait Operand {
 /// }
 ///
 /// def!(half = m.reg(1).reset(0));
-/// half.next(!*half);
-/// m.assert(!both(half, !*half), "a register and a signal");
+/// half.next(!half);
+/// m.assert(!both(half, !half), "a register and a signal");
 /// # });
 /// ```
 #[diagnostic::on_unimplemented(

@@ -48,7 +48,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let word = lit(12, 0xabc);
     /// m.assert(word.slice(4..12).eq(0xab), "8 bits");
-    /// m.assert(cat!(word.slice(4..12), word.slice(0..4)).eq(word), "adjacent ranges cover all bits");
+    /// m.assert(cat![word.slice(4..12), word.slice(0..4)].eq(word), "adjacent ranges cover all bits");
     /// # });
     /// ```
     #[track_caller]

@@ -82,7 +82,7 @@ impl Module {
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
     /// def!(half = m.reg(1).reset(0));
-    /// half.next(!*half);
+    /// half.next(!half);
     /// def!(count = m.reg(8).reset(0));
     /// count.when(*half, count + 1);
     /// m.assert(m.stable(count).eq(!m.past(*half)), "it changes where it was enabled, and nowhere else");

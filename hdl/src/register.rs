@@ -195,7 +195,7 @@ impl Reg {
     /// # use tilewright_hdl::*;
     /// # let example = tilewright_sim::traced(|m| {
     /// def!(half = m.reg(1).reset(0));
-    /// half.next(!*half);
+    /// half.next(!half);
     /// def!(count = m.reg(4).reset(0));
     /// count.enable(*half).next(count + 1);
     /// # });

@@ -95,7 +95,7 @@ pub fn concat(parts: &[Signal]) -> Signal {
 /// # use tilewright_hdl::*;
 /// # tilewright_sim::example(|m| {
 /// let (sign, exponent) = (lit(1, 1), lit(8, 0x7f));
-/// m.assert(cat!(sign, exponent, lit(23, 0)).eq(0xbf80_0000u32), "-1.0, in 32 bits");
+/// m.assert(cat![sign, exponent, lit(23, 0)].eq(0xbf80_0000u32), "-1.0, in 32 bits");
 /// # });
 /// ```
 #[macro_export]

@@ -193,7 +193,7 @@ impl Signal {
     /// ```
     /// # use tilewright_hdl::*;
     /// # tilewright_sim::example(|m| {
-    /// let lanes_done = cat!(lit(1, 1), lit(1, 1), lit(1, 0));
+    /// let lanes_done = cat![lit(1, 1), lit(1, 1), lit(1, 0)];
     /// m.assert(!lanes_done.all_ones() & (lanes_done | 1).all_ones(), "Verilog's `&word`");
     /// # });
     /// ```
@@ -223,7 +223,7 @@ impl Signal {
     /// # tilewright_sim::example(|m| {
     /// let byte = lit(8, 0b0110_0100);
     /// m.assert(byte.parity(), "three ones");
-    /// m.assert(!cat!(byte, byte.parity()).parity(), "with its parity, a word has an even number of ones");
+    /// m.assert(!cat![byte, byte.parity()].parity(), "with its parity, a word has an even number of ones");
     /// # });
     /// ```
     #[track_caller]

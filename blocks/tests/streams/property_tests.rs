@@ -54,7 +54,7 @@ impl Block for Bad {
                 let into = i.into.take_when(!full);
                 held.when(into.taken, *into);
                 full.when(into.taken, 1).when(sent & *again, 0);
-                again.when(sent, !*again);
+                again.when(sent, !again);
                 out
             }
             Fault::Sticks => {

@@ -131,7 +131,7 @@ impl<B: Bundle> Mem<B> {
     /// bundle! { struct Entry<T> { resident: T, page: T } }
     ///
     /// def!(at = m.reg(1).reset(0));
-    /// at.next(!*at);
+    /// at.next(!at);
     /// let table = m
     ///     .memory("table", 2, Entry { resident: bit(), page: bits(4) }, ReadUnderWrite::Any)
     ///     .words([Entry { resident: 0, page: 9 }, Entry { resident: 1, page: 7 }]);

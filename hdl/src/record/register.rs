@@ -90,7 +90,7 @@ impl<B: Bundle> Reg<B> {
     /// bundle! { struct Point<T> { x: T, y: T } }
     ///
     /// def!(half = m.reg(1).reset(0));
-    /// half.next(!*half);
+    /// half.next(!half);
     /// def!(point = m.reg(Point { x: bits(4), y: bits(4) }).reset(0));
     /// point.enable(*half).next(Point { x: point.x + 1, y: point.y - 1 });
     /// # });

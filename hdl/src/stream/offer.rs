@@ -21,7 +21,7 @@ use std::ops::Deref;
 /// count.when(sent, count + 1);
 ///
 /// def!(busy = m.reg(1).reset(0));
-/// let number = numbers.take_when(!*busy);
+/// let number = numbers.take_when(!busy);
 /// busy.next(number.taken);
 /// def!(sum = m.reg(8).reset(0));
 /// sum.when(number.taken, sum + number.zext(8)); // it reads as the payload
@@ -60,7 +60,7 @@ impl<P: Data> Stream<P> {
     ///
     /// def!(wait = m.reg(1).reset(1));
     /// wait.next(0);
-    /// let token = tokens.take_when(!*wait);
+    /// let token = tokens.take_when(!wait);
     /// def!(taken = token.taken);
     /// # });
     /// // It is ready from the second clock on, and takes three payloads.

@@ -134,7 +134,7 @@ block! {
 impl Streams {
     fn build(&self, _: Module, i: StreamsIn) -> StreamsOut {
         StreamsOut {
-            answers: i.asked.with(Answer { which: cat!(i.asked.number, i.asked.again) }),
+            answers: i.asked.with(Answer { which: cat![i.asked.number, i.asked.again] }),
             sent: i.words,
             sent_fast: i.fast,
             sent_places: i.places,

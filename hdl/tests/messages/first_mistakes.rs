@@ -42,7 +42,7 @@ impl Block for First {
         let number = (value.signed() - 3).gt(-120);
         let _ = case(value, [(200, i.a), (100, value)], value);
         let below = m.instance("u_below", &Inverter { registered: true }, Link { x: value }).out;
-        Made { out: cat!(value, lit(8, 0)).part(8, 8), next: held + *driven + below, lamp: *lamp, number }
+        Made { out: cat![value, lit(8, 0)].part(8, 8), next: held + *driven + below, lamp: *lamp, number }
     }
 
     fn outputs(&self) -> Vec<(String, Width)> {
@@ -129,7 +129,7 @@ fn of_widths() {
     one("`.zext(4)` cannot widen", |_, i| i.a.zext(4) ^ taken(&i).repeat(8));
     one("`.repeat(0)`", |_, i| i.a.repeat(0) ^ taken(&i).repeat(8));
     one("`.repeat(1000000000)`", |_, i| i.a.repeat(1_000_000_000) ^ taken(&i).repeat(8));
-    one("a concatenation of", |_, i| cat!(i.a.repeat(100_000), i.a.repeat(100_000)).trunc(8) ^ taken(&i).repeat(8));
+    one("a concatenation of", |_, i| cat![i.a.repeat(100_000), i.a.repeat(100_000)].trunc(8) ^ taken(&i).repeat(8));
     one("a product of", |_, i| i.a.zext(700_000).times(i.b.zext(700_000)) ^ taken(&i).repeat(8));
     one("a constant has no bits", |_, i| lit(0, 3) ^ i.a ^ taken(&i).repeat(8));
     one("`300` does not fit", |_, i| i.a + 300 + taken(&i).repeat(8));
@@ -142,7 +142,7 @@ fn of_widths() {
     one("`-` makes a negative number", |_, i| -i.a ^ taken(&i).repeat(8));
     one("a record of 12 bits is unpacked", |_, i| {
         let Point { x, y } = Point { x: bits(10), y: bits(2) }.unpack(i.a);
-        cat!(x, y) ^ taken(&i).repeat(8)
+        cat![x, y] ^ taken(&i).repeat(8)
     });
 }
 

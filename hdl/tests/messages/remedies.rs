@@ -199,7 +199,7 @@ fn of_a_bad_slice_that_is_used_further() {
         |_, i| i.a.slice(4..9) + i.b,
         |_, i| mux(i.c, i.a.slice(4..9), i.a),
         |_, i| i.a.slice(4..9).trunc(6).eq(i.b.slice(0..5)),
-        |_, i| cat!(i.a.slice(4..9), i.c).slice(0..6),
+        |_, i| cat![i.a.slice(4..9), i.c].slice(0..6),
         |m, i| m.memory("words", 256, 8, ReadUnderWrite::Old).read(i.a.slice(4..9)),
         |m, i| m.instance("u_inverter", &Inverter { registered: true }, Link { x: i.a.slice(4..9) }).out,
     ];

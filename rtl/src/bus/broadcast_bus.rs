@@ -128,7 +128,7 @@ impl BroadcastBus {
         // No word is lost, duplicated or changed: a word taken and not yet received is on the bus or in the queue.
         // These counters serve the assertions alone.
         let stays = on_bus & m.stable(word.word) & m.stable(word.last);
-        m.assert(m.past(on_bus & !*delivers).implies(stays), "a word stays on the bus until it goes to the queues");
+        m.assert(m.past(on_bus & !delivers).implies(stays), "a word stays on the bus until it goes to the queues");
         m.assert(entered.and_all().eq(entered.or_all()), "a word goes to all queues or to none");
         let count = up_to(queue + 1);
         def!(sent = m.reg(count).reset(0));

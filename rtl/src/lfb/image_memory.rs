@@ -92,13 +92,13 @@ impl ImageMemory {
         def!(begins = moves.enters(Read));
         pe.assume(i.draw.valid.implies(begins), "the second stage ends before the first has a page again");
 
-        def!(drawn_address = pe.pipe_when(begins, cat!(i.draw.page, i.draw.offset, i.front)));
+        def!(drawn_address = pe.pipe_when(begins, cat![i.draw.page, i.draw.offset, i.front]));
         def!(drawn_word = pe.pipe_when(begins, i.draw.word));
         def!(old_word = words.on(PE).read_when(stage2.is(Read), drawn_address));
         def!(nearer = pe.pipe_when(stage2.is(Compare), drawn_word.lt(old_word)));
         words.on(PE).write(stage2.is(Write) & nearer, drawn_address, drawn_word);
 
-        def!(send_address = cat!(i.send.page, i.send.offset, i.send.buffer));
+        def!(send_address = cat![i.send.page, i.send.offset, i.send.buffer]);
         def!(take = i.send.enable & i.send.resident);
         def!(taken_word = words.on(MERGE).read_when(take, send_address));
         words.on(MERGE).write(take, send_address, empty());

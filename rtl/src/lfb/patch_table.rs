@@ -115,7 +115,7 @@ impl PatchTable {
         // The two ports are never in the same buffer.
         let layout = Entry { resident: bit(), page: below(self.pages) };
         def!(entries = m.memory(2 * self.patches, layout, ReadUnderWrite::Any).fill(0));
-        def!(address = cat!(mux(clear.taken, clear.patch, patch), i.front));
+        def!(address = cat![mux(clear.taken, clear.patch, patch), i.front]);
         def!(read = m.wire(bit()));
         def!(entry = entries.on(PE).read_when(*read, address));
 
@@ -135,7 +135,7 @@ impl PatchTable {
 
         def!(page = m.pipe_when(stage1.is(Examine), mux(entry.resident, entry.page, page_id_generator.page)));
         entries.on(PE).write(allocate | clear.taken, address, Entry { resident: allocate, page });
-        def!(scan_entry = entries.on(MERGE).read_when(i.scan.enable, cat!(i.scan.patch, i.scan.buffer)));
+        def!(scan_entry = entries.on(MERGE).read_when(i.scan.enable, cat![i.scan.patch, i.scan.buffer]));
         PatchTableOut { overflow, idle, pages_used: page_id_generator.used, found, page, scan_entry }
     }
 }

@@ -95,7 +95,7 @@ impl Patches {
         let columns = lit(up_to(self.columns()), self.columns());
         let first_of_row = high(pixel.y).times(columns).trunc(self.patch_width());
         let column = high(pixel.x).zext(self.patch_width());
-        Place { patch: first_of_row + column, offset: cat!(pixel.y.trunc(shift), pixel.x.trunc(shift)) }
+        Place { patch: first_of_row + column, offset: cat![pixel.y.trunc(shift), pixel.x.trunc(shift)] }
     }
 
     /// The position of the pixel, in numbers.

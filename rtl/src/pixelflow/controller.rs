@@ -238,7 +238,7 @@ impl Ports {
         self.texture.when(next.taken & starts, 1).when(self.texture_done, 0);
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
         state(gives.implies((*self.banks & bank).eq(0)), "a bank is given when the network has done with it");
-        state(starts.implies(!*self.texture), "the texture unit begins when it has done");
+        state(starts.implies(!self.texture), "the texture unit begins when it has done");
     }
 }
 

@@ -208,8 +208,8 @@ impl FrameBuffer {
     fn address(&self, slot: Signal, pair: Signal, pixel: Signal) -> Signal {
         match self.chips() / 2 {
             // If there is only one pair it has no number.
-            1 => concat(&[slot, pixel]),
-            pairs => concat(&[slot, pair.trunc(below(pairs)), pixel]),
+            1 => cat![slot, pixel],
+            pairs => cat![slot, pair.trunc(below(pairs)), pixel],
         }
     }
 
@@ -229,7 +229,7 @@ impl FrameBuffer {
         def!(clock = m.reg(up_to(turn.max(4))));
         let number = m.reg("pixel", up_to(pixels));
         def!(region = m.reg(below(count)).reset(0));
-        m.assume(i.start.implies(!*busy), "the frame buffer begins when it has done");
+        m.assume(i.start.implies(!busy), "the frame buffer begins when it has done");
         def!(runs = busy & !(*is_whole & region.eq(0)));
         def!(turn_ends = runs & clock.eq(turn - 1));
         def!(ends = turn_ends & number.eq(pixels));
@@ -245,7 +245,7 @@ impl FrameBuffer {
         stored.when(turn_ends, gathered).otherwise(stored.shifted(-2, 0));
         def!(stores = runs & number.ne(0) & clock.lt(chips / 2));
         let before = (number - 1).trunc(below(pixels));
-        def!(stores_at = self.address(slot(!*shown, *region), *clock, before));
+        def!(stores_at = self.address(slot(!shown, *region), *clock, before));
         even.write(stores, stores_at, stored.lane(0));
         odd.write(stores, stores_at, stored.lane(1));
 
@@ -259,7 +259,7 @@ impl FrameBuffer {
         def!(has_frame = m.reg(bit()).reset(0));
         def!(is_first = x.eq(0) & y.eq(0));
         def!(changes = is_first & *is_whole);
-        shown.when(changes, !*shown);
+        shown.when(changes, !shown);
         has_frame.when(changes, 1);
         is_whole.when(ends & is_last, 1).when(changes, 0);
 
@@ -277,7 +277,7 @@ impl FrameBuffer {
         def!(scanned = slot(*shown, *left + fitting(beside, left.width())));
         // From two lines of processors, a chip has two lines of pixels, or one.
         let (chip, inside) = match self.side() {
-            1 => (*y >> 1, concat(&[y.bit(0), inside])),
+            1 => (*y >> 1, cat![y.bit(0), inside]),
             _ => (*y, inside),
         };
         def!(scans_at = self.address(scanned, chip >> 1, inside));
@@ -288,7 +288,7 @@ impl FrameBuffer {
         let channel = |number: u32| colour.part(8 * number, 8);
         let pixel = Shown { red: channel(2), green: channel(1), blue: channel(0), first, last };
         let (pixels, sent) = m.offer(*arrived, pixel);
-        scans.drive(*has_frame & !changes & (!*arrived | sent));
+        scans.drive(has_frame & !changes & (!arrived | sent));
         arrived.when(*scans, 1).when(sent, 0);
 
         let number = number.trunc(below(self.pixels()));
@@ -305,7 +305,7 @@ impl FrameBuffer {
         let of_all = row(self.chips());
         if self.samples == 1 {
             def!(colours = m.reg(bits(CHANNEL * COLOUR).of(of_all)));
-            def!(gathered = mux(reads, concat(&[seen, colours.slice(CHANNEL..CHANNEL * COLOUR)]), *colours));
+            def!(gathered = mux(reads, cat![seen, colours.slice(CHANNEL..CHANNEL * COLOUR)], *colours));
             colours.next(gathered);
             return gathered;
         }
@@ -313,10 +313,10 @@ impl FrameBuffer {
         def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
         let half = lit(SUM, EIGHT / 2).of(of_all);
         def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
-        def!(summed = mux(reads, concat(&[sum, sums.slice(SUM..SUM * COLOUR)]), *sums));
+        def!(summed = mux(reads, cat![sum, sums.slice(SUM..SUM * COLOUR)], *sums));
         sums.next(summed);
         let mean = |channel: u32| summed.part(channel * SUM + EIGHT.ilog2(), CHANNEL);
-        def!(gathered = concat(&[mean(2), mean(1), mean(0)]));
+        def!(gathered = cat![mean(2), mean(1), mean(0)]);
         gathered
     }
 
@@ -328,7 +328,7 @@ impl FrameBuffer {
         def!(sample_ends = runs & register.eq(COLOUR * RENDERINGS - 1));
         register.when(begins | sample_ends, 0).when(runs, register + 1);
         sample.when(begins, 0).when(sample_ends, sample + 1);
-        (concat(&[sample.bit(1), number, sample.bit(0)]), register.zext(6))
+        (cat![sample.bit(1), number, sample.bit(0)], register.zext(6))
     }
 }
 

@@ -128,7 +128,7 @@ impl Sent {
         if places == 0 {
             return byte;
         }
-        concat(&[byte.slice(0..8 - places), mux(self.first[clocks], 0, before.slice(8 - places..8))])
+        cat![byte.slice(0..8 - places), mux(self.first[clocks], 0, before.slice(8 - places..8))]
     }
 }
 
@@ -146,8 +146,8 @@ fn sum(m: Module, left: Signal, right: Signal, marks: Marks) -> Signal {
     def!(carry = m.reg(bit().of(left.shape())));
     def!(total = left + right + (carry & !marks.first).zext(8));
     def!(carries = (left & right) | ((left | right) & !total));
-    carry.enable(marks.sends).next(carries.msb());
-    sum.enable(marks.sends).next(total);
+    carry.when(marks.sends, carries.msb());
+    sum.when(marks.sends, total);
     *sum
 }
 

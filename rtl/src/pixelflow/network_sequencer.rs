@@ -125,7 +125,7 @@ impl NetworkSequencer {
         });
         def!(ends = moves.enters(Phase::Idle));
 
-        def!(needs = mux(next.mode.is(Mode::Forward), 0, concat(&[next.bank, !next.bank])));
+        def!(needs = mux(next.mode.is(Mode::Forward), 0, cat![next.bank, !next.bank]));
         mode.when(next.taken, next.mode).when(ends, Mode::Forward);
         bank.when(next.taken, needs).when(ends, 0);
         address.when(next.taken, (next.bytes - 1).low()).when(byte_ends, address - 1);

@@ -151,7 +151,7 @@ impl Node {
         def!(done = network.wire(bits(BANKS)));
         let bank_done = m.within("done", || turned(array, network, *done));
         def!(held = network.reg(bits(BANKS)).reset(0));
-        held.next((*held & !*done) | m.within("given", || turned(network, array, *given)));
+        held.next((held & !done) | m.within("given", || turned(network, array, *given)));
 
         // Each direction gets the byte that its bank shows, and selects it.
         let seen: Vec<Wire> =

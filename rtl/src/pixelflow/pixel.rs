@@ -234,8 +234,8 @@ impl PixelProcessor {
         def!(addend = mux(subtracts, !operand, operand));
         def!(sum = word + addend + carried.zext(8));
         def!(carry_out = ((word & addend) | ((word | addend) & !sum)).msb());
-        let left = concat(&[word.slice(0..7), carried]);
-        let right = concat(&[carried, word.slice(1..8)]);
+        let left = cat![word.slice(0..7), carried];
+        let right = cat![carried, word.slice(1..8)];
         def!(
             result = choose!(c.function, Function {
                 Operand | Compare => operand,
@@ -246,7 +246,7 @@ impl PixelProcessor {
                 ExclusiveOr => word ^ operand,
                 ShiftLeft => left,
                 ShiftRight => right,
-                AddHalved => concat(&[carry_out, sum.slice(1..8)]),
+                AddHalved => cat![carry_out, sum.slice(1..8)],
             })
         );
         def!(
@@ -273,12 +273,12 @@ impl PixelProcessor {
         def!(
             enables = choose!(c.enabling, Enabling {
                 Keep => stack,
-                Set => concat(&[rest, lit(1, 1)]),
-                Replace => concat(&[rest, enters]),
-                Restrict => concat(&[rest, top & enters]),
-                Push => concat(&[stack.slice(0..self.depth - 1), top & enters]),
-                Invert => concat(&[rest, next & !top]),
-                Pop => concat(&[stack.msb(), rest]),
+                Set => cat![rest, lit(1, 1)],
+                Replace => cat![rest, enters],
+                Restrict => cat![rest, top & enters],
+                Push => cat![stack.slice(0..self.depth - 1), top & enters],
+                Invert => cat![rest, next & !top],
+                Pop => cat![stack.msb(), rest],
             })
         );
         stack.next(enables);

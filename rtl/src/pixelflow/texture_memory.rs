@@ -195,7 +195,7 @@ impl Side {
     fn banks(&self) -> [Signal; 4] {
         let Side { level, left, right, below, above } = *self;
         [(below, left), (below, right), (above, left), (above, right)]
-            .map(|(row, column)| concat(&[level.bit(0), row.bit(0), column.bit(0)]))
+            .map(|(row, column)| cat![level.bit(0), row.bit(0), column.bit(0)])
     }
 }
 

@@ -95,7 +95,7 @@ impl TextureUnit {
         let number = m.reg("turn", up_to(pixels + 1));
         def!(turn_ends = busy & clock.eq(turn - 1));
         def!(ends = turn_ends & number.eq(pixels + 1));
-        m.assume(i.start.implies(!*busy), "the texture unit begins when it has done");
+        m.assume(i.start.implies(!busy), "the texture unit begins when it has done");
         busy.when(i.start, 1).when(ends, 0);
         clock.when(i.start | turn_ends, 0).otherwise(clock + 1);
         number.when(i.start, 0).when(turn_ends, number + 1);
@@ -103,7 +103,7 @@ impl TextureUnit {
         // The requests enter at the top, and leave a chip a clock.
         def!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
         def!(asked = m.reg(bits(8 * ASKED).of(row(chips))));
-        asked.when(reads, concat(&[i.seen, asked.slice(8..8 * ASKED)]));
+        asked.when(reads, cat![i.seen, asked.slice(8..8 * ASKED)]);
         def!(sought = m.reg(bits(8 * ASKED).of(row(chips))));
         sought.when(turn_ends, *asked).otherwise(sought.following(0));
         def!(seeks = busy & number.ne(0) & number.le(pixels) & clock.lt(chips));

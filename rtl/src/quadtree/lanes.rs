@@ -14,7 +14,7 @@ pub(super) struct Filled {
 pub(super) fn lane_by_lane(m: Module, name: &str, lanes: u32, enable: Signal, step: Signal, value: Signal) -> Filled {
     let kept = m.reg(name, bits(value.width()).of(row(lanes)));
     let row = mux(numbers(step.width(), lanes).eq(step), value, *kept);
-    kept.enable(enable).next(row);
+    kept.when(enable, row);
     Filled { kept: *kept, row }
 }
 

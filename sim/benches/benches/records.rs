@@ -32,7 +32,7 @@ impl Unit {
         let job = m.fifo("u_queue", 2, jobs).take_when(number.part(4, 2).ne(3));
         def!(sum = m.reg(32).reset(0));
         let fields = job.a.xor_all() + job.b.xor_all().trunc(32);
-        let place = tilewright_hdl::cat!(job.x, job.y, job.flag, sent).zext(32);
+        let place = tilewright_hdl::cat![job.x, job.y, job.flag, sent].zext(32);
         sum.when(job.taken, *sum + (fields ^ place));
         UnitOut { sum: *sum }
     }

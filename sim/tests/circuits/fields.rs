@@ -47,7 +47,7 @@ impl Block for Cell {
         let state = m.reg("state", bits(24).of(row(3))).reset(1);
         state.next(state.rotate_left(5) + i.x.trunc(24));
         let six = i.x.trunc(16) ^ tilewright_hdl::constants(bits(16).of(row(6)), |lane| u64::from(lane) * 77);
-        let word = cat!(state.pack(), six.pack(), i.x, i.x.part(3, 7), i.go);
+        let word = cat![state.pack(), six.pack(), i.x, i.x.part(3, 7), i.go];
         let start = (0..WIDTH / 5).fold(Bits::new(1, 1), |all, n| all.concat(&Bits::new(5, u64::from(n) * 7 % 32)));
         let start = start.resize(WIDTH);
 

@@ -146,7 +146,7 @@ impl Block for Step {
             Phase::Run | Phase::Done => goto(Phase::Done),
         });
         let pixel = m.reg("pixel", Pixel { z: bits(8), rgb: bits(24) }).reset(0);
-        pixel.next(Pixel { z: i.z, rgb: cat!(i.z, i.z, i.z) });
+        pixel.next(Pixel { z: i.z, rgb: cat![i.z, i.z, i.z] });
         let depth = m.reg("depth", bits(8).signed()).reset(10);
         depth.next(depth - 18);
         StepOut { phase: *phase, pixel: *pixel, depth: *depth, lanes: stack([i.z, i.z + 1]) }

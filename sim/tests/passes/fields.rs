@@ -26,7 +26,7 @@ impl Block for Words {
         let (words, last) = (m.memory("words", 4, 112, ReadUnderWrite::Old), m.reg("last", 112).reset(0));
         let steps = m.reg("steps", bits(32).of(row(3))).reset(7);
         steps.next(*steps + i.x.zext(32));
-        words.write(lit(1, 1), i.address, cat!(steps.pack(), i.x));
+        words.write(lit(1, 1), i.address, cat![steps.pack(), i.x]);
         last.next(words.read_async(i.address));
         WordsOut { row: last.part(16, 96).unpack(row(3)).xor_all(), low: last.part(0, 16) }
     }

@@ -165,7 +165,7 @@ pub const OPERATORS: &[Operator] = operators! {
     "slice of a sum": |o| (o.a + o.b).slice(o.a.width() / 2..o.a.width())
         => |n| ((&n.a + &n.b) % power(n.width)) >> (n.width / 2);
     "sign": |o| o.a.msb() => |n| flag(n.is_negative(&n.a));
-    "{a, by, b}": |o| cat!(o.a, o.by, o.b)
+    "{a, by, b}": |o| cat![o.a, o.by, o.b]
         => |n| (&n.a << (n.width + BY_WIDTH)) + (BigUint::from(n.by) << n.width) + &n.b;
     "{a, a, a}": |o| o.a.repeat(3) => |n| (&n.a << (2 * n.width)) + (&n.a << n.width) + &n.a;
     "zext": |o| o.a.zext(o.a.width() + 67) => |n| n.a.clone();

@@ -58,7 +58,7 @@ const PITFALLS: &[Pitfall] = &[
     Pitfall {
         name: "a_bit_left_over_by_three",
         widths: [39, 1, 1],
-        circuit: |i| cat!(i.a.slice(32..39), i.a.bit(38) ^ i.a.bit(31) ^ i.a.bit(38)).ne(i.a.slice(31..39)),
+        circuit: |i| cat![i.a.slice(32..39), i.a.bit(38) ^ i.a.bit(31) ^ i.a.bit(38)].ne(i.a.slice(31..39)),
         rows: &[[0x40_8000_0000, 0, 0, 0], [0x40_0000_0000, 0, 0, 0], [0x00_8000_0000, 0, 0, 0]],
     },
     Pitfall {
@@ -115,13 +115,13 @@ const PITFALLS: &[Pitfall] = &[
     Pitfall {
         name: "reductions_of_one_bit",
         widths: [1, 1, 1],
-        circuit: |i| cat!(i.a.all_ones(), i.a.any_one(), i.a.parity()),
+        circuit: |i| cat![i.a.all_ones(), i.a.any_one(), i.a.parity()],
         rows: &[[0, 0, 0, 0b000], [1, 0, 0, 0b111]],
     },
     Pitfall {
         name: "reductions_of_inversions",
         widths: [2, 1, 1],
-        circuit: |i| cat!((!i.a).all_ones(), (!i.a).any_one(), (!i.a).parity()),
+        circuit: |i| cat![(!i.a).all_ones(), (!i.a).any_one(), (!i.a).parity()],
         rows: &[[0, 0, 0, 0b110], [1, 0, 0, 0b011], [2, 0, 0, 0b011], [3, 0, 0, 0b000]],
     },
     // Reductions of reductions.
@@ -135,21 +135,21 @@ const PITFALLS: &[Pitfall] = &[
     Pitfall {
         name: "shifts_beyond_the_width",
         widths: [8, 9, 1],
-        circuit: |i| cat!(i.a << i.b, i.a >> i.b, (i.a.signed() >> i.b).bits()),
+        circuit: |i| cat![i.a << i.b, i.a >> i.b, (i.a.signed() >> i.b).bits()],
         rows: &[[0x81, 7, 0, 0x80_01_ff], [0x81, 8, 0, 0x00_00_ff], [0x81, 0x100, 0, 0x00_00_ff]],
     },
     // Shift amounts wider than a word.
     Pitfall {
         name: "shifts_by_wide_amounts",
         widths: [8, 70, 1],
-        circuit: |i| cat!(i.a << i.b, i.a >> i.b, (i.a.signed() >> i.b).bits()),
+        circuit: |i| cat![i.a << i.b, i.a >> i.b, (i.a.signed() >> i.b).bits()],
         rows: &[[0x81, 1, 0, 0x02_40_c0], [0x81, (1 << 69), 0, 0x00_00_ff], [0x81, 1 << 32, 0, 0x00_00_ff]],
     },
     // Arithmetic of one bit.
     Pitfall {
         name: "arithmetic_of_one_bit",
         widths: [1, 1, 1],
-        circuit: |i| cat!(i.a + i.b, i.a - i.b, i.a.lt(i.b), i.a.signed().lt(i.b.signed()), (-i.a.signed()).bits()),
+        circuit: |i| cat![i.a + i.b, i.a - i.b, i.a.lt(i.b), i.a.signed().lt(i.b.signed()), (-i.a.signed()).bits()],
         rows: &[[1, 1, 0, 0b00001], [0, 1, 0, 0b11100], [1, 0, 0, 0b11011]],
     },
     // Products of one bit and signed products.
@@ -175,7 +175,7 @@ const PITFALLS: &[Pitfall] = &[
     Pitfall {
         name: "concatenation_order",
         widths: [4, 8, 4],
-        circuit: |i| cat!(i.a, i.b, i.c),
+        circuit: |i| cat![i.a, i.b, i.c],
         rows: &[[1, 0x23, 4, 0x1234]],
     },
     // Slices of expressions.
@@ -183,7 +183,7 @@ const PITFALLS: &[Pitfall] = &[
         name: "slices_of_expressions",
         widths: [8, 8, 1],
         circuit: |i| {
-            cat!((i.a + i.b).slice(4..8), (i.a & i.b).bit(0), i.a.add_carry(i.b).bit(8), (i.a * i.b).slice(8..16))
+            cat![(i.a + i.b).slice(4..8), (i.a & i.b).bit(0), i.a.add_carry(i.b).bit(8), (i.a * i.b).slice(8..16)]
         },
         rows: &[[0xf1, 0x2f, 0, 0x0b2c], [0x11, 0x11, 0, 0x0a01]],
     },

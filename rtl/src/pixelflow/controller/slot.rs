@@ -70,7 +70,7 @@ impl Order {
 /// The bank with that number, one bit each.
 pub fn bank(number: Signal) -> Signal {
     let second = number.bit(0);
-    concat(&[second, !second])
+    cat![second, !second]
 }
 
 /// The progress of an instruction, byte by byte.

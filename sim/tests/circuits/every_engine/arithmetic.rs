@@ -56,7 +56,7 @@ impl Block for Operators {
             right: a >> by,
             right_signed: (a.signed() >> by).bits(),
             slice: a.slice(w / 3..w),
-            both: tilewright_hdl::cat!(a, by, b),
+            both: tilewright_hdl::cat![a, by, b],
             twice: a.repeat(2),
             zext: a.zext(w + 70),
             sext: a.sext(w + 70),

@@ -32,7 +32,7 @@ fn least(x: Signal) -> Signal {
     Feature::TreeOfRecords.used();
     let numbers = constants(below(x.count()).of(x.shape()), u64::from);
     let found = tree(Found { value: x, lane: numbers }, |a, b| mux(b.value.lt(a.value), b, a));
-    cat!(found.lane, found.value.bits())
+    cat![found.lane, found.value.bits()]
 }
 
 impl Builder<'_> {

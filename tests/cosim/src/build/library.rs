@@ -22,7 +22,7 @@ impl Builder<'_> {
                 let restart = self.pick_fit(d, word, 1);
                 let CounterOut { count, wraps } =
                     m.instance(&name, &Counter::new(u64::from(width)), CounterIn { restart, enable });
-                cat!(wraps, count)
+                cat![wraps, count]
             }
             LibraryBlock::ShiftRegister => {
                 Feature::ShiftRegister.used();
@@ -30,7 +30,7 @@ impl Builder<'_> {
                 let (load, word) = (self.pick_fit(d, other, 1), self.pick_fit(d, word, width));
                 let into = ShiftRegisterIn { load, word, shift: enable, bit_in: self.pick_fit(d, more, 1) };
                 let ShiftRegisterOut { held, bit_out } = m.instance(&name, &ShiftRegister::new(width), into);
-                cat!(bit_out, held)
+                cat![bit_out, held]
             }
             LibraryBlock::Lfsr => {
                 Feature::Lfsr.used();

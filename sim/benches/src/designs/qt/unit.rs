@@ -4,7 +4,7 @@
 //! is outside, covered, or to be divided again. The unit descends into the first of the latter; the others wait on a
 //! stack.
 
-use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, concat, def, lit, mux, select};
+use tilewright_hdl::{Bits, Module, ReadUnderWrite, Reg, Signal, bit, bits, block, cat, def, lit, mux, select};
 
 use crate::word::xorshift;
 
@@ -77,7 +77,7 @@ impl Unit {
         let any = |quarter: usize, corner: usize| {
             tests.iter().map(|test| test[quarter][corner]).reduce(|a, b| a | b).expect("a triangle has edges")
         };
-        let quarters = |of: &dyn Fn(usize) -> Signal| concat(&[of(3), of(2), of(1), of(0)]);
+        let quarters = |of: &dyn Fn(usize) -> Signal| cat![of(3), of(2), of(1), of(0)];
         def!(inside = quarters(&|quarter| !any(quarter, 1)));
         def!(whole = quarters(&|quarter| single | !any(quarter, 0)));
         def!(found = inside & whole);
