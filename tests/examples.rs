@@ -104,7 +104,8 @@ fn items(text: &str, exported: &BTreeSet<String>, is_open: bool) -> Vec<Item> {
             continue;
         }
         if !line.starts_with(' ') {
-            in_macro = ["block! {", "bundle! {", "codes! {"].contains(&line) || (in_macro && line.is_empty());
+            in_macro =
+                ["block! {", "bundle! {", "codes! {", "record! {"].contains(&line) || (in_macro && line.is_empty());
         }
         if line.starts_with("impl") {
             around = implemented(line).is_some_and(is_public);
