@@ -4,10 +4,9 @@
 
 use crate::verilog::{pattern, range};
 use std::collections::BTreeMap;
-use tilewright_hdl::Bits;
+use tilewright_hdl::{Bits, up_to};
 
-/// The most bits of a constant of several rows: a simulator takes time for the square of this. A 1 on top is for Verilator 5.006, which writes past
-/// the end of a wide constant whose first word is 0.
+/// The most bits of a constant of several rows: a simulator takes time for the square of this.
 const MOST_BITS: u32 = 16_384;
 
 /// The testbench's own names, by what they are for.
@@ -37,13 +36,12 @@ impl Table {
     pub fn new(columns: Vec<Column>, steps: usize) -> Table {
         let same = |step: usize| step > 0 && columns.iter().all(|it| it.values[step] == it.values[step - 1]);
         let starts: Vec<usize> = (0..steps).filter(|step| !same(*step)).collect();
-        if columns.is_empty() || starts.len() > steps - steps / 4 {
+        if columns.is_empty() || starts.len() > steps * 3 / 4 {
             return Table { columns, rows: steps, merged: false };
         }
         let ends = starts.iter().skip(1).copied().chain([steps]);
         let times: Vec<u64> = starts.iter().zip(ends).map(|(start, end)| (end - start) as u64).collect();
-        let width = bits_for(times.iter().copied().max().unwrap_or(0));
-        let times = Column { name: "times", width, values: times.iter().map(|it| Bits::new(width, *it)).collect() };
+        let times = numbers("times", &times);
         let of_rows = |column: Column| {
             let values = starts.iter().map(|start| column.values[*start].clone()).collect();
             Column { values, ..column }
@@ -78,10 +76,7 @@ impl Table {
     /// What comes before the first step.
     pub fn start(&self, own: &OwnNames) -> Vec<String> {
         match self.merged {
-            true => vec![
-                format!("{} = {};", own["times"], pattern(&Bits::zero(self.columns[0].width))),
-                format!("{} = 0;", own["next"]),
-            ],
+            true => vec![format!("{} = {}'d0;", own["times"], self.columns[0].width), format!("{} = 0;", own["next"])],
             false => Vec::new(),
         }
     }
@@ -137,7 +132,8 @@ impl Table {
         out
     }
 
-    /// The call that writes the rows from `first` on.
+    /// The call that writes the rows from `first` on. The 1 on top is for Verilator 5.006, which writes past the end of a wide constant whose first
+    /// word is 0.
     fn call(&self, first: usize, own: &OwnNames) -> Vec<String> {
         let last = self.rows.min(first + self.at_once());
         let mut out = vec![format!("    {}({first}, {}, {{ 1'b1,", own["put"], last - first)];
@@ -155,7 +151,8 @@ impl Table {
     }
 }
 
-/// The bits of a register that takes numbers up to `most`.
-pub fn bits_for(most: u64) -> u32 {
-    (u64::BITS - most.leading_zeros()).max(1)
+/// A column of numbers, as wide as the greatest needs.
+pub fn numbers(name: &'static str, numbers: &[u64]) -> Column {
+    let width = up_to(numbers.iter().copied().max().unwrap_or(0)).bits();
+    Column { name, width, values: numbers.iter().map(|number| Bits::new(width, *number)).collect() }
 }

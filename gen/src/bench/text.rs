@@ -1,7 +1,7 @@
 //! The text of a replay testbench.
 
 use super::start::Start;
-use super::table::{Column, OwnNames, Table, bits_for};
+use super::table::{Column, OwnNames, Table, numbers};
 use crate::verilog::{Names, connect, packed_width, range, stop};
 use std::fmt::Write;
 use tilewright_hdl::Bits;
@@ -113,10 +113,7 @@ impl<'a> Bench<'a> {
         let steps = &self.recording.steps;
         let mut columns = Vec::new();
         if self.period.is_none() {
-            let gaps = self.gaps();
-            let width = bits_for(gaps.iter().copied().max().unwrap_or(0));
-            let values = gaps.into_iter().map(|gap| Bits::new(width, gap)).collect();
-            columns.push(Column { name: "gap", width, values });
+            columns.push(numbers("gap", &self.gaps()));
         }
         if self.clocks.len() > 1 {
             let width = self.clocks.len() as u32;
