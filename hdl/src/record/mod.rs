@@ -1,6 +1,7 @@
 //! Records of signals, made by [`bundle!`](crate::bundle!) and [`record!`](crate::record!), as values: packed into
 //! words, named, laid out in lanes, and stored in registers, wires and memories.
 
+mod along;
 mod declaration;
 mod lanes;
 mod memory;
