@@ -1,5 +1,7 @@
 //! The examples satisfy their own assertions.
 
+#[path = "../examples/cache.rs"]
+mod cache;
 #[path = "../examples/counter.rs"]
 mod counter;
 #[path = "../examples/crossing.rs"]
@@ -12,6 +14,8 @@ mod program;
 mod rv32i;
 #[path = "../examples/systolic.rs"]
 mod systolic;
+#[path = "../examples/transform.rs"]
+mod transform;
 #[path = "../examples/uart.rs"]
 mod uart;
 #[path = "../examples/windows.rs"]
@@ -123,11 +127,22 @@ fn the_bytes_go_over_the_line() {
 }
 
 #[test]
-fn the_verilog_of_the_line_does_the_same() {
-    let (design, recording) = uart::run().unwrap();
-    let files = verilog(&design);
-    tools::lint(&files).unwrap();
-    let _ = tools::replay_in_icarus(&files, &testbench(&design, &recording)).unwrap();
+fn the_vectors_are_transformed() {
+    transform::main().unwrap();
+}
+
+#[test]
+fn the_cache_does_what_its_model_does() {
+    cache::main().unwrap();
+}
+
+#[test]
+fn the_verilog_of_the_examples_does_the_same() {
+    for (design, recording) in [uart::run(), transform::run(), cache::run()].map(Result::unwrap) {
+        let files = verilog(&design);
+        tools::lint(&files).unwrap();
+        let _ = tools::replay_in_icarus(&files, &testbench(&design, &recording)).unwrap();
+    }
 }
 
 #[test]
