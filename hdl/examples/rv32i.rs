@@ -21,8 +21,6 @@ codes! {
 }
 
 bundle! {
-    struct CoreOut<T> { pc: T, stopped: T }
-
     /// The immediate operands of the instruction formats.
     struct Immediates<T> { i: T, s: T, b: T, u: T, j: T }
 }
@@ -38,21 +36,24 @@ fn immediates(instruction: Signal) -> Immediates {
     }
 }
 
-/// The processor with its memory.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct Core {
-    /// The words of memory, a power of two.
-    words: u32,
-    /// The address at which it stops.
-    stop: u32,
+block! {
+    /// The processor with its memory.
+    struct Core {
+        /// The words of memory, a power of two.
+        words: u32,
+        /// The address at which it stops.
+        stop: u32,
+    }
+    ranges { words: powers_of_two(2..) }
+    out CoreOut {
+        /// The address of the instruction.
+        pc: bits(32),
+        /// It has come to the address at which it stops.
+        stopped: bit(),
+    }
 }
 
-impl Block for Core {
-    type In = ();
-    type Out = CoreOut;
-
-    fn inputs(&self) {}
-
+impl Core {
     fn build(&self, m: Module, _: ()) -> CoreOut {
         def!(pc = m.reg(32).reset(0));
         def!(stopped = pc.eq(self.stop));

@@ -4,19 +4,20 @@
 use tilewright_hdl::*;
 use tilewright_sim::{Pauses, Simulation};
 
-bundle! {
-    /// A square of the screen, and the largest value in it of each edge function of the triangle.
-    struct Window<T> { x: T, y: T, edges: T }
-    struct TestIn<T> { windows: Stream<Window<T>, T> }
-    struct TestOut<T> { quarters: Stream<Window<T>, T> }
+record! {
+    /// A square of the screen.
+    struct Window {
+        /// The column of its left pixels.
+        x: bits(5),
+        /// The row of its lowest pixels.
+        y: bits(5),
+        /// The largest value of each edge function of the triangle in it.
+        edges: bits(12).signed().of(row(3)),
+    }
 }
 
 /// The edge functions are `a x + b y + c`; inside of the triangle, none is negative. This is `(a, b)` of each.
 const SLOPES: [(i64, i64); 3] = [(1, 0), (0, 1), (-1, -1)];
-
-fn window() -> Window<Width> {
-    Window { x: bits(5), y: bits(5), edges: bits(12).signed().of(row(3)) }
-}
 
 impl Window {
     /// A quarter of a window that is twice as wide as `half`.
@@ -34,23 +35,19 @@ impl Window {
     }
 }
 
-/// Sends the quarters of windows that are twice as wide as `half`, one a clock.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct CoverageTest {
-    half: u32,
+block! {
+    /// Sends the quarters of windows that are twice as wide as `half`, one a clock.
+    struct CoverageTest {
+        half: u32,
+    }
+    in TestIn { windows: stream(Window) }
+    out TestOut { quarters: stream(Window) }
 }
 
-impl Block for CoverageTest {
-    type In = TestIn;
-    type Out = TestOut;
-
-    fn inputs(&self) -> TestIn<Width> {
-        TestIn { windows: stream(window()) }
-    }
-
+impl CoverageTest {
     fn build(&self, m: Module, i: TestIn) -> TestOut {
         def!(busy = m.reg(bit()).reset(0));
-        def!(held = m.reg(window()));
+        def!(held = m.reg(Window::widths()));
         def!(number = m.reg(2).reset(0));
         def!(quarter = held.quarter(*number, self.half));
         def!(covers = !quarter.edges.is_negative().or_all());
@@ -65,18 +62,14 @@ impl Block for CoverageTest {
     }
 }
 
-/// From windows of 8 x 8 pixels to those of 2 x 2.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-struct TwoLevels;
+block! {
+    /// From windows of 8 x 8 pixels to those of 2 x 2.
+    struct TwoLevels;
+    in = TestIn { windows: stream(Window::widths()) };
+    out = TestOut { quarters: stream(Window::widths()) };
+}
 
-impl Block for TwoLevels {
-    type In = TestIn;
-    type Out = TestOut;
-
-    fn inputs(&self) -> TestIn<Width> {
-        TestIn { windows: stream(window()) }
-    }
-
+impl TwoLevels {
     fn build(&self, m: Module, i: TestIn) -> TestOut {
         def!(upper = m.instance(&CoverageTest { half: 4 }, i));
         def!(lower = m.instance(&CoverageTest { half: 2 }, TestIn { windows: upper.quarters }));
