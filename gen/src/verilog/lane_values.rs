@@ -4,7 +4,7 @@ use super::constant;
 use super::fold::lower::WIDEST_VECTOR;
 use super::pattern::Pattern;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Module, NodeId, Op, Shape};
+use tilewright_hdl::ir::{Module, NodeId, Op, Shape, Shift};
 
 /// The longest chain of operators through which a lane is computed.
 const DEEPEST: u32 = 6;
@@ -71,6 +71,12 @@ fn computed(module: &Module, id: NodeId, lane: u32, depth: u32) -> Option<Bits> 
     if let Op::Mux { select, on_true, on_false } = node.op {
         let chosen = if computed(module, select, lane, depth - 1)?.is_zero() { on_false } else { on_true };
         return computed(module, chosen, lane, depth - 1);
+    }
+    if let Op::Shift(Shift::Left | Shift::Right, of, amount) = node.op {
+        // Beyond the width whatever is shifted.
+        let amount = computed(module, amount, lane, depth - 1)?;
+        let is_beyond = amount.to_u64().is_none_or(|places| places >= u64::from(module.width(of)));
+        return is_beyond.then(|| Bits::zero(node.width));
     }
     let operands = constant::operands(&node.op)?;
     let operands = operands.iter().map(|&operand| computed(module, operand, lane, depth - 1));

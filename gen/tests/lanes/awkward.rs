@@ -242,6 +242,17 @@ pub fn ends_in_some_lanes() -> Module {
     let y = b.input("y", 4, Shape::Row(6));
     let below = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands: [y, double] }, 1, Shape::Row(6));
     b.output("below", below);
+    // Two of the lanes are shifted beyond their width.
+    let far = b.constant(4, 12, Shape::Plain);
+    let parts: Vec<NodeId> = (0..6).map(|lane| if lane < 4 { x } else { far }).collect();
+    let amounts = b.stack(&parts, 0);
+    for (name, shift) in [("left", Shift::Left), ("right", Shift::Right)] {
+        let shifted = b.node(Op::Shift(shift, y, amounts), 4, Shape::Row(6));
+        let inverse = b.not(shifted);
+        let operands = [inverse, y];
+        let below = b.node(Op::Compare { relation: Relation::Lt, signed: false, operands }, 1, Shape::Row(6));
+        b.output(name, below);
+    }
     b.module.clone()
 }
 

