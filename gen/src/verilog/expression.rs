@@ -2,12 +2,12 @@
 //! context rule of Verilog extends or truncates anything. An operand that is itself an operator has parentheses.
 
 use super::lane_values::values;
-use super::literal::{Style, literal};
+use super::literal::{self, Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::reads::constant_address;
 use tilewright_hdl::Bits;
-use tilewright_hdl::ir::{Binary, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
+use tilewright_hdl::ir::{Binary, Kind, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
 
 impl Printer<'_> {
     /// The expression for a use of a node: its name if it has one.
@@ -27,7 +27,7 @@ impl Printer<'_> {
         let module = self.module;
         let node = module.node(id);
         match &node.op {
-            Op::Const(value) => literal(value, style),
+            Op::Const(value) => number(value, node.kind, style),
             Op::Unary(unary, a) => self.unary(*unary, *a),
             Op::Binary(binary, a, b) => self.binary(*binary, *a, *b, node.width),
             Op::Compare { relation, signed, operands } => self.compare(*relation, *signed, *operands),
@@ -132,7 +132,7 @@ impl Printer<'_> {
             Binary::Add => "+",
             Binary::Sub => "-",
             Binary::Mul => return format!("{} * {}", self.widened(a, width), self.widened(b, width)),
-            Binary::MulSigned => return format!("$signed({}) * $signed({})", self.value(a), self.value(b)),
+            Binary::MulSigned => return format!("{} * {}", self.signed(a), self.signed(b)),
         };
         let style = if matches!(binary, Binary::Add | Binary::Sub) { Style::Count } else { Style::Pattern };
         // `a | b | c` is read from the left.
@@ -163,10 +163,20 @@ impl Printer<'_> {
             Relation::Ge => ">=",
         };
         if signed && !matches!(relation, Relation::Eq | Relation::Ne) {
-            return format!("$signed({}) {operator} $signed({})", self.value(a), self.value(b));
+            return format!("{} {operator} {}", self.signed(a), self.signed(b));
         }
         let (left, right) = (self.state_or_operand(a, b), self.state_or_operand(b, a));
         format!("{left} {operator} {right}")
+    }
+
+    /// An operand of an operator that computes with signed numbers.
+    fn signed(&mut self, id: NodeId) -> String {
+        let of = self.printed(id);
+        let number = match (&self.module.node(of).op, self.plan.form(of)) {
+            (Op::Const(value), Form::Inline) => literal::signed(value),
+            _ => None,
+        };
+        number.unwrap_or_else(|| format!("$signed({})", self.value(id)))
     }
 
     /// An operand of a comparison: a constant that is compared with a state is printed by the state's name.
@@ -242,4 +252,10 @@ impl Printer<'_> {
         let zero = literal(&Bits::zero(memory.width), Style::Count);
         format!("({}) ? {word} : {zero}", self.inside(memory, address))
     }
+}
+
+/// A constant of this kind. Beside operands without a sign, which are as wide, the sign is only for the reader.
+pub fn number(value: &Bits, kind: Kind, style: Style) -> String {
+    let is_negative = kind == Kind::Signed && style == Style::Count && value.bit(value.width() - 1);
+    literal::signed(value).filter(|_| is_negative).unwrap_or_else(|| literal(value, style))
 }

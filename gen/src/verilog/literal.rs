@@ -30,6 +30,17 @@ pub fn literal(value: &Bits, style: Style) -> String {
     }
 }
 
+/// A sized literal of a signed number, in decimal unless the description writes it in another radix. The least number
+/// of a width stays a pattern: without its sign it is too large for the width.
+pub fn signed(value: &Bits) -> Option<String> {
+    let width = value.width();
+    let number = value.to_i128().filter(|_| value.radix() == Radix::Any && width > 1)?;
+    let magnitude = u64::try_from(number.unsigned_abs()).ok().filter(|number| *number <= LARGEST_COUNT)?;
+    let is_least = number < 0 && value.slice(0..width - 1).is_zero();
+    let sign = if number < 0 { "-" } else { "" };
+    (!is_least).then(|| format!("{sign}{width}'sd{magnitude}"))
+}
+
 /// The most digits of a literal: Icarus rejects a literal of more than 16,383 characters.
 const LONGEST: usize = 8192;
 
@@ -50,6 +61,17 @@ pub fn pattern(value: &Bits) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn signed_numbers_have_a_sign_if_their_magnitude_fits() {
+        let text = |width, number| signed(&Bits::from_i128(width, number));
+        assert_eq!(text(8, -3).as_deref(), Some("-8'sd3"));
+        assert_eq!(text(8, 127).as_deref(), Some("8'sd127"));
+        assert_eq!(text(8, -127).as_deref(), Some("-8'sd127"));
+        assert_eq!(text(200, -99_999).as_deref(), Some("-200'sd99999"));
+        assert_eq!([text(8, -128), text(1, -1), text(1, 0), text(40, -100_000)], [const { None }; 4]);
+        assert_eq!(signed(&Bits::from_i128(8, -3).shown_in(Radix::Hex)), None);
+    }
 
     #[test]
     fn a_long_value_is_several_literals_of_its_width_together() {

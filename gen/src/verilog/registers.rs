@@ -2,7 +2,8 @@
 //! expect.
 
 use super::branches::Target;
-use super::literal::{Style, literal};
+use super::expression::number;
+use super::literal::Style;
 use super::plan::Form;
 use super::printer::Printer;
 use super::statement::{Statement, lines, merged};
@@ -120,7 +121,7 @@ impl Printer<'_> {
         let value = register.initial.as_ref()?;
         let value = match self.states.of(register.node) {
             Some(states) => self.states.name(states, value),
-            None => literal(value, Style::Count),
+            None => number(value, self.module.node(register.node).kind, Style::Count),
         };
         Some(format!("initial {} = {value};", self.target(register.node)))
     }
@@ -131,7 +132,7 @@ impl Printer<'_> {
         let value = match (self.resets[index], self.states.of(register.node)) {
             (Some(lanes), _) => self.value(lanes),
             (None, Some(states)) => self.states.name(states, value),
-            (None, None) => literal(value, Style::Count),
+            (None, None) => number(value, self.module.node(register.node).kind, Style::Count),
         };
         Some(Statement::Assign(format!("{} <= {value};", self.target(register.node))))
     }

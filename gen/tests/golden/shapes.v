@@ -52,8 +52,8 @@ module shapes (
     assign signs = {signs_extended, {{4{a[4]}}, a[4:1]}, {4{a[0]}}, {b[7], b}, {{29{which[2]}}, which}}; // gen/tests/shapes/mod.rs:31
     wire parts_at_least = $signed(b ^ 8'h03) >= $signed(a ^ 8'h05); // gen/tests/shapes/mod.rs:32
     wire parts_and = ($signed(a + 8'd1) < $signed(b + 8'd1)) & parts_at_least; // gen/tests/shapes/mod.rs:32
-    wire parts_xor_2 = ($signed(a) < $signed(b)) ^ ($signed(a) > $signed(8'd3)); // gen/tests/shapes/mod.rs:33
-    wire parts_xor = parts_xor_2 ^ ($signed(b) <= $signed(8'd254)); // gen/tests/shapes/mod.rs:33
+    wire parts_xor_2 = ($signed(a) < $signed(b)) ^ ($signed(a) > 8'sd3); // gen/tests/shapes/mod.rs:33
+    wire parts_xor = parts_xor_2 ^ ($signed(b) <= -8'sd2);       // gen/tests/shapes/mod.rs:33
     assign parts = {wide[89:76], wide[74:70], wide[64], parts_sum[4:2], ~a, {3{a}}, parts_and, parts_xor}; // gen/tests/shapes/mod.rs:34
     assign few = which[0] ? a : (which[1] ? b : 8'd3);           // gen/tests/shapes/mod.rs:46
     always @* begin
