@@ -225,7 +225,7 @@ fn signed_operators_have_a_net_of_their_own() {
         (i.b.bit(7).repeat(8) & shifted) + product
     });
     assert!(text.contains("wire [7:0] y_shifted = $signed(a) >>> b[2:0];"), "{text}");
-    assert!(text.contains("wire [15:0] y_product = $signed(a) * $signed(b);"), "{text}");
+    assert!(text.contains("wire [15:0] a_times_b = $signed(a) * $signed(b);"), "{text}");
 }
 
 #[test]

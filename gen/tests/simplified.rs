@@ -216,7 +216,7 @@ fn a_part_is_taken_of_what_has_it() {
         (|_, i| i.a.zext(12).slice(8..11), "3'd0"),
         (|_, i| i.a.zext(12).slice(7..9), "{1'd0, a[7]}"),
         (|_, i| i.a.sext(12).slice(0..8), "a"),
-        (|_, i| i.a.sext(12).slice(8..10), "y_extended[9:8]"),
+        (|_, i| i.a.sext(12).slice(8..10), "a_extended[9:8]"),
         (|_, i| cat![i.a, i.b].slice(8..16), "a"),
         (|_, i| cat![i.a, i.b].slice(0..8), "b"),
         (|_, i| cat![i.a, i.b].slice(9..12), "a[3:1]"),
@@ -232,7 +232,7 @@ fn a_part_is_taken_of_what_has_it() {
         (|_, i| i.a.zext(8), "a"),
         (|_, i| i.a.lt(i.b).sext(8), "{8{a < b}}"),
         (|_, i| i.a.slice(2..7).sext(8), "{{3{a[6]}}, a[6:2]}"),
-        (|_, i| (i.a + i.b).slice(2..7).sext(8), "{{3{y_sum[6]}}, y_sum[6:2]}"),
+        (|_, i| (i.a + i.b).slice(2..7).sext(8), "{{3{a_plus_b[6]}}, a_plus_b[6:2]}"),
         (|_, i| i.a.zext(12).slice(2..8).sext(9), "{{3{a[7]}}, a[7:2]}"),
         (|_, i| cat![i.a, i.b].slice(4..8).sext(9), "{{5{b[7]}}, b[7:4]}"),
     ]);

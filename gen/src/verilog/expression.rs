@@ -6,8 +6,8 @@ use super::literal::{self, Style, literal};
 use super::plan::Form;
 use super::printer::Printer;
 use super::reads::constant_address;
-use tilewright_hdl::Bits;
 use tilewright_hdl::ir::{Binary, Kind, Memory, MemoryId, NodeId, Op, Relation, Shift, Unary};
+use tilewright_hdl::{Bits, Radix};
 
 impl Printer<'_> {
     /// The expression for a use of a node: its name if it has one.
@@ -132,7 +132,7 @@ impl Printer<'_> {
             Binary::Add => "+",
             Binary::Sub => "-",
             Binary::Mul => return format!("{} * {}", self.widened(a, width), self.widened(b, width)),
-            Binary::MulSigned => return format!("{} * {}", self.signed(a), self.signed(b)),
+            Binary::MulSigned => return format!("{} * {}", self.signed(a, width), self.signed(b, width)),
         };
         let style = if matches!(binary, Binary::Add | Binary::Sub) { Style::Count } else { Style::Pattern };
         // `a | b | c` is read from the left.
@@ -163,17 +163,21 @@ impl Printer<'_> {
             Relation::Ge => ">=",
         };
         if signed && !matches!(relation, Relation::Eq | Relation::Ne) {
-            return format!("{} {operator} {}", self.signed(a), self.signed(b));
+            let width = self.module.width(a);
+            return format!("{} {operator} {}", self.signed(a, width), self.signed(b, width));
         }
         let (left, right) = (self.state_or_operand(a, b), self.state_or_operand(b, a));
         format!("{left} {operator} {right}")
     }
 
-    /// An operand of an operator that computes with signed numbers.
-    fn signed(&mut self, id: NodeId) -> String {
+    /// An operand of an operator that computes with signed numbers of this width. A negative constant has the width
+    /// itself: a minus is an operator, and linters complain where its operand is extended.
+    fn signed(&mut self, id: NodeId, width: u32) -> String {
         let of = self.printed(id);
         let number = match (&self.module.node(of).op, self.plan.form(of)) {
-            (Op::Const(value), Form::Inline) => literal::signed(value),
+            (Op::Const(value), Form::Inline) => {
+                literal::signed(&value.sext(width)).filter(|_| value.radix() == Radix::Any)
+            }
             _ => None,
         };
         number.unwrap_or_else(|| format!("$signed({})", self.value(id)))

@@ -18,6 +18,7 @@ mod module;
 mod names;
 mod nets;
 mod order;
+mod own_name;
 mod part;
 mod pattern;
 mod pick;

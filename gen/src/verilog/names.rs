@@ -1,7 +1,9 @@
-//! Names: those of the description unchanged. The few nets without one get a name made from the consumer's name and
-//! the operator, such as `count_sum`. An edit elsewhere in the module renames nothing.
+//! Names: those of the description unchanged. The few nets without one are named by what they are, such as
+//! `step_is_idle`; otherwise after the consumer and the operator, such as `count_sum`. An edit elsewhere in the module
+//! renames nothing.
 
 use super::order::for_each_read;
+use super::own_name::Operands;
 use super::plan::{Form, Plan};
 use super::reads::ReadNames;
 use super::scope::Names;
@@ -121,15 +123,6 @@ impl Namer<'_> {
         }
     }
 
-    /// A combination of all lanes is named after the array, as in `u_cell_hit_any`.
-    fn reduction_name(&self, id: NodeId) -> Option<String> {
-        let Op::Reduce { by: reduction, of, .. } = self.module.node(id).op else { return None };
-        let Op::Output(instance, port) = self.module.node(of).op else { return None };
-        let instance = &self.module.instances[instance.0 as usize];
-        let port = &self.design.module(instance.module).outputs[port as usize].name;
-        Some(format!("{}_{port}_{}", instance.name, combined(reduction)))
-    }
-
     /// `jobs_valid & jobs_ready` means that the payload of `jobs` is taken.
     fn taken_name(&self, id: NodeId) -> Option<String> {
         let Op::Binary(Binary::And, a, b) = self.module.node(id).op else { return None };
@@ -171,7 +164,8 @@ impl Namer<'_> {
             if fresh && id == root {
                 self.give(id, itself);
             } else if fresh {
-                let wanted = self.reduction_name(id).or_else(|| self.taken_name(id));
+                let operands = Operands { design: self.design, module, names: &self.names };
+                let wanted = self.taken_name(id).or_else(|| operands.name(id));
                 let wanted = wanted.unwrap_or_else(|| format!("{base}_{}", suffix(&module.node(id).op)));
                 self.give(id, &wanted);
             }
@@ -184,8 +178,8 @@ impl Namer<'_> {
     }
 }
 
-/// The suffix for the combination of all lanes of an output.
-fn combined(reduction: Reduction) -> &'static str {
+/// The suffix for the combination of all lanes.
+pub fn combined(reduction: Reduction) -> &'static str {
     match reduction {
         Reduction::And => "all",
         Reduction::Or => "any",

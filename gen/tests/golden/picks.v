@@ -21,7 +21,7 @@ module picks (
 );
 
     wire [7:0] prime_picked;                                     // gen/tests/lanes/modules.rs:79
-    wire [1:0] prime_part = which[1:0];                          // gen/tests/lanes/modules.rs:75
+    wire [1:0] which_1_0 = which[1:0];                           // gen/tests/lanes/modules.rs:75
 
     genvar i;
     genvar j;
@@ -85,7 +85,7 @@ module picks (
             assign prime_picked_lanes[i] = prime_listed_row[i].prime_listed;
         end
     endgenerate
-    assign prime_picked = prime_picked_lanes[prime_part];        // gen/tests/lanes/modules.rs:79
+    assign prime_picked = prime_picked_lanes[which_1_0];         // gen/tests/lanes/modules.rs:79
     assign prime = prime_picked + held_row[0].held;              // gen/tests/lanes/modules.rs:80
     generate
         for (i = 0; i < 4; i = i + 1) begin : of_columns_of

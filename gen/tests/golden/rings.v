@@ -40,22 +40,22 @@ module rings (
     generate
         for (i = 0; i < 3; i = i + 1) begin : total_row
             reg [7:0] total;
-            wire [7:0] total_max;
-            for (j = 0; j < 7; j = j + 1) begin : total_max_tree
+            wire [7:0] held_max;
+            for (j = 0; j < 7; j = j + 1) begin : held_max_tree
                 wire [7:0] value;
                 if (j < 4) begin : leaf
                     assign value = cells_ahead[i].col[j].held;
                 end else begin : pair
-                    wire [7:0] a = total_max_tree[2 * (j - 4)].value;
-                    wire [7:0] b = total_max_tree[2 * (j - 4) + 1].value;
+                    wire [7:0] a = held_max_tree[2 * (j - 4)].value;
+                    wire [7:0] b = held_max_tree[2 * (j - 4) + 1].value;
                     assign value = (a > b) ? a : b;
                 end
             end
-            assign total_max = total_max_tree[6].value;
+            assign held_max = held_max_tree[6].value;
 
             always @(posedge clk) begin
                 if (rst) total <= 8'd0;
-                else total <= total_max + x[i * 8 +: 8];
+                else total <= held_max + x[i * 8 +: 8];
             end
         end
     endgenerate

@@ -36,7 +36,7 @@ module shapes (
     reg [7:0] again;                                             // gen/tests/shapes/mod.rs:64
     (* ASYNC_REG = "TRUE" *) reg sampled_meta;                   // gen/tests/shapes/mod.rs:79
 
-    wire [7:0] parts_sum = a + b;                                // gen/tests/shapes/mod.rs:28
+    wire [7:0] a_plus_b = a + b;                                 // gen/tests/shapes/mod.rs:28
     wire [7:0] chain_xor_7 = ((a ^ (b + 8'd1)) & (a | (b - 8'd1))) ^ (b + 8'd2); // gen/tests/shapes/mod.rs:29
     wire [7:0] chain_xor_6 = (chain_xor_7 & (a | (b - 8'd2))) ^ (b + 8'd3); // gen/tests/shapes/mod.rs:29
     wire [7:0] chain_xor_5 = (chain_xor_6 & (a | (b - 8'd3))) ^ (b + 8'd4); // gen/tests/shapes/mod.rs:29
@@ -47,19 +47,19 @@ module shapes (
     assign chain = chain_xor & (a | (b - 8'd8));                 // gen/tests/shapes/mod.rs:29
     wire [63:0] masked_and = wide[63:0] & 64'h123456789abcdef0;  // gen/tests/shapes/mod.rs:30
     assign masked = masked_and[9:0];                             // gen/tests/shapes/mod.rs:30
-    wire [7:0] signs_xor = a ^ b;                                // gen/tests/shapes/mod.rs:31
-    wire [11:0] signs_extended = {{4{signs_xor[7]}}, signs_xor}; // gen/tests/shapes/mod.rs:31
+    wire [7:0] a_xor_b = a ^ b;                                  // gen/tests/shapes/mod.rs:31
+    wire [11:0] signs_extended = {{4{a_xor_b[7]}}, a_xor_b};     // gen/tests/shapes/mod.rs:31
     assign signs = {signs_extended, {{4{a[4]}}, a[4:1]}, {4{a[0]}}, {b[7], b}, {{29{which[2]}}, which}}; // gen/tests/shapes/mod.rs:31
     wire parts_at_least = $signed(b ^ 8'h03) >= $signed(a ^ 8'h05); // gen/tests/shapes/mod.rs:32
     wire parts_and = ($signed(a + 8'd1) < $signed(b + 8'd1)) & parts_at_least; // gen/tests/shapes/mod.rs:32
     wire parts_xor_2 = ($signed(a) < $signed(b)) ^ ($signed(a) > 8'sd3); // gen/tests/shapes/mod.rs:33
     wire parts_xor = parts_xor_2 ^ ($signed(b) <= -8'sd2);       // gen/tests/shapes/mod.rs:33
-    assign parts = {wide[89:76], wide[74:70], wide[64], parts_sum[4:2], ~a, {3{a}}, parts_and, parts_xor}; // gen/tests/shapes/mod.rs:34
+    assign parts = {wide[89:76], wide[74:70], wide[64], a_plus_b[4:2], ~a, {3{a}}, parts_and, parts_xor}; // gen/tests/shapes/mod.rs:34
     assign few = which[0] ? a : (which[1] ? b : 8'd3);           // gen/tests/shapes/mod.rs:46
     always @* begin
         if (which[0]) many = a;
         else if (which[1]) many = b;
-        else if (which[2]) many = parts_sum;
+        else if (which[2]) many = a_plus_b;
         else many = 8'd4;
     end
     always @* begin
@@ -81,7 +81,7 @@ module shapes (
                 if (go) picked = b;
                 else picked = 8'd7;
             end
-            3'd5: picked = parts_sum;
+            3'd5: picked = a_plus_b;
             default: picked = many;
         endcase
     end
@@ -101,7 +101,7 @@ module shapes (
         endcase
     end
     wire stopped = !go;                                          // gen/tests/shapes/mod.rs:63
-    assign twice = parts_sum ^ (parts_sum + 8'd1);               // gen/tests/shapes/mod.rs:69
+    assign twice = a_plus_b ^ (a_plus_b + 8'd1);                 // gen/tests/shapes/mod.rs:69
     wire [15:0] products_joined = {kept, last ^ held ^ once ^ again ^ cased}; // gen/tests/shapes/mod.rs:73
     assign products = ({8'd0, a} * {8'd0, b}) + products_joined; // gen/tests/shapes/mod.rs:73
 

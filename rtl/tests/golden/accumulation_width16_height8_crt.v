@@ -39,12 +39,12 @@ module accumulation_width16_height8_crt (
 
     wire [35:0] so_far_picked;                                   // rtl/src/gfb/accumulation.rs:151
     wire [35:0] sums_write_lanes;                                // rtl/src/gfb/accumulation.rs:154
-    wire [35:0] colour_picked;                                   // rtl/src/gfb/accumulation.rs:170
+    wire [35:0] read_at_read_odd;                                // rtl/src/gfb/accumulation.rs:170
     wire ends = address == 7'd127;                               // rtl/src/gfb/accumulation.rs:126
     assign busy = reads | stores;                                // rtl/src/gfb/accumulation.rs:132
-    wire so_far_part = stored[0];                                // rtl/src/gfb/accumulation.rs:151
+    wire stored_0 = stored[0];                                   // rtl/src/gfb/accumulation.rs:151
     wire [35:0] so_far = replaces ? 36'd0 : so_far_picked;       // rtl/src/gfb/accumulation.rs:151
-    wire [23:0] added_part = word[23:0];                         // rtl/src/gfb/accumulation.rs:152
+    wire [23:0] word_23_0 = word[23:0];                          // rtl/src/gfb/accumulation.rs:152
     wire [12:0] asserted_product = {8'd0, 5'd16 - {1'd0, may_follow}} * 13'd255; // rtl/src/gfb/accumulation.rs:162
 
     genvar i;
@@ -90,7 +90,7 @@ module accumulation_width16_height8_crt (
 
     generate
         for (i = 0; i < 3; i = i + 1) begin : added_row
-            wire [11:0] added = so_far[i * 12 +: 12] + {4'd0, added_part[i * 8 +: 8]};
+            wire [11:0] added = so_far[i * 12 +: 12] + {4'd0, word_23_0[i * 8 +: 8]};
             `ifndef SYNTHESIS
             `ifdef FORMAL
             always @(posedge merge_clk) begin
@@ -113,10 +113,10 @@ module accumulation_width16_height8_crt (
             reg [8:0] colour_choice;
             always @* begin
                 case (passes)
-                    PASSES_TWO: colour_choice = colour_picked[i * 12 +: 9];
-                    PASSES_FOUR: colour_choice = colour_picked[i * 12 + 1 +: 9];
-                    PASSES_EIGHT: colour_choice = colour_picked[i * 12 + 2 +: 9];
-                    default: colour_choice = colour_picked[i * 12 + 3 +: 9]; // PASSES_SIXTEEN
+                    PASSES_TWO: colour_choice = read_at_read_odd[i * 12 +: 9];
+                    PASSES_FOUR: colour_choice = read_at_read_odd[i * 12 + 1 +: 9];
+                    PASSES_EIGHT: colour_choice = read_at_read_odd[i * 12 + 2 +: 9];
+                    default: colour_choice = read_at_read_odd[i * 12 + 3 +: 9]; // PASSES_SIXTEEN
                 endcase
             end
             wire [7:0] colour_sum = colour_choice[8:1] + {7'd0, colour_choice[0]};
@@ -129,19 +129,19 @@ module accumulation_width16_height8_crt (
             assign so_far_picked_lanes[i] = parity_row[i].old;
         end
     endgenerate
-    assign so_far_picked = so_far_picked_lanes[so_far_part];     // rtl/src/gfb/accumulation.rs:151
+    assign so_far_picked = so_far_picked_lanes[stored_0];        // rtl/src/gfb/accumulation.rs:151
     generate
         for (i = 0; i < 3; i = i + 1) begin : sums_write_lanes_of
             assign sums_write_lanes[i * 12 +: 12] = added_row[i].added;
         end
     endgenerate
-    wire [35:0] colour_picked_lanes [0:1];
+    wire [35:0] read_at_read_odd_lanes [0:1];
     generate
-        for (i = 0; i < 2; i = i + 1) begin : colour_picked_of
-            assign colour_picked_lanes[i] = parity_row[i].read;
+        for (i = 0; i < 2; i = i + 1) begin : read_at_read_odd_of
+            assign read_at_read_odd_lanes[i] = parity_row[i].read;
         end
     endgenerate
-    assign colour_picked = colour_picked_lanes[read_odd];        // rtl/src/gfb/accumulation.rs:170
+    assign read_at_read_odd = read_at_read_odd_lanes[read_odd];  // rtl/src/gfb/accumulation.rs:170
     generate
         for (i = 0; i < 3; i = i + 1) begin : colour_of
             assign colour[i * 8 +: 8] = colour_choice_row[i].colour_sum;

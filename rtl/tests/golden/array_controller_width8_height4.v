@@ -280,7 +280,7 @@ module array_controller_width8_height4 (
     wire [1:0] banks_under_way_choice = banks_under_way_and ? banks_under_way_joined : 2'd0; // rtl/src/pixelflow/controller.rs:237
     wire assumed_equal = (banks_under_way & banks_under_way_joined) == 2'd0; // rtl/src/pixelflow/controller.rs:240
     wire assumed_or = (instructions_sync != SYNC_START_TEXTURE) | !texture_under_way; // rtl/src/pixelflow/controller.rs:241
-    wire evaluator_action_gives_equal = instructions_sync == SYNC_GIVE_BANK; // rtl/src/pixelflow/controller/slot.rs:57
+    wire instructions_sync_is_give_bank = instructions_sync == SYNC_GIVE_BANK; // rtl/src/pixelflow/controller/slot.rs:57
     wire [1:0] evaluator_action_bank_joined = {instructions_c[0], !instructions_c[0]}; // rtl/src/pixelflow/controller/slot.rs:73
     wire evaluator_action_starts_equal = instructions_sync == SYNC_START_TEXTURE; // rtl/src/pixelflow/controller/slot.rs:59
     wire evaluator_begins = instructions_taken & on_evaluator;   // rtl/src/pixelflow/controller.rs:153
@@ -368,7 +368,7 @@ module array_controller_width8_height4 (
             waiting_action_flagging <= instructions_flagging;
             waiting_action_on_memory <= on_memory;
             waiting_action_descends <= instructions_descends;
-            waiting_action_gives <= evaluator_action_gives_equal;
+            waiting_action_gives <= instructions_sync_is_give_bank;
             waiting_action_bank <= evaluator_action_bank_joined;
             waiting_action_starts <= evaluator_action_starts_equal;
             waiting_skip <= instructions_skip;
@@ -516,7 +516,7 @@ module array_controller_width8_height4 (
                 evaluator_action_flagging <= instructions_flagging;
                 evaluator_action_on_memory <= on_memory;
                 evaluator_action_descends <= instructions_descends;
-                evaluator_action_gives <= evaluator_action_gives_equal;
+                evaluator_action_gives <= instructions_sync_is_give_bank;
                 evaluator_action_bank <= evaluator_action_bank_joined;
                 evaluator_action_starts <= evaluator_action_starts_equal;
                 evaluator_length <= instructions_length;
@@ -556,7 +556,7 @@ module array_controller_width8_height4 (
                     memory_action_flagging <= instructions_flagging;
                     memory_action_on_memory <= on_memory;
                     memory_action_descends <= instructions_descends;
-                    memory_action_gives <= evaluator_action_gives_equal;
+                    memory_action_gives <= instructions_sync_is_give_bank;
                     memory_action_bank <= evaluator_action_bank_joined;
                     memory_action_starts <= evaluator_action_starts_equal;
                 end

@@ -47,20 +47,20 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     reg word_last_past;                                          // rtl/src/bus/broadcast_bus.rs:130
     reg [2:0] sent;                                              // rtl/src/bus/broadcast_bus.rs:134
 
-    wire [3:0] next_min;                                         // rtl/src/bus/broadcast_bus.rs:100
+    wire [3:0] rank_min;                                         // rtl/src/bus/broadcast_bus.rs:100
     wire room;                                                   // rtl/src/bus/broadcast_bus.rs:120
-    wire takes_any;                                              // rtl/src/bus/broadcast_bus.rs:104
+    wire requests_any;                                           // rtl/src/bus/broadcast_bus.rs:104
     wire [31:0] word_word_next;                                  // rtl/src/bus/broadcast_bus.rs:106
     wire open_picked;                                            // rtl/src/bus/broadcast_bus.rs:106
     wire asserted_all;                                           // rtl/src/bus/broadcast_bus.rs:132
     wire asserted_any;                                           // rtl/src/bus/broadcast_bus.rs:132
     wire [2:0] sent_sum;                                         // rtl/src/bus/broadcast_bus.rs:135
     wire covered;                                                // rtl/src/bus/broadcast_bus.rs:151
-    wire [1:0] next = next_min[1:0];                             // rtl/src/bus/broadcast_bus.rs:100
+    wire [1:0] next = rank_min[1:0];                             // rtl/src/bus/broadcast_bus.rs:100
     wire arrived = on_bus & (clocks_left == 3'd0);               // rtl/src/bus/broadcast_bus.rs:115
     wire delivers = arrived & room;                              // rtl/src/bus/broadcast_bus.rs:102
     wire free = !on_bus | delivers;                              // rtl/src/bus/broadcast_bus.rs:103
-    wire takes = free & takes_any;                               // rtl/src/bus/broadcast_bus.rs:104
+    wire takes = free & requests_any;                            // rtl/src/bus/broadcast_bus.rs:104
     wire asserted_and = on_bus & (word_word == word_word_past) & (word_last == word_last_past); // rtl/src/bus/broadcast_bus.rs:130
     wire covered_and_2 = senders_0_valid & senders_1_valid & senders_2_valid; // rtl/src/bus/broadcast_bus.rs:152
     assign idle = !on_bus & !open;                               // rtl/src/bus/broadcast_bus.rs:154
@@ -176,24 +176,24 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     endgenerate
 
     generate
-        for (i = 0; i < 2; i = i + 1) begin : asserted_and_2_row
-            wire asserted_and_2 = delivers & u_queue[i].into_ready;
+        for (i = 0; i < 2; i = i + 1) begin : delivers_and_u_queue_into_ready_row
+            wire delivers_and_u_queue_into_ready = delivers & u_queue[i].into_ready;
         end
     endgenerate
 
     generate
-        for (i = 0; i < 5; i = i + 1) begin : next_min_tree
+        for (i = 0; i < 5; i = i + 1) begin : rank_min_tree
             wire [3:0] value;
             if (i < 3) begin : leaf
                 assign value = others_row[i].rank;
             end else begin : pair
-                wire [3:0] a = next_min_tree[2 * (i - 3)].value;
-                wire [3:0] b = next_min_tree[2 * (i - 3) + 1].value;
+                wire [3:0] a = rank_min_tree[2 * (i - 3)].value;
+                wire [3:0] b = rank_min_tree[2 * (i - 3) + 1].value;
                 assign value = (a < b) ? a : b;
             end
         end
     endgenerate
-    assign next_min = next_min_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:100
+    assign rank_min = rank_min_tree[4].value;                    // rtl/src/bus/broadcast_bus.rs:100
     wire [1:0] room_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : room_of
@@ -204,13 +204,13 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     assign senders_0_ready = others_row[0].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
     assign senders_1_ready = others_row[1].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
     assign senders_2_ready = others_row[2].senders_0_ready_and;  // rtl/src/bus/broadcast_bus.rs:95
-    wire [2:0] takes_any_lanes;
+    wire [2:0] requests_any_lanes;
     generate
-        for (i = 0; i < 3; i = i + 1) begin : takes_any_of
-            assign takes_any_lanes[i] = others_row[i].requests;
+        for (i = 0; i < 3; i = i + 1) begin : requests_any_of
+            assign requests_any_lanes[i] = others_row[i].requests;
         end
     endgenerate
-    assign takes_any = |takes_any_lanes;                         // rtl/src/bus/broadcast_bus.rs:104
+    assign requests_any = |requests_any_lanes;                   // rtl/src/bus/broadcast_bus.rs:104
     wire [31:0] word_word_next_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : word_word_next_of
@@ -232,14 +232,14 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
     wire [1:0] asserted_all_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_all_of
-            assign asserted_all_lanes[i] = asserted_and_2_row[i].asserted_and_2;
+            assign asserted_all_lanes[i] = delivers_and_u_queue_into_ready_row[i].delivers_and_u_queue_into_ready;
         end
     endgenerate
     assign asserted_all = &asserted_all_lanes;                   // rtl/src/bus/broadcast_bus.rs:132
     wire [1:0] asserted_any_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : asserted_any_of
-            assign asserted_any_lanes[i] = asserted_and_2_row[i].asserted_and_2;
+            assign asserted_any_lanes[i] = delivers_and_u_queue_into_ready_row[i].delivers_and_u_queue_into_ready;
         end
     endgenerate
     assign asserted_any = |asserted_any_lanes;                   // rtl/src/bus/broadcast_bus.rs:132
@@ -401,7 +401,7 @@ module broadcast_bus_processors2_queue4_word_clocks6 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, next_min[3:2], asserted_and, asserted_all, asserted_any, covered,
+    wire _unused_ok = &{1'b0, rank_min[3:2], asserted_and, asserted_all, asserted_any, covered,
             covered_and_2};
 endmodule
 `default_nettype wire

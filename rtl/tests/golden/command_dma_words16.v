@@ -85,8 +85,8 @@ module command_dma_words16 (
     wire u_frames_out_valid;                                     // rtl/src/pixelflow/command_dma.rs:70
     wire [8:0] u_frames_out_payload;                             // rtl/src/pixelflow/command_dma.rs:70
 
-    wire left_equal = left == 5'd0;                              // rtl/src/pixelflow/command_dma.rs:73
-    wire left_and = u_frames_out_valid & left_equal;             // rtl/src/pixelflow/command_dma.rs:73
+    wire left_is_0 = left == 5'd0;                               // rtl/src/pixelflow/command_dma.rs:73
+    wire left_and = u_frames_out_valid & left_is_0;              // rtl/src/pixelflow/command_dma.rs:73
     wire instructions_taken = arrived & instructions_ready;      // rtl/src/pixelflow/command_dma.rs:78
     wire reads = (left != 5'd0) & (!arrived | instructions_taken); // rtl/src/pixelflow/command_dma.rs:77
     assign instructions_source = memory_read[167:166];           // rtl/src/pixelflow/command_dma.rs:78
@@ -114,7 +114,7 @@ module command_dma_words16 (
         .rst          (rst),
         .into_valid   (frames_valid),
         .into_payload ({frames_base, frames_length}),
-        .out_ready    (left_equal),
+        .out_ready    (left_is_0),
         .out_valid    (u_frames_out_valid),
         .out_payload  (u_frames_out_payload),
         .into_ready   (frames_ready)

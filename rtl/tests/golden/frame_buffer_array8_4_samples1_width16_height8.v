@@ -57,9 +57,9 @@ module frame_buffer_array8_4_samples1_width16_height8 (
     wire is_last = region == 2'd3;                               // rtl/src/pixelflow/frame_buffer.rs:236
     wire reads = runs & (clock < 3'd3) & (pixel < 5'd16);        // rtl/src/pixelflow/frame_buffer.rs:242
     wire stores = runs & (pixel != 5'd0) & (clock < 3'd1);       // rtl/src/pixelflow/frame_buffer.rs:246
-    wire [4:0] stores_at_difference = pixel - 5'd1;              // rtl/src/pixelflow/frame_buffer.rs:247
+    wire [4:0] pixel_minus_1 = pixel - 5'd1;                     // rtl/src/pixelflow/frame_buffer.rs:247
     wire [2:0] stores_at_choice = !shown ? ({1'd0, region} + 3'd4) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:224
-    wire [6:0] stores_at = {stores_at_choice, stores_at_difference[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:248
+    wire [6:0] stores_at = {stores_at_choice, pixel_minus_1[3:0]}; // rtl/src/pixelflow/frame_buffer.rs:248
     wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:260
     wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:261
     wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:290
@@ -188,6 +188,6 @@ module frame_buffer_array8_4_samples1_width16_height8 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, stores_at_difference[4]};
+    wire _unused_ok = &{1'b0, pixel_minus_1[4]};
 endmodule
 `default_nettype wire

@@ -59,9 +59,9 @@ module frame_buffer_array8_8_samples8_width16_height8 (
     wire is_last = region == 3'd7;                               // rtl/src/pixelflow/frame_buffer.rs:236
     wire reads = runs & (clock < 5'd24) & (pixel < 3'd4);        // rtl/src/pixelflow/frame_buffer.rs:242
     wire stores = runs & (pixel != 3'd0) & (clock < 5'd2);       // rtl/src/pixelflow/frame_buffer.rs:246
-    wire [2:0] stores_at_difference = pixel - 3'd1;              // rtl/src/pixelflow/frame_buffer.rs:247
+    wire [2:0] pixel_minus_1 = pixel - 3'd1;                     // rtl/src/pixelflow/frame_buffer.rs:247
     wire [3:0] stores_at_choice = !shown ? ({1'd0, region} + 4'd8) : {1'd0, region}; // rtl/src/pixelflow/frame_buffer.rs:224
-    wire [6:0] stores_at = {stores_at_choice, clock[0], stores_at_difference[1:0]}; // rtl/src/pixelflow/frame_buffer.rs:248
+    wire [6:0] stores_at = {stores_at_choice, clock[0], pixel_minus_1[1:0]}; // rtl/src/pixelflow/frame_buffer.rs:248
     wire is_first = (x == 4'd0) & (y == 3'd0);                   // rtl/src/pixelflow/frame_buffer.rs:260
     wire changes = is_first & is_whole;                          // rtl/src/pixelflow/frame_buffer.rs:261
     wire pixels_taken = arrived & pixels_ready;                  // rtl/src/pixelflow/frame_buffer.rs:290
@@ -77,7 +77,7 @@ module frame_buffer_array8_8_samples8_width16_height8 (
     assign pixels_red = colour[23:16];                           // rtl/src/pixelflow/frame_buffer.rs:288
     assign pixels_green = colour[15:8];                          // rtl/src/pixelflow/frame_buffer.rs:288
     assign pixels_blue = colour[7:0];                            // rtl/src/pixelflow/frame_buffer.rs:288
-    wire register_or = start | turn_ends;                        // rtl/src/pixelflow/frame_buffer.rs:297
+    wire start_or_turn_ends = start | turn_ends;                 // rtl/src/pixelflow/frame_buffer.rs:297
     wire sample_ends = runs & (register == 3'd5);                // rtl/src/pixelflow/frame_buffer.rs:328
     assign port_pixel = {sample[1], pixel[1:0], sample[0]};      // rtl/src/pixelflow/frame_buffer.rs:331
     assign port_address = {3'd0, register};                      // rtl/src/pixelflow/frame_buffer.rs:331
@@ -121,9 +121,9 @@ module frame_buffer_array8_8_samples8_width16_height8 (
         else if (runs) clock <= clock + 5'd1;
         if (start) pixel <= 3'd0;
         else if (turn_ends) pixel <= pixel + 3'd1;
-        if (register_or | sample_ends) register <= 3'd0;
+        if (start_or_turn_ends | sample_ends) register <= 3'd0;
         else if (runs) register <= register + 3'd1;
-        if (register_or) sample <= 2'd0;
+        if (start_or_turn_ends) sample <= 2'd0;
         else if (sample_ends) sample <= sample + 2'd1;
     end
 
@@ -204,6 +204,6 @@ module frame_buffer_array8_8_samples8_width16_height8 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, stores_at_difference[2]};
+    wire _unused_ok = &{1'b0, pixel_minus_1[2]};
 endmodule
 `default_nettype wire

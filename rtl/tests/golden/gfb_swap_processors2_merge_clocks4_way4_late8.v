@@ -41,7 +41,7 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
         for (i = 0; i < 2; i = i + 1) begin : row
             reg frames_past;
             wire frames = row_frames[i];
-            wire all_swapped_differs = frames != shown;
+            wire frames_differs_from_shown = frames != shown;
             wire assumed_or = (frames == frames_past) | (frames != shown);
 
             always @(posedge clk) begin
@@ -53,7 +53,7 @@ module gfb_swap_processors2_merge_clocks4_way4_late8 (
     wire [1:0] all_swapped_lanes;
     generate
         for (i = 0; i < 2; i = i + 1) begin : all_swapped_of
-            assign all_swapped_lanes[i] = row[i].all_swapped_differs;
+            assign all_swapped_lanes[i] = row[i].frames_differs_from_shown;
         end
     endgenerate
     assign all_swapped = &all_swapped_lanes;                     // rtl/src/swap/gfb_swap.rs:60

@@ -76,16 +76,16 @@ module gfb_unit_7bdf5cd7 (
     wire [6:0] adds_address;                                     // rtl/src/gfb/unit.rs:193
     wire [23:0] u_accumulation_colour;                           // rtl/src/gfb/unit.rs:254
 
-    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:201
-    wire [47:0] word_picked;                                     // rtl/src/gfb/unit.rs:211
+    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:201
+    wire [47:0] banks_read2_at_shown_bank;                       // rtl/src/gfb/unit.rs:211
     wire [47:0] u_accumulation_word;                             // rtl/src/gfb/unit.rs:216
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:162
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:172
     wire reads = host_accesses_valid & !host_accesses_writes;    // rtl/src/gfb/unit.rs:173
     wire is_last = scan_enable & (place == 4'd15);               // rtl/src/gfb/unit.rs:235
     wire [47:0] entered_word = entered[place];                   // rtl/src/gfb/unit.rs:241
-    wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : word_picked; // rtl/src/gfb/unit.rs:207
-    wire u_accumulation_word_inverse = !filled_bank;             // rtl/src/gfb/unit.rs:216
+    wire [47:0] word = shows_average ? {24'd0, u_accumulation_colour} : banks_read2_at_shown_bank; // rtl/src/gfb/unit.rs:207
+    wire not_filled_bank = !filled_bank;                         // rtl/src/gfb/unit.rs:216
     wire asserted_or = (shows_average == shows_average_past) | u_crt_dark; // rtl/src/gfb/unit.rs:256
 
     genvar i;
@@ -168,27 +168,27 @@ module gfb_unit_7bdf5cd7 (
         .colour       (u_accumulation_colour)
     );
 
-    wire [47:0] left_picked_lanes [0:1];
+    wire [47:0] old_at_fed_bank_lanes [0:1];
     generate
-        for (i = 0; i < 2; i = i + 1) begin : left_picked_of
-            assign left_picked_lanes[i] = row[i].old;
+        for (i = 0; i < 2; i = i + 1) begin : old_at_fed_bank_of
+            assign old_at_fed_bank_lanes[i] = row[i].old;
         end
     endgenerate
-    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:201
-    wire [47:0] word_picked_lanes [0:1];
+    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:201
+    wire [47:0] banks_read2_at_shown_bank_lanes [0:1];
     generate
-        for (i = 0; i < 2; i = i + 1) begin : word_picked_of
-            assign word_picked_lanes[i] = row[i].banks_read2;
+        for (i = 0; i < 2; i = i + 1) begin : banks_read2_at_shown_bank_of
+            assign banks_read2_at_shown_bank_lanes[i] = row[i].banks_read2;
         end
     endgenerate
-    assign word_picked = word_picked_lanes[shown_bank];          // rtl/src/gfb/unit.rs:211
+    assign banks_read2_at_shown_bank = banks_read2_at_shown_bank_lanes[shown_bank]; // rtl/src/gfb/unit.rs:211
     wire [47:0] u_accumulation_word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : u_accumulation_word_of
             assign u_accumulation_word_lanes[i] = row[i].old;
         end
     endgenerate
-    assign u_accumulation_word = u_accumulation_word_lanes[u_accumulation_word_inverse]; // rtl/src/gfb/unit.rs:216
+    assign u_accumulation_word = u_accumulation_word_lanes[not_filled_bank]; // rtl/src/gfb/unit.rs:216
     wire [47:0] view_read_word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : view_read_word_of
@@ -210,7 +210,7 @@ module gfb_unit_7bdf5cd7 (
             fed_bank <= filled_bank;
             old_is_blank <= view_first_round;
             if (old_is_blank) left <= host_background;
-            else left <= left_picked;
+            else left <= old_at_fed_bank;
         end
     end
 

@@ -63,7 +63,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
     wire u_crt_dark;                                             // rtl/src/gfb/unit.rs:208
     wire u_crt_window;                                           // rtl/src/gfb/unit.rs:208
 
-    wire [47:0] left_picked;                                     // rtl/src/gfb/unit.rs:201
+    wire [47:0] old_at_fed_bank;                                 // rtl/src/gfb/unit.rs:201
     wire [47:0] word;                                            // rtl/src/gfb/unit.rs:207
     assign host_accesses_ready = 1'b1;                           // rtl/src/gfb/unit.rs:162
     wire writes = host_accesses_valid & host_accesses_writes;    // rtl/src/gfb/unit.rs:172
@@ -122,13 +122,13 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
         .window      (u_crt_window)
     );
 
-    wire [47:0] left_picked_lanes [0:1];
+    wire [47:0] old_at_fed_bank_lanes [0:1];
     generate
-        for (i = 0; i < 2; i = i + 1) begin : left_picked_of
-            assign left_picked_lanes[i] = row[i].old;
+        for (i = 0; i < 2; i = i + 1) begin : old_at_fed_bank_of
+            assign old_at_fed_bank_lanes[i] = row[i].old;
         end
     endgenerate
-    assign left_picked = left_picked_lanes[fed_bank];            // rtl/src/gfb/unit.rs:201
+    assign old_at_fed_bank = old_at_fed_bank_lanes[fed_bank];    // rtl/src/gfb/unit.rs:201
     wire [47:0] word_lanes [0:1];
     generate
         for (i = 0; i < 2; i = i + 1) begin : word_of
@@ -157,7 +157,7 @@ module gfb_unit_width16_height8_units4_overhead20_period7934_blanking_at_start (
             fed_bank <= filled_bank;
             old_is_blank <= view_first_round;
             if (old_is_blank) left <= host_background;
-            else left <= left_picked;
+            else left <= old_at_fed_bank;
         end
     end
 

@@ -50,21 +50,21 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
     (* ASYNC_REG = "TRUE" *) reg frame_here;                     // rtl/src/swap/lfb_swap.rs:173
     reg frame_late;                                              // rtl/src/swap/lfb_swap.rs:174
 
-    wire ready_equal = state == SWAP_STATE_DRAW;                 // rtl/src/swap/lfb_swap.rs:116
-    wire swap_equal = state == SWAP_STATE_DUE;                   // rtl/src/swap/lfb_swap.rs:116
-    wire swap_equal_2 = state == SWAP_STATE_OVERFLOW;            // rtl/src/swap/lfb_swap.rs:116
+    wire state_is_draw = state == SWAP_STATE_DRAW;               // rtl/src/swap/lfb_swap.rs:116
+    wire state_is_due = state == SWAP_STATE_DUE;                 // rtl/src/swap/lfb_swap.rs:116
+    wire state_is_overflow = state == SWAP_STATE_OVERFLOW;       // rtl/src/swap/lfb_swap.rs:116
     wire is_shown = shown_here == parity;                        // rtl/src/swap/lfb_swap.rs:125
     wire waited = since >= 6'd13;                                // rtl/src/swap/lfb_swap.rs:129
-    wire swap_and = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:130
+    wire swap_and = (state_is_due | state_is_overflow) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:130
     wire is_sent = !sending_here;                                // rtl/src/swap/lfb_swap.rs:124
     assign swap = swap_and & is_sent;                            // rtl/src/swap/lfb_swap.rs:119
-    wire frame_end = swap_equal & swap;                          // rtl/src/swap/lfb_swap.rs:120
+    wire frame_end = state_is_due & swap;                        // rtl/src/swap/lfb_swap.rs:120
     wire last_entry = clears & (entry == 2'd2);                  // rtl/src/swap/lfb_swap.rs:134
     assign resume = last_entry & holds;                          // rtl/src/swap/lfb_swap.rs:142
-    assign ready = ready_equal & done & idle;                    // rtl/src/swap/lfb_swap.rs:144
-    wire covered_and = (swap_equal | swap_equal_2) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:169
-    wire covered_and_2 = (swap_equal | swap_equal_2) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:170
-    wire covered_and_3 = (swap_equal | swap_equal_2) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:171
+    assign ready = state_is_draw & done & idle;                  // rtl/src/swap/lfb_swap.rs:144
+    wire covered_and = (state_is_due | state_is_overflow) & waited & is_sent; // rtl/src/swap/lfb_swap.rs:169
+    wire covered_and_2 = (state_is_due | state_is_overflow) & is_shown & is_sent; // rtl/src/swap/lfb_swap.rs:170
+    wire covered_and_3 = (state_is_due | state_is_overflow) & is_shown & waited; // rtl/src/swap/lfb_swap.rs:171
 
     always @(posedge pe_clk) begin
         if (pe_rst) begin
@@ -99,7 +99,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
             else if (since != 6'd53) since <= since + 6'd1;
             if (last_entry) entry <= 2'd0;
             else if (clears) entry <= entry + 2'd1;
-            if (swap_equal_2) holds <= 1'b1;
+            if (state_is_overflow) holds <= 1'b1;
             else if (resume) holds <= 1'b0;
         end
     end
@@ -144,7 +144,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
 `ifdef FORMAL
     always @(posedge pe_clk) begin
         if (!pe_rst) assume (!clears | ((state == SWAP_STATE_CLEAR) & (patch == entry))); // rtl/src/swap/lfb_swap.rs:146
-        if (!pe_rst) assume (!draws | ready_equal);                  // rtl/src/swap/lfb_swap.rs:150
+        if (!pe_rst) assume (!draws | state_is_draw);                // rtl/src/swap/lfb_swap.rs:150
         if (!pe_rst) assume (!line | ready);                         // rtl/src/swap/lfb_swap.rs:151
         if (!pe_rst) assume (!done | (state != SWAP_STATE_CLEAR));   // rtl/src/swap/lfb_swap.rs:152
         if (!pe_rst) assert (!swap | (shown_here == parity));        // rtl/src/swap/lfb_swap.rs:153
@@ -152,7 +152,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
         if (!pe_rst) assert ((since != 6'd53) | is_sent);            // rtl/src/swap/lfb_swap.rs:155
         if (!pe_rst) assert (overflow_clocks != 7'd119);             // rtl/src/swap/lfb_swap.rs:161
         if (!pe_rst) cover (frame_end);                              // rtl/src/swap/lfb_swap.rs:165
-        if (!pe_rst) cover (swap_equal_2 & swap);                    // rtl/src/swap/lfb_swap.rs:166
+        if (!pe_rst) cover (state_is_overflow & swap);               // rtl/src/swap/lfb_swap.rs:166
         if (!pe_rst) cover (last_entry);                             // rtl/src/swap/lfb_swap.rs:167
         if (!pe_rst) cover ((state == SWAP_STATE_DRAW) & overflow);  // rtl/src/swap/lfb_swap.rs:168
         if (!pe_rst) cover (covered_and & !is_shown);                // rtl/src/swap/lfb_swap.rs:169
@@ -179,7 +179,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: after a swap the entries are cleared in sequence, each once", $time);
             stop;
         end
-        if (!pe_rst && !(!draws | ready_equal)) begin                // rtl/src/swap/lfb_swap.rs:150
+        if (!pe_rst && !(!draws | state_is_draw)) begin              // rtl/src/swap/lfb_swap.rs:150
             $display("FAIL: time %0t: %m: the stimulus breaks an assumption: no pixel is drawn between a swap and the last entry cleared", $time);
             stop;
         end
@@ -213,7 +213,7 @@ module lfb_swap_patches3_merge_clocks13_sent_clocks53_overflow_clocks119 (
             `endif
             is_covered <= 1'b1;
         end
-        if (!pe_rst && (swap_equal_2 & swap) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:166
+        if (!pe_rst && (state_is_overflow & swap) && !is_covered_2) begin // rtl/src/swap/lfb_swap.rs:166
             `ifdef TILEWRIGHT_COVERS
             $display("COVER: time %0t: %m: an overflow ends with a swap", $time);
             `endif

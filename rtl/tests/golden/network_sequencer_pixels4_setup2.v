@@ -56,7 +56,7 @@ module network_sequencer_pixels4_setup2 (
     wire ends_and = (phase == PHASE_READY) & (!begins & is_over); // rtl/src/pixelflow/network_sequencer.rs:126
     wire ends = ends_and | ((phase == PHASE_SENDS) & word_ends); // rtl/src/pixelflow/network_sequencer.rs:126
     wire [1:0] needs = (jobs_mode == MODE_FORWARD) ? 2'd0 : {jobs_bank, !jobs_bank}; // rtl/src/pixelflow/network_sequencer.rs:128
-    wire [5:0] address_difference = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:131
+    wire [5:0] jobs_bytes_minus_1 = jobs_bytes - 6'd1;           // rtl/src/pixelflow/network_sequencer.rs:131
     assign ready = phase == PHASE_READY;                         // rtl/src/pixelflow/network_sequencer.rs:135
     assign sends = phase == PHASE_SENDS;                         // rtl/src/pixelflow/network_sequencer.rs:136
     assign done = ends ? bank : 2'd0;                            // rtl/src/pixelflow/network_sequencer.rs:141
@@ -65,7 +65,7 @@ module network_sequencer_pixels4_setup2 (
 
     always @(posedge clk) begin
         if (jobs_taken) begin
-            address <= address_difference[4:0];
+            address <= jobs_bytes_minus_1[4:0];
             first <= 1'b1;
         end else if (byte_ends) begin
             address <= address - 5'd1;
@@ -144,6 +144,6 @@ module network_sequencer_pixels4_setup2 (
 `endif
 `endif
 
-    wire _unused_ok = &{1'b0, address_difference[5]};
+    wire _unused_ok = &{1'b0, jobs_bytes_minus_1[5]};
 endmodule
 `default_nettype wire

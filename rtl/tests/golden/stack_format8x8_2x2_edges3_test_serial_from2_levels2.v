@@ -108,7 +108,7 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     wire [1:0] next_window_x = is_new ? works_window_x : next_window_x_choice; // rtl/src/quadtree/stack.rs:44
     wire [1:0] next_window_y_choice = comes_back ? parts_window_y : windows_word[309:308]; // rtl/src/quadtree/stack.rs:62
     wire [1:0] next_window_y = is_new ? works_window_y : next_window_y_choice; // rtl/src/quadtree/stack.rs:44
-    wire [95:0] next_window_edges_part = windows_word[307:212];  // rtl/src/quadtree/stack.rs:60
+    wire [95:0] windows_word_307_212 = windows_word[307:212];    // rtl/src/quadtree/stack.rs:60
     wire [12:0] next_window_bounds_left_choice = comes_back ? parts_window_bounds_left : windows_word[211:199]; // rtl/src/quadtree/stack.rs:62
     wire [12:0] next_window_bounds_left = is_new ? works_window_bounds_left : next_window_bounds_left_choice; // rtl/src/quadtree/stack.rs:44
     wire [12:0] next_window_bounds_top_choice = comes_back ? parts_window_bounds_top : windows_word[198:186]; // rtl/src/quadtree/stack.rs:62
@@ -117,7 +117,7 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
     wire [12:0] next_window_bounds_right = is_new ? works_window_bounds_right : next_window_bounds_right_choice; // rtl/src/quadtree/stack.rs:44
     wire [12:0] next_window_bounds_bottom_choice = comes_back ? parts_window_bounds_bottom : windows_word[172:160]; // rtl/src/quadtree/stack.rs:62
     wire [12:0] next_window_bounds_bottom = is_new ? works_window_bounds_bottom : next_window_bounds_bottom_choice; // rtl/src/quadtree/stack.rs:44
-    wire [159:0] next_window_planes_part = windows_word[159:0];  // rtl/src/quadtree/stack.rs:60
+    wire [159:0] windows_word_159_0 = windows_word[159:0];       // rtl/src/quadtree/stack.rs:60
     assign parts_valid = u_test_parts_valid & is_done;           // rtl/src/quadtree/stack.rs:51
     wire pushes_and = next_valid & u_test_works_ready;           // rtl/src/quadtree/stack.rs:64
     wire pushes = comes_back & !pushes_and;                      // rtl/src/quadtree/stack.rs:68
@@ -164,14 +164,14 @@ module stack_format8x8_2x2_edges3_test_serial_from2_levels2 (
 
     generate
         for (i = 0; i < 3; i = i + 1) begin : next_window_edges_row
-            wire [31:0] next_window_edges_choice = comes_back ? parts_window_edges[i * 32 +: 32] : next_window_edges_part[i * 32 +: 32];
+            wire [31:0] next_window_edges_choice = comes_back ? parts_window_edges[i * 32 +: 32] : windows_word_307_212[i * 32 +: 32];
             wire [31:0] next_window_edges = is_new ? works_window_edges[i * 32 +: 32] : next_window_edges_choice;
         end
     endgenerate
 
     generate
         for (i = 0; i < 4; i = i + 1) begin : next_window_planes_row
-            wire [39:0] next_window_planes_choice = comes_back ? parts_window_planes[i * 40 +: 40] : next_window_planes_part[i * 40 +: 40];
+            wire [39:0] next_window_planes_choice = comes_back ? parts_window_planes[i * 40 +: 40] : windows_word_159_0[i * 40 +: 40];
             wire [39:0] next_window_planes = is_new ? works_window_planes[i * 40 +: 40] : next_window_planes_choice;
         end
     endgenerate

@@ -110,14 +110,14 @@ module texture_memory_texels16_textures2 (
     wire [20:0] even_column0 = {12'd0, even_column0_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:173
     wire [9:0] even_column1_choice = even_left[0] ? even_left : even_right; // rtl/src/pixelflow/texture_memory.rs:162
     wire [20:0] even_column1 = {12'd0, even_column1_choice[9:1]}; // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] bank0_read_sum = even_line0 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank0_read_address = base + bank0_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank1_read_sum = even_line0 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank1_read_address = base + bank1_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank2_read_sum = even_line1 + even_column0;      // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank2_read_address = base + bank2_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank3_read_sum = even_line1 + even_column1;      // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank3_read_address = base + bank3_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] even_line0_plus_even_column0 = even_line0 + even_column0; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank0_read_address = base + even_line0_plus_even_column0[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] even_line0_plus_even_column1 = even_line0 + even_column1; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank1_read_address = base + even_line0_plus_even_column1[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] even_line1_plus_even_column0 = even_line1 + even_column0; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank2_read_address = base + even_line1_plus_even_column0[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] even_line1_plus_even_column1 = even_line1 + even_column1; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank3_read_address = base + even_line1_plus_even_column1[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
     wire [3:0] odd_level = coarser_level[0] ? coarser_level : finer_level; // rtl/src/pixelflow/texture_memory.rs:165
     wire [9:0] odd_left = coarser_level[0] ? coarser_left : finer_left; // rtl/src/pixelflow/texture_memory.rs:165
     wire [9:0] odd_right = coarser_level[0] ? coarser_right : finer_right; // rtl/src/pixelflow/texture_memory.rs:165
@@ -133,14 +133,14 @@ module texture_memory_texels16_textures2 (
     wire [20:0] odd_column0 = {12'd0, odd_column0_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:173
     wire [9:0] odd_column1_choice = odd_left[0] ? odd_left : odd_right; // rtl/src/pixelflow/texture_memory.rs:162
     wire [20:0] odd_column1 = {12'd0, odd_column1_choice[9:1]};  // rtl/src/pixelflow/texture_memory.rs:173
-    wire [20:0] bank4_read_sum = odd_line0 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank4_read_address = base + bank4_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank5_read_sum = odd_line0 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank5_read_address = base + bank5_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank6_read_sum = odd_line1 + odd_column0;        // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank6_read_address = base + bank6_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
-    wire [20:0] bank7_read_sum = odd_line1 + odd_column1;        // rtl/src/pixelflow/texture_memory.rs:176
-    wire [3:0] bank7_read_address = base + bank7_read_sum[3:0];  // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] odd_line0_plus_odd_column0 = odd_line0 + odd_column0; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank4_read_address = base + odd_line0_plus_odd_column0[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] odd_line0_plus_odd_column1 = odd_line0 + odd_column1; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank5_read_address = base + odd_line0_plus_odd_column1[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] odd_line1_plus_odd_column0 = odd_line1 + odd_column0; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank6_read_address = base + odd_line1_plus_odd_column0[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [20:0] odd_line1_plus_odd_column1 = odd_line1 + odd_column1; // rtl/src/pixelflow/texture_memory.rs:176
+    wire [3:0] bank7_read_address = base + odd_line1_plus_odd_column1[3:0]; // rtl/src/pixelflow/texture_memory.rs:176
     wire [2:0] from_joined = {coarser_level[0], coarser_below[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
     wire [2:0] from_joined_2 = {coarser_level[0], coarser_below[0], coarser_right[0]}; // rtl/src/pixelflow/texture_memory.rs:198
     wire [2:0] from_joined_3 = {coarser_level[0], coarser_above[0], coarser_left[0]}; // rtl/src/pixelflow/texture_memory.rs:198
@@ -317,10 +317,12 @@ module texture_memory_texels16_textures2 (
             finer_below_difference[25:18], finer_below_difference[7:0],
             finer_below_difference_2[10], even_line0_choice[0], even_line0_shifted[0],
             even_line1_choice[0], even_line1_shifted[0], even_column0_choice[0],
-            even_column1_choice[0], bank0_read_sum[20:4], bank1_read_sum[20:4],
-            bank2_read_sum[20:4], bank3_read_sum[20:4], odd_line0_choice[0],
-            odd_line0_shifted[0], odd_line1_choice[0], odd_line1_shifted[0],
-            odd_column0_choice[0], odd_column1_choice[0], bank4_read_sum[20:4],
-            bank5_read_sum[20:4], bank6_read_sum[20:4], bank7_read_sum[20:4]};
+            even_column1_choice[0], even_line0_plus_even_column0[20:4],
+            even_line0_plus_even_column1[20:4], even_line1_plus_even_column0[20:4],
+            even_line1_plus_even_column1[20:4], odd_line0_choice[0], odd_line0_shifted[0],
+            odd_line1_choice[0], odd_line1_shifted[0], odd_column0_choice[0],
+            odd_column1_choice[0], odd_line0_plus_odd_column0[20:4],
+            odd_line0_plus_odd_column1[20:4], odd_line1_plus_odd_column0[20:4],
+            odd_line1_plus_odd_column1[20:4]};
 endmodule
 `default_nettype wire

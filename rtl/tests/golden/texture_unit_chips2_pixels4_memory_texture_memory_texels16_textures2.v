@@ -81,7 +81,7 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
             end else begin : collected_linked_link
                 assign collected_linked = collected_row[i + 1].collected;
             end
-            wire [7:0] port_bytes_part = given[7:0];
+            wire [7:0] given_7_0 = given[7:0];
 
             always @(posedge clk) begin
                 if (u_memory_valid) collected <= collected_linked;
@@ -113,7 +113,7 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
 
     generate
         for (i = 0; i < 2; i = i + 1) begin : port_bytes_of
-            assign port_bytes[i * 8 +: 8] = collected_row[i].port_bytes_part;
+            assign port_bytes[i * 8 +: 8] = collected_row[i].given_7_0;
         end
     endgenerate
 
