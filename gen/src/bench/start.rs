@@ -2,9 +2,11 @@
 //! has none.
 
 use crate::verilog::{ModuleState, Names, ScopeState, State, pattern, states};
+use std::collections::BTreeMap;
 use tilewright_hdl::Bits;
 use tilewright_hdl::Recording;
 use tilewright_hdl::ir::{Design, Module, ModuleId, Shape};
+use tilewright_hdl::recording::Initial;
 
 /// The start of all state in a design, by paths from the testbench.
 pub struct Start<'a> {
@@ -15,24 +17,50 @@ pub struct Start<'a> {
     dut: &'a str,
     /// The loop variables of nested arrays, from the outside to the inside.
     pub genvars: Vec<String>,
+    /// The words that a recording gives memories which are filled, by path and name, and by the lanes on the path.
+    words: BTreeMap<String, BTreeMap<Vec<u32>, Vec<String>>>,
 }
 
 impl<'a> Start<'a> {
     /// Takes the names of loop variables from `names`.
-    pub fn new(design: &'a Design, dut: &'a str, names: &mut Names) -> Start<'a> {
+    pub fn new(design: &'a Design, dut: &'a str, recording: &Recording, names: &mut Names) -> Start<'a> {
         let states = states(design);
         let genvars = (0..array_depth(design)).map(|depth| names.fresh(&format!("lane{depth}"))).collect();
-        Start { design, states, dut, genvars }
+        let mut start = Start { design, states, dut, genvars, words: BTreeMap::new() };
+        let mut words: BTreeMap<String, BTreeMap<Vec<u32>, Vec<String>>> = BTreeMap::new();
+        for found in recording.initial.iter().filter_map(|initial| start.found(initial)) {
+            if let State::Memory { name, is_unknown: true, .. } = found.state {
+                let (path, lanes) = start.in_loops(&found.path);
+                let lines = found.assigned(&path);
+                words.entry(format!("{path}.{name}")).or_default().entry(lanes).or_default().extend(lines);
+            }
+        }
+        start.words = words;
+        start
     }
 
-    /// The statements and generate loops that set all state to its usual start; takes their labels from `names`.
+    /// A path with the loop variables in place of lanes, and the lanes.
+    fn in_loops(&self, path: &str) -> (String, Vec<u32>) {
+        let mut pieces = path.split('[');
+        let mut text = pieces.next().unwrap_or_default().to_owned();
+        let mut lanes = Vec::new();
+        for (piece, genvar) in pieces.zip(&self.genvars) {
+            let (lane, rest) = piece.split_once(']').expect("a bracket closes");
+            lanes.push(lane.parse().unwrap_or_else(|_| no_state(path)));
+            text += &format!("[{genvar}]{rest}");
+        }
+        (text, lanes)
+    }
+
+    /// The statements and generate loops that set all state to its usual start, and memories of unknown contents to
+    /// what the recording gives them. Takes labels from `names`.
     pub fn usual(&self, names: &mut Names) -> Vec<String> {
         self.scope(ModuleId(self.design.modules().len() as u32 - 1), self.dut, 0, names)
     }
 
     fn scope(&self, id: ModuleId, path: &str, depth: usize, names: &mut Names) -> Vec<String> {
         let state = &self.states[id.0 as usize];
-        let mut out: Vec<String> = state.own.iter().flat_map(|state| start(path, state, names)).collect();
+        let mut out: Vec<String> = state.own.iter().flat_map(|state| self.start(path, state, names)).collect();
         for instance in self.design.module(id).instances.iter().filter(|instance| instance.shape.is_plain()) {
             let path = format!("{path}.{}", instance.name);
             out.extend(self.scope(instance.module, &path, depth, names));
@@ -54,10 +82,10 @@ impl<'a> Start<'a> {
         let mut inner: Vec<String> = Vec::new();
         for state in &scope.own {
             match state {
-                State::Register { name, start } if start.len() > 1 => {
+                State::Register { name, start, .. } if start.len() > 1 => {
                     inner.extend(start_each(&lane, name, start, scope, &indices, names))
                 }
-                state => inner.extend(start(&lane, state, names)),
+                state => inner.extend(self.start(&lane, state, names)),
             }
         }
         for (instance, name) in &scope.instances {
@@ -79,52 +107,93 @@ impl<'a> Start<'a> {
         inner
     }
 
-    /// The assignments for the recording's initial values.
-    pub fn special(&self, recording: &Recording) -> Vec<String> {
-        let mut out = Vec::new();
-        for initial in &recording.initial {
-            let (module, path, name) = self.find(&initial.path);
-            let (name, states) = self.named(module, name);
-            let path = path + &states.0;
-            let states = states.1;
-            let value = || {
-                assert!(
-                    initial.words.len() == 1,
-                    "`{}` is one value, the recording gives {}",
-                    initial.path,
-                    initial.words.len()
-                );
-                &initial.words[0]
-            };
-            let found = states.iter().find_map(|state| match state {
-                State::Register { name: known, .. } if known == name => {
-                    Some(vec![format!("{path}.{name} = {};", pattern(value()))])
-                }
-                State::GatedRead { name: known, word, inside, .. } if known == name => {
-                    Some(vec![format!("{path}.{word} = {};", pattern(value())), format!("{path}.{inside} = 1'b1;")])
-                }
-                State::Memory { name: known, .. } if known == name => {
-                    let assign = |(address, word)| format!("{path}.{name}[{address}] = {};", pattern(word));
-                    Some((initial.address..).zip(&initial.words).map(assign).collect())
-                }
-                _ => None,
-            });
-            out.extend(found.unwrap_or_else(|| no_state(&initial.path)));
+    fn start(&self, path: &str, state: &State, names: &mut Names) -> Vec<String> {
+        match state {
+            State::Register { name, start, .. } => vec![format!("initial {path}.{name} = {};", pattern(&start[0]))],
+            State::GatedRead { word, inside, width, .. } => {
+                let zero = pattern(&Bits::zero(*width));
+                vec![format!("initial {path}.{word} = {zero};"), format!("initial {path}.{inside} = 1'b0;")]
+            }
+            State::Memory { is_unknown: false, .. } => vec![],
+            State::Memory { name, depth, width, .. } => self.memory(path, name, [*depth, *width], names),
         }
+    }
+
+    /// Fills a memory in each lane on its path. Verilator 5.006 does not see that a word changes later if it is read
+    /// at once, so the words of the recording are a part of the same block.
+    fn memory(&self, path: &str, name: &str, size: [u32; 2], names: &mut Names) -> Vec<String> {
+        let given = self.words.get(&format!("{path}.{name}"));
+        let (mut out, mut last) = (Vec::new(), Vec::new());
+        for (lanes, words) in given.into_iter().flatten() {
+            let is_lane: Vec<String> =
+                self.genvars.iter().zip(lanes).map(|(genvar, lane)| format!("{genvar} == {lane}")).collect();
+            let block = fill(path, name, size, words, names);
+            if is_lane.is_empty() {
+                return block;
+            }
+            let label = names.fresh(&format!("words_{}", label(&format!("{path}.{name}"))));
+            out.push(format!("if ({}) begin : {label}", is_lane.join(" && ")));
+            out.extend(block.into_iter().map(|line| format!("    {line}")));
+            out.push("end else".to_string());
+            last = vec!["end".to_string()];
+        }
+        if let Some(before) = out.last_mut() {
+            let label = names.fresh(&format!("words_{}", label(&format!("{path}.{name}"))));
+            *before += &format!(" begin : {label}");
+        }
+        out.extend(fill(path, name, size, &[], names));
+        out.extend(last);
         out
     }
 
-    /// The last name of a path without its lane, the name of its state, and the scope of that state.
-    fn named<'p>(&self, module: ModuleId, name: &'p str) -> (&'p str, (String, &[State])) {
+    /// The assignments for the recording's initial values, but for words of memories that [`Self::usual`] fills.
+    pub fn special(&self, recording: &Recording) -> Vec<String> {
+        let found = recording.initial.iter().filter_map(|initial| self.found(initial));
+        let is_filled = |state: &State| matches!(state, State::Memory { is_unknown: true, .. });
+        found.filter(|found| !is_filled(found.state)).flat_map(|found| found.assigned(&found.path)).collect()
+    }
+
+    /// The element of state of an initial value; `None` if nothing reads it, so that it is not printed.
+    fn found<'r>(&self, initial: &'r Initial) -> Option<Found<'_, 'r>> {
+        let (module, path, name) = self.find(&initial.path);
+        let (base, lane) = name.split_at(name.find('[').unwrap_or(name.len()));
         let state = &self.states[module.0 as usize];
-        let Some((base, _)) = name.split_once('[') else { return (name, (String::new(), &state.own)) };
-        let holds = |state: &State| match state {
-            State::Register { name, .. } | State::GatedRead { name, .. } | State::Memory { name, .. } => name == base,
-        };
-        match state.scopes.iter().find(|scope| scope.own.iter().any(holds)) {
-            Some(scope) => (base, (format!(".{}", scope.path(&indices(name))), &scope.own)),
-            None => (name, (String::new(), &state.own)),
+        let scopes = state.scopes.iter().filter(|_| !lane.is_empty());
+        let mut in_lanes = scopes.flat_map(|scope| scope.own.iter().map(move |state| (scope, state)));
+        if let Some((scope, state)) = in_lanes.find(|(_, state)| state.is(base)) {
+            let path = format!("{path}.{}", scope.path(&indices(name)));
+            return Some(Found { state, path, part: String::new(), initial });
         }
+        if let Some(state) = state.own.iter().find(|state| state.is(base)) {
+            return Some(Found { state, path, part: self.part(module, base, lane, initial), initial });
+        }
+        match self.shape(module, base) {
+            Some(_) => None,
+            None => no_state(&initial.path),
+        }
+    }
+
+    /// The part of a word that a lane is, if the lanes stand side by side in one word.
+    fn part(&self, module: ModuleId, base: &str, lane: &str, initial: &Initial) -> String {
+        let Some(shape) = self.shape(module, base).filter(|_| !lane.is_empty()) else { return String::new() };
+        let mut number = 0;
+        for (axis, index) in (0..).zip(indices(lane)) {
+            number = number * shape.extent(axis) + index.parse::<u32>().unwrap_or_else(|_| no_state(&initial.path));
+        }
+        let width = initial.words[0].width();
+        format!("[{} +: {width}]", number * width)
+    }
+
+    /// The shape of a register, of read data, or of a memory of the design.
+    fn shape(&self, module: ModuleId, name: &str) -> Option<Shape> {
+        let module = self.design.module(module);
+        let is_read = |memory: &str| name.strip_prefix(memory).is_some_and(|rest| rest.starts_with("_read"));
+        let memories = || module.memories.iter();
+        let memory = memories().find(|memory| memory.name == name).or_else(|| memories().find(|it| is_read(&it.name)));
+        let reads = memories().flat_map(|memory| memory.reads.iter().map(|read| read.node));
+        let nodes = module.registers.iter().map(|register| register.node).chain(reads);
+        let node = { nodes }.find(|&node| module.node(node).name.as_deref() == Some(name));
+        node.map(|node| module.shape(node)).or_else(|| memory.map(|memory| memory.shape))
     }
 
     /// The module, the Verilog path of its instance, and the last name of a path such as `u_row.u_cell[3].q`.
@@ -200,25 +269,49 @@ fn label(path: &str) -> String {
     words.join("_")
 }
 
-fn start(path: &str, state: &State, names: &mut Names) -> Vec<String> {
-    match state {
-        State::Register { name, start } => vec![format!("initial {path}.{name} = {};", pattern(&start[0]))],
-        State::GatedRead { word, inside, width, .. } => {
-            let zero = pattern(&Bits::zero(*width));
-            vec![format!("initial {path}.{word} = {zero};"), format!("initial {path}.{inside} = 1'b0;")]
-        }
-        State::Memory { is_unknown: false, .. } => vec![],
-        State::Memory { name, depth, width, .. } => {
-            let zero = pattern(&Bits::zero(*width));
-            let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
-            let [address] = names.local_in(None, "word", ["address"]);
-            vec![
-                format!("initial begin : {block}"),
-                format!("    integer {address};"),
-                format!("    for ({address} = 0; {address} < {depth}; {address} = {address} + 1)"),
-                format!("        {path}.{name}[{address}] = {zero};"),
-                "end".to_string(),
-            ]
+/// A block that fills a memory with zeros, and then gives it these words.
+fn fill(path: &str, name: &str, [depth, width]: [u32; 2], words: &[String], names: &mut Names) -> Vec<String> {
+    let block = names.fresh(&format!("fill_{}", label(&format!("{path}.{name}"))));
+    let [address] = names.local_in(None, "word", ["address"]);
+    let mut out = vec![
+        format!("initial begin : {block}"),
+        format!("    integer {address};"),
+        format!("    for ({address} = 0; {address} < {depth}; {address} = {address} + 1)"),
+        format!("        {path}.{name}[{address}] = {};", pattern(&Bits::zero(width))),
+    ];
+    out.extend(words.iter().map(|line| format!("    {line}")));
+    out.push("end".to_string());
+    out
+}
+
+/// An element of state with an initial value.
+struct Found<'s, 'r> {
+    state: &'s State,
+    /// The path of its scope.
+    path: String,
+    /// The part of it that has the value; nothing for all of it.
+    part: String,
+    initial: &'r Initial,
+}
+
+impl Found<'_, '_> {
+    /// The assignments, where its scope has this path.
+    fn assigned(&self, path: &str) -> Vec<String> {
+        let Found { part, initial, .. } = self;
+        let value = || {
+            let count = initial.words.len();
+            assert!(count == 1, "`{}` is one value, the recording gives {count}", initial.path);
+            pattern(&initial.words[0])
+        };
+        match self.state {
+            State::Register { name, .. } => vec![format!("{path}.{name}{part} = {};", value())],
+            State::GatedRead { word, inside, .. } => {
+                vec![format!("{path}.{word}{part} = {};", value()), format!("{path}.{inside} = 1'b1;")]
+            }
+            State::Memory { name, .. } => {
+                let assign = |(address, word)| format!("{path}.{name}[{address}]{part} = {};", pattern(word));
+                (initial.address..).zip(&initial.words).map(assign).collect()
+            }
         }
     }
 }

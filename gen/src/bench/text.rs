@@ -22,7 +22,7 @@ type Port<'a> = (&'a str, u32);
 
 pub fn print(design: &Design, recording: &Recording, name: &str) -> String {
     let (bench, mut names) = Bench::new(design.top(), recording);
-    let start = Start::new(design, bench.own("dut"), &mut names);
+    let start = Start::new(design, bench.own("dut"), recording, &mut names);
     let table = bench.table();
     let mut body = bench.declarations(&table);
     body.extend(bench.device(design.top()));

@@ -45,7 +45,7 @@ use printer::Printer;
 pub use properties::stop;
 pub use scope::Names;
 pub use state::{ModuleState, ScopeState, State};
-use tilewright_hdl::ir::Design;
+use tilewright_hdl::ir::{Design, Module};
 
 /// Prints the design as Verilog: one file a module, each followed by the data files of its memories; the top is the
 /// last module.
@@ -67,7 +67,7 @@ use tilewright_hdl::ir::Design;
 /// ```
 pub fn verilog(design: &Design) -> Vec<VerilogFile> {
     let mut files = Vec::new();
-    print_all(design, |printer, text| {
+    print_all(design, |printer, _, text| {
         files.push(VerilogFile { name: format!("{}.v", printer.module.name), text });
         files.extend(contents::data_files(printer.module));
     });
@@ -77,19 +77,19 @@ pub fn verilog(design: &Design) -> Vec<VerilogFile> {
 /// The state of each module, by the names in its text.
 pub fn states(design: &Design) -> Vec<ModuleState> {
     let mut states = Vec::new();
-    print_all(design, |printer, _| states.push(printer.state()));
+    print_all(design, |printer, module, _| states.push(printer.state(module)));
     states
 }
 
-/// Calls `visit` with each module as printed, and its text.
-fn print_all(design: &Design, mut visit: impl FnMut(&Printer, String)) {
+/// Calls `visit` with each module as printed, as it is described, and its text.
+fn print_all(design: &Design, mut visit: impl FnMut(&Printer, &Module, String)) {
     let mut names: Vec<Names> = Vec::new();
     for (module, latency) in design.modules().iter().zip(design.latencies()) {
         let mut folded = fold::fold(design, module);
         adopt::adopt_names(&mut folded.module);
         let mut printer = Printer::new(design, &folded, &names);
         let text = module::print(&mut printer, module, latency.as_ref());
-        visit(&printer, text);
+        visit(&printer, module, text);
         names.push(printer.taken);
     }
 }

@@ -104,7 +104,7 @@ fn scatter(program: &Program, run: u32, seed: u64, state: &mut impl State) {
 }
 
 fn scatter_memory(index: u32, memory: &Memory, lane: u32, key: u64, state: &mut impl State) {
-    if memory.contents != Contents::Unknown {
+    if !memory.is_unknown() {
         return;
     }
     for address in 0..memory.depth {

@@ -7,7 +7,7 @@ use crate::testbench::lookup::{self, Found};
 use crate::testbench::port::Port;
 use crate::testbench::running::Running;
 use crate::testbench::simulation::Simulation;
-use crate::testbench::trace::{Draw, Dump, Recorder, Source, Vcd, Wave, Window, header};
+use crate::testbench::trace::{Draw, Dump, Recorder, Source, Start, Vcd, Wave, Window, header};
 
 /// An item of a wave: a port, or anything with a name.
 ///
@@ -86,8 +86,8 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
         Ok(header(&self.circuit.program, 0, &vcd.patterns)?.text)
     }
 
-    /// Records inputs and outputs at every instant from now on, and the memory words that were poked before the first
-    /// step.
+    /// Records inputs and outputs at every instant from now on, and the start: the memory words that were poked before
+    /// the first step, and what a seed has filled.
     ///
     /// ```
     /// # use tilewright_sim::{Simulation, for_examples::Counter};
@@ -103,7 +103,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// Called after the first step, or with a seed: a replay could not start from the same state.
+    /// Called after the first step: a replay could not start from the same state.
     #[track_caller]
     pub fn recording(&mut self) -> Recorder {
         self.circuit.recording(0)
@@ -158,10 +158,8 @@ impl Running {
     /// Records one run.
     #[track_caller]
     pub fn recording(&mut self, run: u32) -> Recorder {
-        let seed = self.engine.seeds[run as usize];
         assert!(self.timeline.time() == 0, "a recording starts before the first step");
-        assert!(seed == 0, "a recording starts from zeros, not from seed {seed}");
-        let recorder = Recorder::of(run, self.poked.clone());
+        let recorder = Recorder::of(run, Start::of(self, run));
         self.recorded.push(run);
         self.observe_by(Box::new(recorder.clone()));
         recorder

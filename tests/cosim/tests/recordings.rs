@@ -79,3 +79,88 @@ fn poked_memories_are_part_of_what_a_testbench_starts_from() {
     let _ = tools::replay_in_icarus(&files, &bench).unwrap();
     let _ = tools::replay_in_verilator(&files, &bench).unwrap();
 }
+
+block! {
+    /// Registers without a reset, and memories whose lanes share addresses, share none, or are beyond a depth.
+    struct Garbage;
+    in GarbageIn { at: bits(3) }
+    out GarbageOut {
+        late: bits(70),
+        lanes: bits(3).of(grid(2, 3)),
+        started: bits(4),
+        from_shared: bits(5).of(grid(2, 2)),
+        from_own: bits(5).of(row(4)),
+        from_gated: bits(6).of(row(2)),
+        above: bits(9),
+        words: bits(15),
+    }
+}
+
+impl Garbage {
+    fn build(&self, m: Module, i: GarbageIn) -> GarbageOut {
+        def!(late = m.reg(70));
+        late.next(late ^ i.at.zext(70));
+        def!(lanes = m.reg(bits(3).of(grid(2, 3))));
+        lanes.next(lanes + i.at);
+        def!(started = m.reg(4).reset(3));
+        started.next(i.at.zext(4));
+        def!(shared = m.memory(8, bits(5).of(grid(2, 2)), ReadUnderWrite::Old));
+        def!(own = m.memory(8, bits(5).of(row(4)), ReadUnderWrite::Old));
+        def!(gated = m.memory(5, bits(6).of(row(2)), ReadUnderWrite::Old));
+        shared.write(i.at.eq(7), i.at, 1);
+        gated.write(i.at.eq(4), i.at, 2);
+        let addresses = constants(bits(3).of(row(4)), |lane| lane) + i.at;
+        own.write(addresses.eq(1), addresses, 3);
+        def!(nothing_reads = m.reg(bit()));
+        nothing_reads.next(!nothing_reads);
+        def!(inner = m.array(3, &Inner, |_| ()));
+        GarbageOut {
+            late: *late,
+            lanes: *lanes,
+            started: *started,
+            from_shared: shared.read(i.at),
+            from_own: own.read(addresses),
+            from_gated: gated.read_when(i.at.ne(6), i.at),
+            above: inner.value.pack(),
+            words: inner.word.pack(),
+        }
+    }
+}
+
+block! {
+    /// A register that keeps what it starts with, and a memory that is read at once.
+    struct Inner;
+    out InnerOut { value: bits(3), word: bits(5) }
+}
+
+impl Inner {
+    fn build(&self, m: Module, _: ()) -> InnerOut {
+        def!(value = m.reg(3));
+        value.next(value);
+        def!(words = m.memory(8, 5, ReadUnderWrite::Any));
+        def!(written = m.reg(3).reset(0));
+        written.next(written + 1);
+        words.write(written.eq(5), written, 1);
+        InnerOut { value: *value, word: words.read_async(written) }
+    }
+}
+
+#[test]
+fn what_a_seed_fills_is_part_of_what_a_testbench_starts_from() {
+    let design = elaborate(&Garbage).unwrap();
+    for seed in [1, 7] {
+        let mut sim = Simulation::of(&Garbage).unwrap().seeded(seed);
+        let recorder = sim.recording();
+        sim.poke_memory("shared[1][0]", 3, 9).unwrap();
+        for at in (0..8).chain([6, 6, 4, 5]) {
+            sim.set(sim.i.at, at);
+            sim.step();
+        }
+        let recording = recorder.take();
+        assert!(recording.steps[0].outputs.iter().filter(|value| !value.is_zero()).count() > 4, "{recording:?}");
+        assert_eq!(recording.steps[0].outputs[2], Bits::new(4, 3));
+        let (files, bench) = (verilog(&design), testbench(&design, &recording));
+        let _ = tools::replay_in_icarus(&files, &bench).unwrap();
+        let _ = tools::replay_in_verilator(&files, &bench).unwrap();
+    }
+}

@@ -338,6 +338,13 @@ pub struct Cover {
     pub scopes: Vec<hierarchy::ScopeId>,
 }
 
+impl Memory {
+    /// Whether a seed fills it. One that is never written is zero: so it is in Verilog, too.
+    pub fn is_unknown(&self) -> bool {
+        self.contents == Contents::Unknown && !self.writes.is_empty()
+    }
+}
+
 impl Register {
     /// The value of a lane after a reset, if it has a reset value.
     pub fn reset(&self, lane: u32) -> Option<&[u64]> {

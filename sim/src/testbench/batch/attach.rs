@@ -51,7 +51,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// Called after the first step, or for a run with a seed; or there is no such run.
+    /// Called after the first step, or there is no such run.
     #[track_caller]
     pub fn recording(&mut self, run: u32) -> Recorder {
         self.check(run);

@@ -7,6 +7,7 @@ mod radix;
 mod recording;
 mod rows;
 mod shown;
+mod start;
 mod step_file;
 mod times;
 mod vcd;
@@ -19,8 +20,8 @@ use crate::testbench::error::Error;
 
 pub(crate) use dump::Dump;
 pub use radix::WaveRadix;
-pub(crate) use recording::Poked;
 pub use recording::Recorder;
+pub(crate) use start::{Poked, Start};
 pub use vcd::Vcd;
 pub(crate) use vcd::Window;
 pub(crate) use vcd_header::header;
