@@ -21,10 +21,10 @@ use tilewright_hdl::{Module, Signal, bits, block, concat, def, mux, select, stre
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Turns {
-    /// Round robin: the next one behind the last one served. Each stream waits for at most one word of each other
+    /// Round robin: the next stream after the last one served. Each stream waits for at most one word of each other
     /// stream.
     RoundRobin,
-    /// Fixed priority: the lowest stream that has a word. The others may wait for ever.
+    /// Fixed priority: the lowest stream that has a word. The others may wait forever.
     Priority,
 }
 
@@ -33,12 +33,12 @@ block! {
     ///
     /// ```text
     /// into.0 ===>|\
-    /// into.1 ===>| |===> out      [locked] to the one whose word is shown, until it is taken
+    /// into.1 ===>| |===> out      [locked] to the sender whose word is shown, until it is taken
     /// into.2 ===>|/
     /// ```
     ///
-    /// Latency 0, a word a clock. A word on `out` stays there even if one with a higher priority arrives. No `valid`
-    /// waits for `ready`.
+    /// Latency 0, one word per clock. A word on `out` stays there even if one with a higher priority arrives. No
+    /// `valid` waits for `ready`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -111,7 +111,7 @@ impl Arbiter {
         }
         let waits = requests.any_one() & !sent;
         m.assert(m.past(waits).implies(m.stable(chosen)), "a word stays chosen until it is taken");
-        m.cover("a word waits while others come", m.past(waits) & m.past(requests).lt(requests));
+        m.cover("a word waits while another one arrives", m.past(waits) & m.past(requests).lt(requests));
         StreamOut { out }
     }
 }

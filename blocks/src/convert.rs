@@ -11,8 +11,8 @@ block! {
     ///                       [part]-|/===> out
     /// ```
     ///
-    /// Latency 0, a part a clock. No `valid` waits for `ready`. `into.ready` equals `out.ready` at the last part, and
-    /// is low otherwise.
+    /// Latency 0, one part per clock. No `valid` waits for `ready`. `into.ready` equals `out.ready` at the last part,
+    /// and is low otherwise.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -41,7 +41,7 @@ impl Narrow {
     /// # use tilewright_hdl::*;
     /// use tilewright_blocks::Narrow;
     ///
-    /// // Words of 12 bits come in.
+    /// // The input words have 12 bits.
     /// assert_eq!(Narrow::new(3, 4).inputs().into.payload.bits(), 12);
     /// ```
     ///
@@ -74,7 +74,7 @@ block! {
     /// into ===>[ 3 ][ 2 ][ 1 ][ 0 ]===> out      [full]
     /// ```
     ///
-    /// Latency 1 clock from the last part, a part a clock. No `valid` waits for `ready`; `out.ready` passes to
+    /// Latency 1 clock from the last part, one part per clock. No `valid` waits for `ready`; `out.ready` passes to
     /// `into.ready`.
     ///
     /// ```
@@ -106,7 +106,7 @@ impl Widen {
     /// # use tilewright_hdl::*;
     /// use tilewright_blocks::Widen;
     ///
-    /// // Words of 4 bits come in, three of which are one that goes out.
+    /// // Each output word consists of three input words of 4 bits.
     /// assert_eq!(Widen::new(3, 4).inputs().into.payload.bits(), 4);
     /// ```
     ///

@@ -11,7 +11,7 @@ block! {
     ///           +1   '-------'  '--> wraps
     /// ```
     ///
-    /// Latency 1 clock to `count`; `wraps` belongs to the same clock.
+    /// Latency 1 clock to `count`; `wraps` is valid in the same clock.
     ///
     /// ```
     /// use tilewright_blocks::Counter;
@@ -24,9 +24,9 @@ block! {
     }
     latency = "1 clock";
     in CounterIn {
-        /// The count starts at 0 again; wins over `enable`.
+        /// Restarts the count at 0, with priority over `enable`.
         restart: bit(),
-        /// The counter counts.
+        /// Counts this clock.
         enable: bit(),
     }
     out(self) CounterOut {

@@ -20,7 +20,7 @@ pub enum BitOrder {
 }
 
 block! {
-    /// Divides a message by a polynomial, a byte a clock, and keeps the remainder: a cyclic redundancy check.
+    /// Divides a message by a polynomial, one byte per clock, and keeps the remainder: a cyclic redundancy check.
     ///
     /// ```text
     ///          .---------------------------.
@@ -41,7 +41,7 @@ block! {
     /// def!(check = !m.instance("u_crc", &crc, message).crc);
     /// # });
     /// let checks: [u64; 10] = example.values("check");
-    /// assert_eq!(checks[9], 0xcbf4_3926); // as every table of these codes says
+    /// assert_eq!(checks[9], 0xcbf4_3926); // as tables of these codes say
     /// ```
     pub struct Crc {
         width: u32,
@@ -51,7 +51,7 @@ block! {
     }
     latency = "1 clock";
     in CrcIn {
-        /// A message begins; wins over `take`.
+        /// Begins a message, with priority over `take`.
         restart: bit(),
         /// `data` is the next byte of the message.
         take: bit(),

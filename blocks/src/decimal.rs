@@ -107,7 +107,7 @@ impl FromDecimal {
     fn build(&self, m: Module, i: FromDecimalIn) -> FromDecimalOut {
         let width = below(10u64.pow(self.digits)).bits();
         let mut digits = i.digits.to_vec().into_iter().rev();
-        let first = digits.next().expect("there is one").zext(width);
+        let first = digits.next().expect("there is a digit").zext(width);
         let number = digits.fold(first, |number: Signal, digit| (number * 10).trunc(width) + digit.zext(width));
         FromDecimalOut { number: m.pipe_when(i.enable, "number", number) }
     }

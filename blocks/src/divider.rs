@@ -1,4 +1,4 @@
-//! A pipelined divider: a bit of the quotient a stage.
+//! A pipelined divider: a stage for each bit of the quotient.
 
 use tilewright_hdl::{Module, bits, block, bundle, cat, lit, mux};
 
@@ -19,7 +19,7 @@ block! {
     /// operands ===>| compare, subtract |[1]===>| .. |[2]===> .. [width]===> results
     /// ```
     ///
-    /// Latency: a clock for each bit; a quotient a clock. For a divisor of 0 the quotient is all ones, and the
+    /// Latency: one clock for each bit; one quotient per clock. For a divisor of 0 the quotient is all ones, and the
     /// remainder is the dividend.
     ///
     /// ```
@@ -62,9 +62,9 @@ block! {
         /// assert_eq!(third.quotient * 3 + third.remainder, 100);
         /// ```
         results: stream(pub struct Quotient {
-            /// How often the divisor goes into the dividend.
+            /// The quotient, rounded down to an integer.
             quotient: bits(self.width),
-            /// What is left of the dividend.
+            /// The remainder of the division.
             remainder: bits(self.width),
         }),
     }

@@ -15,7 +15,7 @@ block! {
     ///   full? <---------------[ 2 ]-------- gray <-- oldest
     /// ```
     ///
-    /// Each side gets the other's pointer in Gray code, through two registers. As only one bit changes at a time, the
+    /// Each side gets the other's pointer in Gray code, through two registers. Only one bit changes at a time, so the
     /// side sees the pointer's current or an earlier value. So the queue may look fuller to the writer than it is, and
     /// emptier to the reader, but never the reverse.
     ///
@@ -37,7 +37,7 @@ block! {
     /// let queue = DualClockFifo::new(4, 4, HOST, VIDEO);
     /// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
     /// # });
-    /// // The edges of both clocks up to 60 ns. Nobody takes a word, so four are taken in.
+    /// // The edges of both clocks up to 60 ns. No word is taken out, so the queue accepts four.
     /// assert_eq!(example.values("count"), [0, 1, 1, 2, 2, 3, 4, 4, 4, 4]);
     /// ```
     pub struct DualClockFifo {
@@ -46,7 +46,7 @@ block! {
         write: Clock,
         read: Clock,
     }
-    latency = "3 clocks of the reader, 4 where its edge meets the writer's";
+    latency = "3 clocks of the reader, or 4 if the edges of both clocks coincide";
     in(self) = StreamIn { into: stream(bits(self.width)).on(self.write) };
     out(self) = StreamOut { out: stream(bits(self.width)) };
 }
@@ -75,7 +75,7 @@ impl DualClockFifo {
             "a dual-clock FIFO of {depth} words: Gray code needs a power of two from 2 on"
         );
         assert!(width > 0, "a FIFO of {depth} words of 0 bits holds nothing");
-        assert!(write.name != read.name, "a dual-clock FIFO on clock `{}` alone: take `Fifo`", write.name);
+        assert!(write.name != read.name, "a dual-clock FIFO on clock `{}` alone: use `Fifo`", write.name);
         DualClockFifo { depth, width, write, read }
     }
 
@@ -112,7 +112,7 @@ impl DualClockFifo {
     }
 }
 
-/// Consecutive numbers differ in one bit.
+/// The Gray code of a number: the codes of consecutive numbers differ in one bit.
 fn gray(number: Signal) -> Signal {
     number ^ (number >> 1)
 }

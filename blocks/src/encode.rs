@@ -41,7 +41,7 @@ pub fn first(requests: Signal) -> Signal {
 /// # use tilewright_blocks::first_index;
 /// # tilewright_sim::example(|m| {
 /// m.assert(first_index(lit(6, 0b101100)).eq(2), "3 bits, as 6 places need");
-/// m.assert(first_index(lit(6, 0)).eq(0), "so ask `.any_one()` beside it");
+/// m.assert(first_index(lit(6, 0)).eq(0), "so check `.any_one()`, too");
 /// # });
 /// ```
 #[track_caller]
@@ -55,7 +55,7 @@ pub fn first_index(requests: Signal) -> Signal {
 /// # use tilewright_hdl::*;
 /// # use tilewright_blocks::index_of;
 /// # tilewright_sim::example(|m| {
-/// m.assert(index_of(lit(6, 0b001000)).eq(3), "cheaper than `first_index`, as nothing is looked for");
+/// m.assert(index_of(lit(6, 0b001000)).eq(3), "cheaper than `first_index`, because it does not search");
 /// # });
 /// ```
 #[track_caller]
@@ -94,7 +94,7 @@ pub fn one_hot(index: Signal, count: impl Integer) -> Signal {
 }
 
 block! {
-    /// A decoder: sets the line whose number comes in.
+    /// A decoder: sets the line whose number is the input.
     ///
     /// ```text
     ///            .---.---> bit 0
@@ -120,7 +120,7 @@ block! {
         index: below(self.lines),
     }
     out(self) DecoderOut {
-        /// A bit for each line, line 0 the lowest; none is high for a number that no line has.
+        /// A bit for each line, line 0 the lowest; no bit is high for a number without a line.
         one_hot: bits(self.lines),
     }
 }
@@ -146,7 +146,7 @@ impl Decoder {
 
     fn build(&self, m: Module, i: DecoderIn) -> DecoderOut {
         let one_hot = one_hot(i.index, self.lines);
-        m.assert(first(one_hot).eq(one_hot), "one line is high at most");
+        m.assert(first(one_hot).eq(one_hot), "at most one line is high");
         DecoderOut { one_hot }
     }
 }
@@ -174,11 +174,11 @@ block! {
         lines: u32,
     }
     in(self) EncoderIn {
-        /// A bit for each line, line 0 the lowest, of which one is high at most.
+        /// A bit for each line, line 0 the lowest; at most one line is high.
         one_hot: bits(self.lines),
     }
     out(self) EncoderOut {
-        /// The number of the line that is high, and 0 if none is.
+        /// The number of the line that is high, or 0 if none is.
         index: below(self.lines),
     }
 }
@@ -203,7 +203,7 @@ impl Encoder {
     }
 
     fn build(&self, m: Module, i: EncoderIn) -> EncoderOut {
-        m.assume(first(i.one_hot).eq(i.one_hot), "one line is high at most");
+        m.assume(first(i.one_hot).eq(i.one_hot), "at most one line is high");
         EncoderOut { index: index_of(i.one_hot) }
     }
 }
@@ -237,9 +237,9 @@ block! {
         requests: bits(self.lines),
     }
     out(self) PriorityEncoderOut {
-        /// The first line that is high, alone.
+        /// Only the first line that is high.
         first: bits(self.lines),
-        /// The number of the first line that is high, and 0 if none is.
+        /// The number of the first line that is high, or 0 if none is.
         index: below(self.lines),
         /// At least one line is high.
         any: bit(),
@@ -267,15 +267,12 @@ impl PriorityEncoder {
 
     fn build(&self, m: Module, i: PriorityEncoderIn) -> PriorityEncoderOut {
         let first = first(i.requests);
-        m.assert(
-            i.requests.any_one().implies((first & i.requests).any_one()),
-            "the first is one of those that are high",
-        );
+        m.assert(i.requests.any_one().implies((first & i.requests).any_one()), "the first line is one that is high");
         PriorityEncoderOut { first, index: index_of(first), any: i.requests.any_one() }
     }
 }
 
-/// Whether such a block has enough lines.
+/// Panics unless the block has enough lines.
 #[track_caller]
 fn check(what: &str, lines: u32) {
     assert!(lines > 1, "{what} of {lines} lines: it has 2 or more");

@@ -7,15 +7,15 @@
 //!          free ^   used   ^ oldest
 //! ```
 //!
-//! Throughput is a word a clock if the depth is at least 2 words, or 3 in a block RAM. `out` shows the oldest word
+//! Throughput is one word per clock if the depth is at least 2 words, or 3 in a block RAM. `out` shows the oldest word
 //! before it is taken (first word falls through). Latency is 1 clock in registers or distributed memory, and 2 in a
 //! block RAM, whose read takes one. There is no combinational path between any two ports.
 
 use crate::ports::{StreamIn, StreamOut, state_that_it_stays};
 use tilewright_hdl::{Module, ReadUnderWrite, Reg, Signal, Stream, Taken, bit, bits, block, def, mux, stream, up_to};
 
-/// Up to this many words are kept in registers that shift when one is taken. More words stay where they came in,
-/// because choosing one then costs less than moving all.
+/// Up to this many words are kept in registers that shift when one is taken. More words stay where they were written,
+/// because selecting one then costs less than moving all.
 const MOST_SHIFTED: u32 = 2;
 
 /// The storage of a [`Fifo`]'s words.
@@ -28,7 +28,7 @@ const MOST_SHIFTED: u32 = 2;
 /// let queue = Fifo::new(4, 8, Storage::BlockRam);
 /// def!(taken = m.instance("u_queue", &queue, StreamIn { into }).out.take_when(1).taken);
 /// # });
-/// assert_eq!(example.values("taken"), [0, 0, 1, 1]); // 2 clocks, then one a clock all the same
+/// assert_eq!(example.values("taken"), [0, 0, 1, 1]); // 2 clocks, then one word per clock
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Storage {
@@ -39,9 +39,9 @@ pub enum Storage {
 }
 
 block! {
-    /// A queue: sends words in the sequence in which they came, and shows the oldest before it is taken.
+    /// A queue: sends words in the sequence in which they arrive, and shows the oldest before it is taken.
     ///
-    /// It stores up to `depth` words; see [the table](crate) for its cost. One module serves all records of the same
+    /// It stores up to `depth` words; see [the table](crate) for its latency. One module serves all records of the same
     /// number of bits. So inside it, waves and Verilog show a record as one `payload`; its fields get their names back
     /// at the output.
     ///
@@ -62,7 +62,7 @@ block! {
     /// let queue = Fifo::new(3, 4, Storage::Registers);
     /// m.instance("u_queue", &queue, StreamIn { into }).out.take_when(0);
     /// # });
-    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]); // it is full
+    /// assert_eq!(example.values("count"), [0, 1, 2, 3, 3, 3]); // the queue is full
     /// ```
     pub struct Fifo {
         depth: u32,
@@ -104,15 +104,15 @@ impl Fifo {
             _ => self.addressed(m, used, &into),
         };
         used.when(into.taken & !sent, used + 1).when(sent & !into.taken, used - 1);
-        m.assert(used.le(self.depth), "no more words are stored than there is room for");
+        m.assert(used.le(self.depth), "at most `depth` words are stored");
         state_that_it_stays(m, &out);
-        m.cover("it is full", m.rose(used.eq(self.depth)));
-        m.cover("it is emptied", m.rose(used.eq(0)));
+        m.cover("the queue is full", m.rose(used.eq(self.depth)));
+        m.cover("the queue becomes empty", m.rose(used.eq(0)));
         StreamOut { out }
     }
 
-    /// The words in registers, the oldest in the first: each moves on when that is taken. So the output needs no
-    /// multiplexer.
+    /// Keeps the words in registers, the oldest in the first. When that is taken, the others move up. So the output
+    /// needs no multiplexer.
     fn shifted(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
         let words: Vec<Reg> = (0..self.depth).map(|place| m.reg(&format!("word{place}"), self.width)).collect();
         let (out, sent) = m.offer(used.ne(0), *words[0]);
@@ -126,7 +126,7 @@ impl Fifo {
         (out, sent)
     }
 
-    /// The words in a memory, each where it came in.
+    /// Keeps the words in a memory, each at the address where it was written.
     fn addressed(&self, m: Module, used: Reg, into: &Taken<Signal>) -> (Stream, Signal) {
         def!(words = m.memory(self.depth, self.width, ReadUnderWrite::Any));
         let address = words.address_width();

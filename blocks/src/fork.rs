@@ -4,7 +4,7 @@ use crate::ports::StreamIn;
 use tilewright_hdl::{Module, bit, bits, block, lit, stream};
 
 block! {
-    /// Gives each word to all of its receivers, each when it is ready; receivers that have it wait for the others.
+    /// Gives each word to all receivers, to each when it is ready; receivers that have the word wait for the others.
     ///
     /// ```text
     ///          .---> out.0
@@ -28,7 +28,7 @@ block! {
     /// def!(fast_takes = out[0].take_when(1).taken);
     /// def!(slow_takes = out[1].take_when(*slow).taken);
     /// # });
-    /// assert_eq!(example.values("fast_takes"), [1, 0, 1, 0]); // it waits for the other
+    /// assert_eq!(example.values("fast_takes"), [1, 0, 1, 0]); // the fast one waits for the slow one
     /// assert_eq!(example.values("slow_takes"), [0, 1, 0, 1]);
     /// ```
     pub struct Fork {
@@ -38,7 +38,7 @@ block! {
     latency = "0 clocks";
     in(self) = StreamIn { into: stream(bits(self.width)) };
     out(self) ForkOut {
-        /// All words, to each receiver.
+        /// All words, for each receiver.
         out: [stream(bits(self.width)); self.receivers],
     }
 }

@@ -53,7 +53,7 @@ block! {
     /// # use tilewright_blocks::{Lfsr, LfsrIn};
     /// # tilewright_sim::example(|m| {
     /// def!(lfsr = m.instance(&Lfsr::new(16), LfsrIn { enable: lit(1, 1) }));
-    /// m.assert(lfsr.number.ne(0), "from 0 it would not get away");
+    /// m.assert(lfsr.number.ne(0), "0 would be followed by 0 forever");
     /// # });
     /// ```
     pub struct Lfsr {
@@ -61,7 +61,7 @@ block! {
     }
     latency = "1 clock";
     in LfsrIn {
-        /// Goes on to the next number.
+        /// Advances to the next number.
         enable: bit(),
     }
     out(self) LfsrOut {
@@ -93,7 +93,7 @@ impl Lfsr {
     /// # use tilewright_hdl::*;
     /// use tilewright_blocks::Lfsr;
     ///
-    /// // The highest is always among them, as it is what leaves.
+    /// // The highest bit, which is shifted out, is always one of them.
     /// assert!((2..=32).all(|width| Lfsr::new(width).taps().contains(&width)));
     /// ```
     pub fn taps(&self) -> &'static [u32] {

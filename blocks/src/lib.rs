@@ -8,7 +8,7 @@
 //! use tilewright_hdl::*;
 //!
 //! bundle! {
-//!     /// What is drawn.
+//!     /// A pixel to draw.
 //!     pub struct Pixel<T> { pub x: T, pub y: T, pub last: T }
 //! }
 //!
@@ -36,15 +36,15 @@
 //! # Ok::<(), Problems>(())
 //! ```
 //!
-//! In the examples `m` is the module of a block that is run. `example.values("count")` lists the values of `count` just
-//! before each of the first edges.
+//! In the examples `m` is the module of a block that the simulator runs. `example.values("count")` lists the values of
+//! `count` just before each of the first edges.
 //!
-//! | block | what it does | latency | no path within a clock |
+//! | block | what it does | latency | no combinational path |
 //! |---|---|---|---|
 //! | [`Fifo`] in [`Storage::Registers`] | a queue | 1 | any |
 //! | [`Fifo`] in [`Storage::BlockRam`] | a queue | 2 | any |
 //! | [`Lifo`] | a stack | 1 | any |
-//! | [`DualClockFifo`] | a queue from one clock to another | 3 read clocks, 4 where the edges meet | any |
+//! | [`DualClockFifo`] | a queue from one clock to another | 3 read clocks, or 4 if the edges coincide | any |
 //! | [`RegisterSlice`], [`Slice::Forward`] | cuts `valid` and the payload | 1 | from `into` to `out` |
 //! | [`RegisterSlice`], [`Slice::Backward`] | cuts `ready` | 0 | from `out` to `into` |
 //! | [`RegisterSlice`], [`Slice::Both`] | cuts both: a skid buffer | 1 | any |
@@ -57,7 +57,7 @@
 //! | [`Divider`], [`SquareRoot`], [`SineCosine`] | quotients, roots and points of a circle | a clock for each bit | from `into` to `out` |
 //! | [`Ram`] | a memory that is written byte by byte | 1 | any |
 //! | [`DualClockRam`] | the same, written on one clock and read on another | 1 read clock | any |
-//! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from what is written to what is read |
+//! | [`VectorRegisters`] | registers that are written lane by lane | 0 to read | from the write ports to the read values |
 //! | [`Multiplier`], [`Shifter`] | pipelines with an enable | a clock for each stage | any |
 //! | [`MultiplyAccumulate`] | several sums of products | 2 | any |
 //! | [`Minimum`], [`PipelinedMinimum`] | the least of many numbers, and its index | 0, a clock for each level | -, any |

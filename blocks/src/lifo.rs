@@ -13,8 +13,8 @@ block! {
     ///               used ^
     /// ```
     ///
-    /// Throughput is a word a clock. The stack stores `depth` words and the one that it shows. Latency is 1 clock, in
-    /// registers or distributed memory. There is no combinational path between any two ports.
+    /// Throughput is one word per clock. The stack stores `depth` words and the one that it shows. Latency is 1 clock,
+    /// in registers or distributed memory. There is no combinational path between any two ports.
     ///
     /// A word on a stream may not change, so words pushed while one is shown come out after it. This matters in the
     /// walk of a tree in which the children of a node replace it. The walk then alternates between two branches, and
@@ -67,7 +67,7 @@ impl Lifo {
 
         let (out, sent) = m.offer(shown, *held);
         let into = i.into.take_when(used.ne(self.depth));
-        def!(moves = !shown | sent); // the newest is shown, and is what comes in if something does
+        def!(moves = !shown | sent); // the word that comes in, or else the newest one, is shown
         def!(pushes = into.taken & !moves);
         def!(pops = moves & !into.taken & used.ne(0));
         words.write(pushes, used.low(), *into);

@@ -101,7 +101,7 @@ block! {
     ///    valid ----------[1]-----[2]-> found
     /// ```
     ///
-    /// Latency: as many clocks as an index has bits; a minimum a clock. A reset clears `found` in all stages, and
+    /// Latency: as many clocks as an index has bits; one minimum per clock. A reset clears `found` in all stages, and
     /// nothing else.
     ///
     /// ```
@@ -123,13 +123,13 @@ block! {
         width: u32,
     }
     in(self) PipelinedMinimumIn {
-        /// The words are numbers of which the least is wanted.
+        /// The words are valid numbers.
         valid: bit(),
         /// The numbers, a lane for each.
         words: bits(self.width).of(row(self.words)),
     }
     out(self) PipelinedMinimumOut {
-        /// The word and its index are of numbers that were valid.
+        /// The word and its index are the result of valid numbers.
         found: bit(),
         /// The least of the numbers.
         word: bits(self.width),

@@ -21,7 +21,7 @@ block! {
     ///          '---'   '---'       '---'
     /// ```
     ///
-    /// Latency: a clock for each stage; a product a clock with `enable`.
+    /// Latency: one clock for each stage; one product per clock with `enable`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -69,7 +69,7 @@ impl Multiplier {
     pub fn new(width: u32, stages: u32) -> Multiplier {
         assert!(
             stages > 0 && width >= stages && width.is_multiple_of(stages),
-            "{width} bits in {stages} stages of a multiplier: each has as many bits, 1 or more"
+            "a multiplier of {width} bits in {stages} stages: each stage needs the same number of bits, 1 or more"
         );
         Multiplier { width, stages }
     }

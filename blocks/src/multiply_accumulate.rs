@@ -11,7 +11,7 @@ bundle! {
 }
 
 block! {
-    /// Adds products to one of several sums, any of them in any clock, in two stages.
+    /// Adds products to several sums in two stages; each clock may select any of the sums.
     ///
     /// ```text
     ///                .---.                .---.
@@ -24,7 +24,7 @@ block! {
     ///             '==================================' newest
     /// ```
     ///
-    /// Latency 2 clocks, a product a clock. A sum that is still being written is forwarded from the last stage, so the
+    /// Latency 2 clocks, one product per clock. A sum that is still being written is forwarded from the last stage, so the
     /// next clock may add to it again. `restart` begins a sum; sums are modulo 2^width.
     ///
     /// ```
@@ -33,7 +33,7 @@ block! {
     /// # let example = tilewright_sim::traced(|m| {
     /// def!(count = m.reg(4).reset(0));
     /// count.next(count + 1);
-    /// let product = MultiplyAccumulateIn { // 0, 2, 4 .. times 10, the even and the odd ones
+    /// let product = MultiplyAccumulateIn { // 0, 2, 4 .. times 10, to two sums alternately
     ///     valid: lit(1, 1), to: count.bit(0), restart: count.lt(2), left: count.trunc(3).zext(4) << 1, right: lit(4, 10),
     /// };
     /// def!(sums = m.instance(&MultiplyAccumulate::new(2, 4, 12), product));
@@ -86,14 +86,14 @@ impl MultiplyAccumulate {
     pub fn new(sums: u32, factor: u32, width: u32) -> MultiplyAccumulate {
         assert!(
             sums > 1 && factor > 0 && width / 2 >= factor,
-            "{sums} sums of {width} bits of factors of {factor} bits: there are 2 sums or more, of 2 bits or more for each of a factor"
+            "{sums} sums of {width} bits of factors of {factor} bits: there are 2 sums or more, each at least twice as wide as a factor"
         );
         MultiplyAccumulate { sums, factor, width }
     }
 
     fn build(&self, m: Module, i: MultiplyAccumulateIn) -> MultiplyAccumulateOut {
         if !self.sums.is_power_of_two() {
-            m.assume(i.to.lt(self.sums), "a number is that of a sum");
+            m.assume(i.to.lt(self.sums), "the number of a sum is in range");
         }
         def!(newest = m.wire(Sum { valid: bit(), to: below(self.sums), value: bits(self.width) }));
         def!(sums = m.memory(self.sums, self.width, ReadUnderWrite::Any));
@@ -102,7 +102,7 @@ impl MultiplyAccumulate {
         let start = Term { valid: i.valid, to: i.to, restart: i.restart, value: product };
         let term = m.stages(1, None, start.cleared(|term| term.valid), |_, term| term);
 
-        // The second stage's result is not yet in the memory when that is read.
+        // The result of the second stage is not in the memory yet when that is read.
         let is_written = newest.valid & newest.to.eq(term.to);
         let before = mux(is_written, newest.value, held);
         let sum = Sum { valid: term.valid, to: term.to, value: mux(term.restart, 0, before) + term.value };

@@ -44,7 +44,7 @@ bundle! {
 /// same word (`holds` of a testbench): an assertion would have to store every word a second time.
 pub(crate) fn state_that_it_stays(m: Module, out: &Stream) {
     let waits = m.past(out.valid & !out.ready);
-    m.assert(waits.implies(out.valid), "a word that is shown is not taken back");
+    m.assert(waits.implies(out.valid), "a word that is shown is not withdrawn");
 }
 
 #[cfg(test)]
@@ -81,9 +81,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_is_not_taken_back() {
-        assert!(holds([(1, 5, 0), (1, 5, 0), (1, 5, 0)]), "it waits");
-        assert!(holds([(1, 5, 0), (1, 7, 1), (0, 0, 1)]), "it is taken");
-        assert!(!holds([(1, 5, 0), (0, 5, 0), (0, 5, 0)]), "it is taken back");
+    fn what_is_shown_is_not_withdrawn() {
+        assert!(holds([(1, 5, 0), (1, 5, 0), (1, 5, 0)]), "the word waits");
+        assert!(holds([(1, 5, 0), (1, 7, 1), (0, 0, 1)]), "the word is taken");
+        assert!(!holds([(1, 5, 0), (0, 5, 0), (0, 5, 0)]), "the word is withdrawn");
     }
 }

@@ -12,11 +12,11 @@ codes! {
     /// assert_eq!(Turn::Up.name(), "Up");
     /// ```
     pub enum Turn {
-        /// None.
+        /// No step.
         Still,
-        /// `a` leads.
+        /// A step up: `a` leads.
         Up,
-        /// `b` leads.
+        /// A step down: `b` leads.
         Down,
     }
 }
@@ -76,7 +76,7 @@ impl Quadrature {
     ///
     /// # Panics
     ///
-    /// `width` is below 2: a sign and a number.
+    /// `width` is below 2, so there are no bits beside the sign.
     #[track_caller]
     pub fn new(width: u32) -> Quadrature {
         assert!(width > 1, "a position of {width} bits: it has 2 or more");
@@ -87,7 +87,7 @@ impl Quadrature {
         let now = cat![i.a, i.b];
         def!(last = m.reg(2).reset(0));
         last.next(now);
-        def!(known = m.reg(bit()).reset(0)); // `last` has been the lines
+        def!(known = m.reg(bit()).reset(0)); // `last` is a state of the lines
         known.next(1);
         let up = [0b00_10, 0b10_11, 0b11_01, 0b01_00].map(|change| (change, Turn::Up));
         let down = [0b00_01, 0b01_11, 0b11_10, 0b10_00].map(|change| (change, Turn::Down));

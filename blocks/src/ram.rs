@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Clock, Module, ReadUnderWrite, below, bits, block, row};
 
-/// The smallest such memory.
+/// Panics if a memory is too small.
 #[track_caller]
 fn check(depth: u32, bytes: u32) {
     assert!(depth > 1 && bytes > 0, "a memory of {depth} words of {bytes} bytes: it has 2 words of 1 byte or more");
@@ -39,7 +39,7 @@ block! {
     in(self) RamIn {
         /// The address of the word.
         address: below(self.depth),
-        /// Which bytes of the word are written, the lowest bit for the lowest byte.
+        /// The bytes of the word that are written: a bit for each, the lowest for the lowest byte.
         write: bits(self.bytes),
         /// The bytes to write.
         data: bits(8 * self.bytes),
@@ -73,7 +73,7 @@ impl Ram {
 
     fn build(&self, m: Module, i: RamIn) -> RamOut {
         if !self.depth.is_power_of_two() {
-            m.assume(i.address.lt(self.depth), "an address is that of a word");
+            m.assume(i.address.lt(self.depth), "an address is in range");
         }
         let bytes = row(self.bytes);
         let words =
@@ -122,7 +122,7 @@ block! {
     in(self) DualClockRamIn {
         /// The address of the word that is written.
         to: below(self.depth).on(self.write),
-        /// Which bytes of the word are written, the lowest bit for the lowest byte.
+        /// The bytes of the word that are written: a bit for each, the lowest for the lowest byte.
         write: bits(self.bytes).on(self.write),
         /// The bytes to write.
         data: bits(8 * self.bytes).on(self.write),
@@ -153,14 +153,14 @@ impl DualClockRam {
     #[track_caller]
     pub fn new(depth: u32, bytes: u32, write: Clock, read: Clock) -> DualClockRam {
         check(depth, bytes);
-        assert!(write.name != read.name, "a dual-clock memory on clock `{}` alone: take `Ram`", write.name);
+        assert!(write.name != read.name, "a dual-clock memory on clock `{}` alone: use `Ram`", write.name);
         DualClockRam { depth, bytes, write, read }
     }
 
     fn build(&self, m: Module, i: DualClockRamIn) -> DualClockRamOut {
         if !self.depth.is_power_of_two() {
-            m.on(self.write).assume(i.to.lt(self.depth), "an address is that of a word");
-            m.on(self.read).assume(i.from.lt(self.depth), "an address is that of a word");
+            m.on(self.write).assume(i.to.lt(self.depth), "an address is in range");
+            m.on(self.read).assume(i.from.lt(self.depth), "an address is in range");
         }
         let bytes = row(self.bytes);
         let words =

@@ -32,11 +32,11 @@ block! {
         enable: bit(),
         /// The word to rotate.
         word: bits(self.width),
-        /// By how many places the word is rotated.
+        /// The number of places by which the word is rotated.
         places: below(self.width),
     }
     out(self) RotatorOut {
-        /// The word, rotated.
+        /// The rotated word.
         rotated: bits(self.width),
     }
 }

@@ -24,19 +24,19 @@ block! {
     }
     latency = "1 clock";
     in(self) ShiftRegisterIn {
-        /// The register takes `word`; wins over `shift`.
+        /// Loads `word`, with priority over `shift`.
         load: bit(),
-        /// The word that the register takes.
+        /// The word to load.
         word: bits(self.width),
-        /// The register shifts by a place.
+        /// Shifts the register by one place.
         shift: bit(),
-        /// The bit that comes in at the bottom.
+        /// The bit that is shifted in at the bottom.
         bit_in: bit(),
     }
     out(self) ShiftRegisterOut {
         /// All bits of the register.
         held: bits(self.width),
-        /// The bit that leaves next, the most significant one.
+        /// The bit that is shifted out next: the most significant one.
         bit_out: bit(),
     }
 }

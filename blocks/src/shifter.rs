@@ -12,11 +12,11 @@ codes! {
     /// assert_eq!(Shifting::ALL.len(), 3);
     /// ```
     pub enum Shifting {
-        /// To the left; zeros come in.
+        /// To the left; zeros are shifted in.
         Left,
-        /// To the right; zeros come in.
+        /// To the right; zeros are shifted in.
         Right,
-        /// To the right; the sign comes in.
+        /// To the right; copies of the sign are shifted in.
         Arithmetic,
     }
 }
@@ -35,7 +35,7 @@ block! {
     ///          '-----'   '-----'   '-----'
     /// ```
     ///
-    /// Latency: a clock for each stage; a word a clock with `enable`.
+    /// Latency: one clock for each stage; one word per clock with `enable`.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -55,13 +55,13 @@ block! {
         enable: bit(),
         /// The word to shift.
         word: bits(self.width),
-        /// By how many places the word is shifted.
+        /// The number of places by which the word is shifted.
         places: below(self.width),
-        /// Which way the word is shifted.
+        /// The direction of the shift.
         kind: one_of::<Shifting>(),
     }
     out(self) ShifterOut {
-        /// The word, shifted.
+        /// The shifted word.
         shifted: bits(self.width),
     }
 }
@@ -86,7 +86,7 @@ impl Shifter {
     }
 
     fn build(&self, m: Module, i: ShifterIn) -> ShifterOut {
-        m.assume(i.enable.implies(i.kind.is_code()), "what enters says which way");
+        m.assume(i.enable.implies(i.kind.is_code()), "a word that enters has a valid direction");
         let shift = |stage: u32, part: Shifted| {
             let places = 1 << (stage - 1);
             let word: Signal = choose!(part.kind, Shifting {

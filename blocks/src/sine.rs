@@ -31,7 +31,7 @@ const ANGLES: [u64; 24] = [
     0x0000_0051,
 ];
 
-/// The factor by which rotation by all of them lengthens a vector, inverted, in units of 2^-32.
+/// The inverse of the factor by which all rotations together lengthen a vector, in units of 2^-32.
 const SHORTER: u64 = 0x9b74_eda8;
 
 /// Extra bits below those of the results, for the rounding of each rotation.
@@ -56,7 +56,7 @@ block! {
     ///
     /// The full circle is 2^`width`. The value 1 is represented as a quarter of that range. So with 16 bits the angle
     /// `0x2000` is an eighth of a circle, and its sine is 0.7071 * 16384 = 11585, give or take 2. Latency `width`
-    /// clocks, a point a clock.
+    /// clocks, one point per clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -75,7 +75,7 @@ block! {
     latency(self) = format!("{} clocks", self.width);
     in(self) = StreamIn { into: stream(bits(self.width)) };
     out(self) SineCosineOut {
-        /// The points of the circle; 1 is a quarter of their range.
+        /// The points of the circle; a quarter of the range stands for 1.
         ///
         /// ```
         /// # use tilewright_blocks::OnCircle;
@@ -114,8 +114,8 @@ impl SineCosine {
         let wide = self.width + GUARD;
         let rounded = |number: u64, places: u32| (number >> (places - 1)).div_ceil(2);
         let angle = *i.into;
-        // Rotations by less than a quarter reach everything from the right half of the circle; for the left half, start
-        // at the opposite point.
+        // The rotations reach every point of the right half of the circle. For the left half, start at the opposite
+        // point.
         let is_left = angle.msb() ^ angle.bit(self.width - 2);
         let one = lit(wide, rounded(SHORTER, 34 - wide)).signed();
         let start = Turning {

@@ -49,7 +49,7 @@ pub enum Slice {
 block! {
     /// Puts registers on one direction of a stream, or on both, and passes a word each clock.
     ///
-    /// They cut long paths; [`Slice`] has the three kinds and their latencies.
+    /// The registers cut long paths; [`Slice`] lists the three kinds and their latencies.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -61,12 +61,12 @@ block! {
     /// let skid = RegisterSlice { width: 4, cuts: Slice::Both };
     /// m.instance("u_skid", &skid, StreamIn { into }).out.take_when(0);
     /// # });
-    /// assert_eq!(example.values("count"), [0, 1, 2, 2, 2]); // it has room for two words
+    /// assert_eq!(example.values("count"), [0, 1, 2, 2, 2]); // a skid buffer has room for two words
     /// ```
     pub struct RegisterSlice {
         /// The width of the payload.
         pub width: u32,
-        /// The paths that it cuts.
+        /// The paths to cut.
         pub cuts: Slice,
     }
     latency(self) = match self.cuts {

@@ -30,7 +30,7 @@ block! {
     /// def!(odd_taken = out[1].take_when(!slow).taken);
     /// # });
     /// assert_eq!(example.values("even_taken"), [1, 0, 0, 1, 0, 1]);
-    /// assert_eq!(example.values("odd_taken"), [0, 0, 1, 0, 1, 0]); // the word after an odd one waits with it
+    /// assert_eq!(example.values("odd_taken"), [0, 0, 1, 0, 1, 0]); // while an odd word waits, so does the next
     /// ```
     pub struct Split {
         receivers: u32,
@@ -46,7 +46,7 @@ block! {
         }),
     }
     out(self) SplitOut {
-        /// To each receiver its own words.
+        /// The words for each receiver.
         out: [stream(bits(self.width)); self.receivers],
     }
 }
@@ -80,7 +80,7 @@ impl Split {
     }
 }
 
-/// The assertion about a word's receiver.
+/// The sentence of the assertion about a word's receiver.
 pub(crate) fn goes_to_one_of(receivers: u32) -> String {
     format!("a word goes to one of {receivers} receivers")
 }

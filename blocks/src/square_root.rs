@@ -1,4 +1,4 @@
-//! Pipelined square roots: a bit of the root a stage.
+//! Pipelined square roots: a stage for each bit of the root.
 
 use crate::ports::StreamIn;
 use tilewright_hdl::{Module, bits, block, bundle, cat, lit, mux, stream};
@@ -20,7 +20,7 @@ block! {
     /// into ===>| compare, subtract |[1]===>| .. |[2]===> .. [width]===> roots
     /// ```
     ///
-    /// Latency: a clock for each bit; a root a clock.
+    /// Latency: one clock for each bit; one root per clock.
     ///
     /// ```
     /// # use tilewright_hdl::*;
@@ -45,9 +45,9 @@ block! {
         /// assert_eq!(of_ten.root * of_ten.root + of_ten.remainder, 10);
         /// ```
         roots: stream(pub struct Root {
-            /// The largest number whose square is no larger than what came in.
+            /// The largest number whose square is no larger than the input.
             root: bits(self.width),
-            /// What is left when the square of the root is taken away.
+            /// The input minus the square of the root.
             remainder: bits(self.width + 1),
         }),
     }

@@ -9,7 +9,7 @@ block! {
     /// again -->[ left ]--> reset       clocks, clocks - 1 .. 1, 0
     /// ```
     ///
-    /// Latency 1 clock. It has no reset itself: its counter starts with the value that an FPGA loads.
+    /// Latency 1 clock. The block has no reset: its counter starts with the value that an FPGA loads.
     ///
     /// ```
     /// use tilewright_blocks::PowerOnReset;
@@ -27,7 +27,7 @@ block! {
     }
     latency = "1 clock";
     in PowerOnResetIn {
-        /// A reset is asked for, on this clock.
+        /// Requests a reset; synchronous to this clock.
         again: bit(),
     }
     out PowerOnResetOut {
@@ -108,7 +108,7 @@ impl Ticks {
     /// `every` is below 2.
     #[track_caller]
     pub fn new(every: u64) -> Ticks {
-        assert!(every > 1, "a tick in each {every} clocks is none: it is one of 2 or more");
+        assert!(every > 1, "a tick every {every} clocks: a period has 2 or more");
         Ticks { every }
     }
 

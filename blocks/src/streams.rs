@@ -11,9 +11,9 @@ use crate::slice::{RegisterSlice, Slice};
 use crate::split::{goes_to_one_of, split};
 use tilewright_hdl::{Clock, Data, Module, Signal, Stream};
 
-/// Streams through blocks: each method makes an instance with that name, which carries the fields of a record side by
-/// side. One module serves all records of the same number of bits. So inside it, waves and Verilog show one `payload`.
-/// See [the crate](crate) for an example.
+/// Methods that pass streams through blocks. Each makes an instance with the given name, which carries the fields of a
+/// record side by side. One module serves all records of the same number of bits. So inside it, waves and Verilog show
+/// one `payload`. See [the crate](crate) for an example.
 ///
 /// ```
 /// # use tilewright_hdl::*;
@@ -74,7 +74,7 @@ pub trait StreamBlocks {
     /// let number = m.lifo("u_stack", 4, numbers).take_when(count.eq(3));
     /// def!(out = mux(number.taken, *number, 15));
     /// # });
-    /// assert_eq!(example.values("out"), [15, 15, 15, 0, 2, 1]); // 0 is shown from the first on, and what is shown stays
+    /// assert_eq!(example.values("out"), [15, 15, 15, 0, 2, 1]); // 0 is shown first, and stays until it is taken
     /// ```
     #[track_caller]
     fn lifo<P: Data>(self, name: &str, depth: u32, stream: Stream<P>) -> Stream<P>;
@@ -125,14 +125,14 @@ pub trait StreamBlocks {
     /// let (words, _) = m.offer(lit(1, 1), lit(8, 7));
     /// let [left, right] = m.fork("u_fork", words);
     /// let (left, right) = (left.take_when(1), right.take_when(1));
-    /// m.assert(left.taken & right.taken & left.eq(*right), "as many as the pattern has");
+    /// m.assert(left.taken & right.taken & left.eq(*right), "both get the word");
     /// # });
     /// ```
     #[track_caller]
     fn fork<P: Data, const N: usize>(self, name: &str, stream: Stream<P>) -> [Stream<P>; N];
 
-    /// The stream to one of `N` receivers for each word: `to` computes its number from the word. It is a gate, not an
-    /// instance; [`Split`](crate::Split) is the same as a block.
+    /// The stream to one of `N` receivers for each word: `to` computes the receiver's number from the word. This is
+    /// logic in the module, not an instance; [`Split`](crate::Split) is the same as a block.
     ///
     /// ```text
     ///              .===> 0
@@ -178,8 +178,8 @@ pub trait StreamBlocks {
     #[track_caller]
     fn arbiter<P: Data>(self, name: &str, turns: Turns, streams: impl IntoIterator<Item = Stream<P>>) -> Stream<P>;
 
-    /// Joins a word of each stream by the function `both`. It is a gate, not an instance; [`Join`](crate::Join) is a
-    /// block for it.
+    /// Joins a word of each stream by the function `both`. This is logic in the module, not an instance;
+    /// [`Join`](crate::Join) is a block for it.
     ///
     /// ```text
     /// left ====>|
@@ -301,7 +301,7 @@ impl StreamBlocks for Module {
         if let Some(has_receiver) = has_receiver {
             self.assert(has_receiver, &goes_to_one_of(N as u32));
         }
-        let Ok(streams) = streams.try_into() else { unreachable!("there are as many as receivers") };
+        let Ok(streams) = streams.try_into() else { unreachable!("there is a stream for each receiver") };
         streams
     }
 

@@ -37,7 +37,7 @@ block! {
     }
     latency = "1 clock to `count`, none to `next`";
     in UpDownCounterIn {
-        /// The count starts at 0 again; wins over `up` and `down`.
+        /// Restarts the count at 0, with priority over `up` and `down`.
         restart: bit(),
         /// Counts up by one, unless `down` is high, too.
         up: bit(),

@@ -40,9 +40,9 @@ block! {
         right: below(self.count),
         /// The register to write.
         to: below(self.count),
-        /// Which lanes of the register are written, the lowest bit for lane 0.
+        /// The lanes of the register that are written: a bit for each, the lowest for lane 0.
         mask: bits(self.lanes),
-        /// The values that the lanes take, lane 0 in the lowest bits.
+        /// The values to write, lane 0 in the lowest bits.
         value: bits(self.lanes * self.width),
     }
     out(self) VectorRegistersOut {
@@ -78,7 +78,7 @@ impl VectorRegisters {
     fn build(&self, m: Module, i: VectorRegistersIn) -> VectorRegistersOut {
         if !self.count.is_power_of_two() {
             for number in [i.left, i.right, i.to] {
-                m.assume(number.lt(self.count), "a number is that of a register");
+                m.assume(number.lt(self.count), "the number of a register is in range");
             }
         }
         let lanes = row(self.lanes);

@@ -2,7 +2,7 @@
 
 use tilewright_hdl::{Module, Signal, bit, bits, block, grid};
 
-/// For each lane of a grid the sum of the three by three lanes around it, with zeros beyond the edges. The sum is 4
+/// For each lane of a grid, the sum of the three by three lanes around it, with zeros beyond the edges. The sum is 4
 /// bits wider than a lane, so it never overflows.
 ///
 /// A cellular automaton is such a sum and a rule. This one is Conway's: a cell survives with two or three neighbours,
@@ -32,7 +32,7 @@ pub fn window_sums(cells: Signal) -> Signal {
 }
 
 block! {
-    /// A box filter: for each cell of a grid the sum of the three by three around it.
+    /// A box filter: computes, for each cell of a grid, the sum of the three by three cells around it.
     ///
     /// ```text
     ///                above    .---.         left     .---.
@@ -47,7 +47,7 @@ block! {
     /// # use tilewright_blocks::*;
     /// # use tilewright_sim::Simulation;
     /// let mut sim = Simulation::of(&BoxFilter::new(2, 3, 4))?;
-    /// sim.drive(BoxFilterIn { enable: 1, cells: 0x321_f01 }); // of each row the rightmost cell first
+    /// sim.drive(BoxFilterIn { enable: 1, cells: 0x321_f01 }); // in each row, the rightmost cell first
     /// sim.step();
     /// assert_eq!(sim.read_u64(), BoxFilterOut { sums: 0x14_16_04_14_16_04 });
     /// # Ok::<(), tilewright_sim::Error>(())
@@ -64,7 +64,7 @@ block! {
         cells: bits(self.width).of(grid(self.rows, self.columns)),
     }
     out(self) BoxFilterOut {
-        /// For each cell the sum of its window.
+        /// The sum of the window of each cell.
         sums: bits(self.width + 4).of(grid(self.rows, self.columns)),
     }
 }

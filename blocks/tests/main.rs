@@ -1,4 +1,4 @@
-//! The blocks against their documentation.
+//! The blocks, compared with their documentation.
 
 mod catalog;
 mod formal;

@@ -12,7 +12,7 @@ type Build = fn(Module, TwoIn) -> Stream;
 
 /// A block of two streams, described by a function.
 #[derive(Clone, PartialEq, Eq, Hash)]
-#[allow(unpredictable_function_pointer_comparisons, reason = "a block that is built twice for one function is no harm")]
+#[allow(unpredictable_function_pointer_comparisons, reason = "building a block twice for one function does no harm")]
 struct Case(Build);
 
 impl std::fmt::Debug for Case {
@@ -35,7 +35,7 @@ impl Block for Case {
     }
 }
 
-/// The first problem, its place replaced by the line it points to.
+/// Compares the first problem with a message, and the line at its place with `at`.
 #[track_caller]
 fn expect(build: Build, message: &str, at: &str) {
     let text = elaborate(&Case(build)).expect_err("the description is wrong").to_string();
@@ -72,7 +72,7 @@ fn a_branch_of_a_fork_that_nobody_takes() {
 }
 
 #[test]
-fn words_that_have_not_so_many_parts() {
+fn words_that_do_not_divide_into_parts() {
     expect(
         |m, i| {
             i.wide.take_when(1);

@@ -91,7 +91,7 @@ fn no_linter_complains_of_any_block() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A number for an input: a code of its enum, a one-hot code, the number of a receiver, or, if it may be an address, one that the memory has.
+/// A valid number for an input: a code of its enum, a one-hot code, a receiver's number, or an address of the memory.
 fn allowed(module: &ir::Module, input: &Input, number: u64) -> u64 {
     let node = module.node(input.node);
     let number = number & (u64::MAX >> (64 - (node.width * node.shape.lanes()).min(56)));
@@ -138,7 +138,7 @@ fn icarus_repeats_every_block() {
     }
 }
 
-/// Passes digits on and counts them, up to 9.
+/// Passes digits on, and counts them up to 9.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Taken {
     is_assumed: bool,
@@ -162,7 +162,7 @@ impl Block for Taken {
 
         let taken = m.reg("taken", 4).reset(0);
         taken.when(i.into.valid & i.into.ready & taken.ne(9), taken + 1);
-        m.assert(taken.le(9), "it stays at 9");
+        m.assert(taken.le(9), "the count stays at 9");
         StreamOut { out: i.into }
     }
 }

@@ -43,11 +43,11 @@ fn a_block_is_told_in_full() {
     let text = folder.stdout("list dual_clock_fifo");
     for line in [
         "dual-clock-fifo: a queue from one clock to another",
-        "Latency    3 clocks of the reader, 4 where its edge meets the writer's",
+        "Latency    3 clocks of the reader, or 4 if the edges of both clocks coincide",
         "Clock      read_clk, 14 ns, reset by read_rst",
         "  into_payload  8",
         "  out_valid    1  The output words.",
-        "  --set depth=4  2 to 4096: words that it holds, a power of two",
+        "  --set depth=4  2 to 4096: capacity in words, a power of two",
         "  tilewright wave dual-clock-fifo",
     ] {
         assert!(text.lines().any(|it| it == line), "no `{line}` in {text}");

@@ -7,7 +7,7 @@ use crate::{
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
 
-const LINES: Parameter = Parameter { name: "lines", default: 5, min: 2, max: 64, meaning: "how many lines there are" };
+const LINES: Parameter = Parameter { name: "lines", default: 5, min: 2, max: 64, meaning: "number of lines" };
 
 pub(super) const DECODER: Entry = Entry {
     name: "decoder",
@@ -44,7 +44,7 @@ pub(super) const SEVEN_SEGMENT: Entry = Entry {
 pub(super) const FROM_DECIMAL: Entry = Entry {
     name: "from-decimal",
     summary: "converts decimal digits to a number",
-    parameters: &[Parameter { name: "digits", default: 3, min: 1, max: 16, meaning: "how many digits it has" }],
+    parameters: &[Parameter { name: "digits", default: 3, min: 1, max: 16, meaning: "number of digits" }],
     design: |values| Ok(elaborate(&from_decimal(values))?),
     scenario: |values| Ok(some_numbers(&from_decimal(values), values.get_u32("digits"))),
 };

@@ -5,7 +5,7 @@ use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
 
 const NUMBERS: &[Parameter] = &[
-    Parameter { name: "words", default: 5, min: 2, max: 64, meaning: "how many numbers there are" },
+    Parameter { name: "words", default: 5, min: 2, max: 64, meaning: "how many numbers are compared" },
     Parameter { name: "width", default: 4, min: 4, max: 64, meaning: "bits of a number" },
 ];
 
@@ -37,7 +37,7 @@ pub(super) const BOX_FILTER: Entry = Entry {
     scenario: |values| Ok(corners_and_all(&box_filter(values), values)),
 };
 
-/// Numbers of up to 15 packed into a word, the first lowest; as many as fit into 64 bits, the others 0.
+/// Packs numbers of up to 15 into a word, the first one lowest. Numbers that do not fit into 64 bits are 0.
 fn list(values: &Values) -> impl Fn(&[u64]) -> u64 {
     let (words, width) = (values.get_u32("words"), values.get_u32("width"));
     move |numbers| {
@@ -45,7 +45,7 @@ fn list(values: &Values) -> impl Fn(&[u64]) -> u64 {
     }
 }
 
-/// Lists in which the least is the first, the last, and both.
+/// Lists whose least number is the first, the last, and both.
 const LISTS: [&[u64]; 3] = [&[3, 5, 9, 7, 15], &[9, 8, 7, 6, 5], &[4, 15, 6, 8, 4]];
 
 fn minimum(values: &Values) -> Minimum {
@@ -57,7 +57,7 @@ fn some_lists(minimum: &Minimum, list: impl Fn(&[u64]) -> u64) -> Scenario {
     for numbers in LISTS {
         script.clock(&MinimumIn { words: list(numbers) });
     }
-    script.finish("three lists, in which the least number is the first, the last, and both of them")
+    script.finish("three lists, whose least number is the first, the last, and both of them")
 }
 
 fn pipelined_minimum(values: &Values) -> PipelinedMinimum {

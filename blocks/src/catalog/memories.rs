@@ -4,7 +4,7 @@ use crate::{DualClockRam, DualClockRamIn, Ram, RamIn, VectorRegisters, VectorReg
 use tilewright_hdl::catalog::{Entry, Parameter, Values};
 use tilewright_hdl::{Clock, DEFAULT_PERIOD, Period, Scenario, Script, elaborate};
 
-const DEPTH: Parameter = Parameter { name: "depth", default: 5, min: 4, max: 1 << 16, meaning: "words of it" };
+const DEPTH: Parameter = Parameter { name: "depth", default: 5, min: 4, max: 1 << 16, meaning: "words of the memory" };
 const BYTES: Parameter = Parameter { name: "bytes", default: 2, min: 1, max: 8, meaning: "bytes of a word" };
 
 pub(super) const RAM: Entry = Entry {
@@ -27,15 +27,15 @@ pub(super) const VECTOR_REGISTERS: Entry = Entry {
     name: "vector-registers",
     summary: "registers of several lanes, written under a mask",
     parameters: &[
-        Parameter { name: "count", default: 6, min: 4, max: 256, meaning: "registers" },
-        Parameter { name: "lanes", default: 3, min: 1, max: 4, meaning: "lanes of each" },
+        Parameter { name: "count", default: 6, min: 4, max: 256, meaning: "number of registers" },
+        Parameter { name: "lanes", default: 3, min: 1, max: 4, meaning: "lanes of a register" },
         Parameter { name: "width", default: 4, min: 1, max: 16, meaning: "bits of a lane" },
     ],
     design: |values| Ok(elaborate(&vector_registers(values))?),
     scenario: |values| Ok(a_lane_under_a_mask(&vector_registers(values), all(values.get("lanes")))),
 };
 
-/// Every byte, or lane.
+/// A mask of all bytes, or of all lanes.
 fn all(count: u64) -> u64 {
     (1 << count) - 1
 }
@@ -54,7 +54,7 @@ fn words_and_a_byte(ram: &Ram, all: u64) -> Scenario {
         script.clock(&RamIn { address, write: 0, data: 0 });
     }
     script.wait(1);
-    script.finish("three words are written, a byte of the second once more, and all are read")
+    script.finish("three words are written, a byte of the second is written again, and all are read")
 }
 
 fn dual_clock_ram(values: &Values) -> DualClockRam {
@@ -71,7 +71,7 @@ fn written_and_read(ram: &DualClockRam, all: u64) -> Scenario {
     for from in 0..3 {
         script.hold(&DualClockRamIn { to: 0, write: 0, data: 0, from }, 2);
     }
-    script.finish("three words are written on a clock of 10 ns, a byte of one once more, and read on one of 14 ns")
+    script.finish("three words are written on a clock of 10 ns, a byte of one is written again, and all are read on a clock of 14 ns")
 }
 
 fn vector_registers(values: &Values) -> VectorRegisters {
@@ -85,5 +85,5 @@ fn a_lane_under_a_mask(registers: &VectorRegisters, all: u64) -> Scenario {
     script.clock(&VectorRegistersIn { to: 2, mask: all, value: 0, ..read });
     script.clock(&VectorRegistersIn { to: 2, mask: 1, value: all, ..read });
     script.hold(&read, 2);
-    script.finish("a register is written, another one cleared, and lane 0 of that written alone")
+    script.finish("one register is written and another cleared; then lane 0 of the second is written alone")
 }

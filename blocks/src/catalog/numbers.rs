@@ -11,8 +11,8 @@ pub(super) const MULTIPLIER: Entry = Entry {
     name: "multiplier",
     summary: "multiplies two numbers in several stages",
     parameters: &[
-        Parameter { name: "digits", default: 4, min: 4, max: 16, meaning: "bits of a factor that a stage takes" },
-        Parameter { name: "stages", default: 2, min: 1, max: 16, meaning: "clocks that it takes" },
+        Parameter { name: "digits", default: 4, min: 4, max: 16, meaning: "bits of a factor in each stage" },
+        Parameter { name: "stages", default: 2, min: 1, max: 16, meaning: "stages, and clocks of latency" },
     ],
     design: |values| Ok(elaborate(&multiplier(values))?),
     scenario: |values| Ok(some_products(&multiplier(values))),
@@ -22,7 +22,7 @@ pub(super) const MULTIPLY_ACCUMULATE: Entry = Entry {
     name: "multiply-accumulate",
     summary: "adds products to several sums",
     parameters: &[
-        Parameter { name: "sums", default: 3, min: 2, max: 4096, meaning: "how many sums there are" },
+        Parameter { name: "sums", default: 3, min: 2, max: 4096, meaning: "number of sums" },
         Parameter { name: "factor", default: 4, min: 4, max: 32, meaning: "bits of a factor" },
     ],
     design: |values| Ok(elaborate(&multiply_accumulate(values))?),
@@ -157,7 +157,7 @@ fn square_root(values: &Values) -> SquareRoot {
     SquareRoot::new(values.get_u32("width"))
 }
 
-/// These words one after another, and then nothing until all have passed.
+/// Sends these words one after another, and then nothing until all have passed.
 fn each<B: tilewright_hdl::Block<In = StreamIn>>(script: &mut Script<B>, words: [u64; 4], clocks: u64) {
     for word in words {
         script.clock(&StreamIn { into: Stream::of(1, word) });

@@ -10,7 +10,13 @@ use tilewright_hdl::{DEFAULT_PERIOD, Scenario, Script, elaborate};
 pub(super) const COUNTER: Entry = Entry {
     name: "counter",
     summary: "counts to a limit and starts again",
-    parameters: &[Parameter { name: "limit", default: 5, min: 1, max: 1 << 32, meaning: "how many numbers there are" }],
+    parameters: &[Parameter {
+        name: "limit",
+        default: 5,
+        min: 1,
+        max: 1 << 32,
+        meaning: "number of values, from 0 on",
+    }],
     design: |values| Ok(elaborate(&counter(values))?),
     scenario: |values| Ok(count_and_restart(&counter(values))),
 };
@@ -18,7 +24,13 @@ pub(super) const COUNTER: Entry = Entry {
 pub(super) const UP_DOWN_COUNTER: Entry = Entry {
     name: "up-down-counter",
     summary: "counts up and down, and wraps at both ends",
-    parameters: &[Parameter { name: "limit", default: 5, min: 2, max: 1 << 32, meaning: "how many numbers there are" }],
+    parameters: &[Parameter {
+        name: "limit",
+        default: 5,
+        min: 2,
+        max: 1 << 32,
+        meaning: "number of values, from 0 on",
+    }],
     design: |values| Ok(elaborate(&up_down_counter(values))?),
     scenario: |values| Ok(around_both_ends(&up_down_counter(values))),
 };
@@ -26,7 +38,7 @@ pub(super) const UP_DOWN_COUNTER: Entry = Entry {
 pub(super) const SHIFT_REGISTER: Entry = Entry {
     name: "shift-register",
     summary: "shifts a word out, or in",
-    parameters: &[Parameter { name: "width", default: 4, min: 2, max: 1024, meaning: "bits of it" }],
+    parameters: &[Parameter { name: "width", default: 4, min: 2, max: 1024, meaning: "bits of the register" }],
     design: |values| Ok(elaborate(&shift_register(values))?),
     scenario: |values| Ok(a_word_out_and_one_in(&shift_register(values), values.get("width"))),
 };
@@ -50,7 +62,7 @@ pub(super) const QUADRATURE: Entry = Entry {
 pub(super) const POWER_ON_RESET: Entry = Entry {
     name: "power-on-reset",
     summary: "asserts the reset of everything else for some clocks",
-    parameters: &[Parameter { name: "clocks", default: 3, min: 1, max: 1 << 32, meaning: "how long it does" }],
+    parameters: &[Parameter { name: "clocks", default: 3, min: 1, max: 1 << 32, meaning: "clocks that a reset lasts" }],
     design: |values| Ok(elaborate(&power_on_reset(values))?),
     scenario: |values| Ok(two_resets(&power_on_reset(values))),
 };
@@ -58,7 +70,7 @@ pub(super) const POWER_ON_RESET: Entry = Entry {
 pub(super) const TICKS: Entry = Entry {
     name: "ticks",
     summary: "is high for one clock of each period",
-    parameters: &[Parameter { name: "every", default: 3, min: 2, max: 1 << 32, meaning: "of how many clocks" }],
+    parameters: &[Parameter { name: "every", default: 3, min: 2, max: 1 << 32, meaning: "clocks of a period" }],
     design: |values| Ok(elaborate(&ticks(values))?),
     scenario: |values| Ok(ticks_and_a_restart(&ticks(values))),
 };
@@ -73,7 +85,7 @@ fn count_and_restart(counter: &Counter) -> Scenario {
     script.hold(&CounterIn { restart: 0, enable: 0 }, 2);
     script.clock(&CounterIn { restart: 1, enable: 1 });
     script.hold(&CounterIn { restart: 0, enable: 1 }, 3);
-    script.finish("it counts, waits, is restarted, and counts on")
+    script.finish("the counter counts, waits, is restarted, and counts on")
 }
 
 fn up_down_counter(values: &Values) -> UpDownCounter {
@@ -128,7 +140,7 @@ fn there_and_back(quadrature: &Quadrature) -> Scenario {
         script.clock(&QuadratureIn { a, b });
     }
     script.wait(2);
-    script.finish("three steps up, and five down, beyond 0")
+    script.finish("three steps up, and five down to below 0")
 }
 
 fn power_on_reset(values: &Values) -> PowerOnReset {
@@ -152,5 +164,5 @@ fn ticks_and_a_restart(ticks: &Ticks) -> Scenario {
     script.hold(&TicksIn { restart: 0 }, 5);
     script.clock(&TicksIn { restart: 1 });
     script.hold(&TicksIn { restart: 0 }, 6);
-    script.finish("ticks, and others after a restart")
+    script.finish("ticks, a restart, and the ticks after it")
 }

@@ -1,7 +1,7 @@
 //! The entries of blocks of streams.
 //!
-//! A scenario ignores the block's outputs. So it keeps a waiting word on its inputs for as many clocks as the block
-//! needs.
+//! A scenario does not react to the block's outputs. So it keeps each word on the inputs for as many clocks as the
+//! block needs.
 
 use crate::{
     Addressed, Arbiter, ArbiterIn, DualClockFifo, Fifo, Fork, Join, JoinIn, Lifo, Narrow, RegisterSlice, Slice, Split,
@@ -10,7 +10,7 @@ use crate::{
 use tilewright_hdl::catalog::{CatalogError, Entry, Parameter, Values};
 use tilewright_hdl::{Block, Clock, DEFAULT_PERIOD, Period, Scenario, Script, Stream, elaborate};
 
-const DEPTH: Parameter = Parameter { name: "depth", default: 3, min: 1, max: 4096, meaning: "words that it holds" };
+const DEPTH: Parameter = Parameter { name: "depth", default: 3, min: 1, max: 4096, meaning: "capacity in words" };
 const WIDTH: Parameter = Parameter { name: "width", default: 8, min: 4, max: 1024, meaning: "bits of a word" };
 
 pub(super) const FIFO: Entry = Entry {
@@ -33,7 +33,7 @@ pub(super) const DUAL_CLOCK_FIFO: Entry = Entry {
     name: "dual-clock-fifo",
     summary: "a queue from one clock to another",
     parameters: &[
-        Parameter { name: "depth", default: 4, min: 2, max: 4096, meaning: "words that it holds, a power of two" },
+        Parameter { name: "depth", default: 4, min: 2, max: 4096, meaning: "capacity in words, a power of two" },
         WIDTH,
     ],
     design: |values| Ok(elaborate(&dual_clock_fifo(values)?)?),
@@ -44,7 +44,7 @@ pub(super) const LIFO: Entry = Entry {
     name: "lifo",
     summary: "a stack",
     parameters: &[
-        Parameter { name: "depth", default: 3, min: 1, max: 4096, meaning: "words that it holds beside the one shown" },
+        Parameter { name: "depth", default: 3, min: 1, max: 4096, meaning: "capacity in words, besides the one shown" },
         WIDTH,
     ],
     design: |values| Ok(elaborate(&lifo(values))?),
@@ -78,10 +78,7 @@ pub(super) const SKID_BUFFER: Entry = Entry {
 pub(super) const FORK: Entry = Entry {
     name: "fork",
     summary: "gives each word to several receivers",
-    parameters: &[
-        Parameter { name: "receivers", default: 2, min: 2, max: 64, meaning: "how many get each word" },
-        WIDTH,
-    ],
+    parameters: &[Parameter { name: "receivers", default: 2, min: 2, max: 64, meaning: "number of receivers" }, WIDTH],
     design: |values| Ok(elaborate(&fork(values))?),
     scenario: |values| Ok(one_after_another(&fork(values), values.get("receivers"))),
 };
@@ -100,15 +97,12 @@ pub(super) const JOIN: Entry = Entry {
 pub(super) const SPLIT: Entry = Entry {
     name: "split",
     summary: "sends each word to the receiver whose number comes with it",
-    parameters: &[
-        Parameter { name: "receivers", default: 3, min: 2, max: 64, meaning: "how many there are to send to" },
-        WIDTH,
-    ],
+    parameters: &[Parameter { name: "receivers", default: 3, min: 2, max: 64, meaning: "number of receivers" }, WIDTH],
     design: |values| Ok(elaborate(&split(values))?),
     scenario: |values| Ok(to_each_in_turn(&split(values), values.get("receivers"))),
 };
 
-const SENDERS: Parameter = Parameter { name: "senders", default: 3, min: 2, max: 64, meaning: "how many send" };
+const SENDERS: Parameter = Parameter { name: "senders", default: 3, min: 2, max: 64, meaning: "number of senders" };
 
 pub(super) const ROUND_ROBIN_ARBITER: Entry = Entry {
     name: "round-robin-arbiter",
@@ -145,7 +139,7 @@ pub(super) const WIDEN: Entry = Entry {
     scenario: |values| Ok(parts_of_two_words(&widen(values), values.get("parts"))),
 };
 
-/// A word at the sender, or none.
+/// The inputs with a word of the sender, or with none.
 fn word(word: Option<u64>) -> StreamIn<u64> {
     StreamIn { into: Stream::of(word.is_some().into(), word.unwrap_or(0)) }
 }
@@ -158,16 +152,18 @@ fn lifo(values: &Values) -> Lifo {
     Lifo::new(values.get_u32("depth"), values.get_u32("width"))
 }
 
-fn fill_and_empty<B: Block<In = StreamIn>>(block: &B, holds: u64) -> Scenario {
+fn fill_and_empty<B: Block<In = StreamIn>>(block: &B, capacity: u64) -> Scenario {
     let mut script = Script::new(block, DEFAULT_PERIOD);
-    for number in 1..=holds {
+    for number in 1..=capacity {
         script.clock(&word(Some(number % 16)));
     }
-    script.clock(&word(Some((holds + 1) % 16)));
+    script.clock(&word(Some((capacity + 1) % 16)));
     script.ready("out", true);
-    script.hold(&word(Some((holds + 1) % 16)), 2);
-    script.hold(&word(None), holds + 3);
-    script.finish("it is filled, and one more word waits until the receiver takes the first; then it is emptied")
+    script.hold(&word(Some((capacity + 1) % 16)), 2);
+    script.hold(&word(None), capacity + 3);
+    script.finish(
+        "the block is filled, and one more word waits until the receiver takes the first; then the block is emptied",
+    )
 }
 
 fn dual_clock_fifo(values: &Values) -> Result<DualClockFifo, CatalogError> {
@@ -212,7 +208,7 @@ fn a_stall(slice: &RegisterSlice) -> Scenario {
     script.hold(&word(Some(4)), 1 + u64::from(has_room));
     script.clock(&word(Some(5)));
     script.hold(&word(None), 3);
-    script.finish("words pass; the receiver pauses, a word waits, and all continue in sequence")
+    script.finish("words pass; the receiver pauses, a word waits, and then all words continue in sequence")
 }
 
 fn fork(values: &Values) -> Fork {
@@ -229,9 +225,7 @@ fn one_after_another(fork: &Fork, receivers: u64) -> Scenario {
         script.clock(&word(Some(2)));
     }
     script.hold(&word(None), 2);
-    script.finish(
-        "all receivers take a word at once; of the next each takes its own when it is ready, and the last ends it",
-    )
+    script.finish("all receivers take a word at once; the next word is taken by one receiver after another")
 }
 
 fn join(values: &Values) -> Join {
@@ -287,9 +281,7 @@ fn all_at_once(arbiter: &Arbiter, senders: u64) -> Scenario {
     script.ready("out", true);
     script.hold(&send(1), 2);
     script.hold(&send(0), 2);
-    script.finish(
-        "every sender has words all the time, and says its number; the receiver takes them, pauses, and goes on",
-    )
+    script.finish("every sender always has a word, its own number; the receiver takes words, pauses, and goes on")
 }
 
 fn narrow(values: &Values) -> Narrow {
@@ -305,7 +297,7 @@ fn two_words_in_parts(narrow: &Narrow, parts: u64) -> Scenario {
     script.ready("out", true);
     script.hold(&word(Some(9)), parts);
     script.hold(&word(None), 2);
-    script.finish("a word goes out in parts, the least significant first; the next waits for the receiver")
+    script.finish("a word is sent in parts, the least significant first; the next word waits for the receiver")
 }
 
 fn widen(values: &Values) -> Widen {

@@ -51,7 +51,7 @@ fn codes_of_every_word() {
     }
 }
 
-/// Each number that exists, and each that does not.
+/// Tests every number of a line, and every number without one.
 #[test]
 fn a_decoder() {
     let mut sim = Simulation::of(&Decoder::new(5)).unwrap();

@@ -94,7 +94,7 @@ fn short_sequences_have_all_numbers() {
             let parity = Lfsr::new(width).taps().iter().fold(0, |parity, tap| parity ^ pair[0] >> (tap - 1) & 1);
             assert_eq!(pair[1], (pair[0] << 1 | parity) & period, "{width} bits");
         }
-        assert_eq!((numbers.pop(), numbers[0]), (Some(1), 1), "it begins again after {period}");
+        assert_eq!((numbers.pop(), numbers[0]), (Some(1), 1), "the sequence begins again after {period}");
         numbers.sort_unstable();
         assert_eq!(numbers, (1..=period).collect::<Vec<_>>(), "{width} bits");
         sim.set(sim.i.enable, 0);

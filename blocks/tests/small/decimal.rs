@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use tilewright_blocks::*;
 use tilewright_sim::Simulation;
 
-/// For each segment, the uppermost first, the digits that have it.
+/// The digits that light each segment, the uppermost segment first.
 const LIT_IN: [&str; 7] =
     ["02356789acef", "01234789ad", "013456789abd", "0235689bcde", "0268abcdef", "045689abcef", "2345689abdef"];
 
@@ -21,7 +21,7 @@ fn a_digit_is_shown_a_clock_later() {
 }
 
 #[test]
-fn a_number_is_held_without_enable() {
+fn a_number_stays_without_enable() {
     let mut sim = Simulation::of(&FromDecimal::new(3)).unwrap();
     let row = |enable, digits| FromDecimalIn { enable, digits };
     let seen = sim.stream([row(1, 0x123), row(1, 0x999), row(0, 0x456), row(1, 0), row(0, 0)]);

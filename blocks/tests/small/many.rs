@@ -45,7 +45,7 @@ fn a_reset_of_all_stages() {
     }
 }
 
-/// Beyond the corners and edges there are zeros, and without `enable` the sums stay.
+/// Beyond the edges there are zeros, and without `enable` the sums stay.
 #[test]
 fn a_filter_of_three_by_three() {
     let mut sim = Simulation::of(&BoxFilter::new(3, 3, 4)).unwrap();

@@ -5,7 +5,7 @@ use tilewright_blocks::*;
 use tilewright_hdl::{Clock, Period};
 use tilewright_sim::Simulation;
 
-/// `word` with those parts of `width` bits that the mask names from `data`.
+/// `word`, in which the parts of `width` bits that the mask selects are replaced by those of `data`.
 fn written(word: u64, mask: u64, data: u64, width: u32) -> u64 {
     (0..64 / width).filter(|part| mask >> part & 1 == 1).fold(word, |word, part| {
         let part = (u64::MAX >> (64 - width)) << (part * width);
@@ -97,7 +97,7 @@ proptest! {
 }
 
 #[test]
-#[should_panic(expected = "an address is that of a word")]
+#[should_panic(expected = "an address is in range")]
 fn an_address_that_there_is_not() {
     let mut sim = Simulation::of(&Ram::new(5, 1)).unwrap();
     sim.set(sim.i.address, 5);
@@ -105,7 +105,7 @@ fn an_address_that_there_is_not() {
 }
 
 #[test]
-#[should_panic(expected = "an address is that of a word")]
+#[should_panic(expected = "an address is in range")]
 fn a_place_to_write_that_there_is_not() {
     let [writes, reads] = clocks();
     let mut sim = Simulation::of(&DualClockRam::new(5, 1, writes, reads)).unwrap();
@@ -114,7 +114,7 @@ fn a_place_to_write_that_there_is_not() {
 }
 
 #[test]
-#[should_panic(expected = "an address is that of a word")]
+#[should_panic(expected = "an address is in range")]
 fn a_place_to_read_that_there_is_not() {
     let [writes, reads] = clocks();
     let mut sim = Simulation::of(&DualClockRam::new(5, 1, writes, reads)).unwrap();
@@ -123,7 +123,7 @@ fn a_place_to_read_that_there_is_not() {
 }
 
 #[test]
-#[should_panic(expected = "a number is that of a register")]
+#[should_panic(expected = "the number of a register is in range")]
 fn a_register_that_there_is_not() {
     let mut sim = Simulation::of(&VectorRegisters::new(3, 1, 1)).unwrap();
     sim.set(sim.i.right, 3);
@@ -144,7 +144,7 @@ fn a_memory_of_nothing() {
 }
 
 #[test]
-#[should_panic(expected = "a dual-clock memory on clock `read` alone: take `Ram`")]
+#[should_panic(expected = "a dual-clock memory on clock `read` alone: use `Ram`")]
 fn a_dual_clock_memory_of_one_clock() {
     let [_, reads] = clocks();
     DualClockRam::new(4, 1, reads, reads);

@@ -1,4 +1,4 @@
-//! The blocks without streams, each against its documentation.
+//! The blocks without streams, each compared with its documentation.
 
 mod codes;
 mod counters;

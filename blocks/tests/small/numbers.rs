@@ -1,4 +1,4 @@
-//! Pipelines with an enable, a check of messages, and the position of a knob.
+//! Pipelines with an enable, a CRC, and the position of a knob.
 
 use proptest::prelude::*;
 use std::collections::VecDeque;
@@ -22,7 +22,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn products_come_out_so_many_clocks_with_enable_later(
+    fn products_come_out_one_clock_with_enable_per_stage_later(
         (digits, stages) in (1u32..5, 1u32..6),
         steps in prop::collection::vec((prop::bool::weighted(0.8), any::<u64>(), any::<u64>()), 1..60),
         seed in any::<u64>(),
@@ -133,7 +133,7 @@ proptest! {
         let mut sim = Simulation::of(&Quadrature::new(width)).unwrap().seeded(seed);
         sim.reset();
         let (mut angle, mut position, mut before) = (start, 0i64, 0);
-        // It rests anywhere, and does not move in the first clock.
+        // The knob starts at any angle, and does not move in the first clock.
         for quarter in [0].into_iter().chain(moves) {
             angle += quarter;
             let [a, b] = [[0, 0], [1, 0], [1, 1], [0, 1]][angle.rem_euclid(4) as usize];
@@ -151,7 +151,7 @@ proptest! {
         }
     }
 
-    /// A message followed by its check leaves the same remainder for every message; so does long division.
+    /// Compares with long division, bit by bit.
     #[test]
     fn a_check_is_the_remainder(
         width in 2u32..65, polynomial in any::<u64>(), start in any::<u64>(), least_first: bool,
@@ -189,7 +189,7 @@ fn a_rotator() {
     assert_eq!(rotated, [0b10110, 0b01101, 0b01101, 0b01011]);
 }
 
-/// A product to a sum that was last changed one, two and three clocks before.
+/// Products are added to a sum that was last changed one, two and three clocks before.
 #[test]
 fn products_in_two_stages() {
     let mut sim = Simulation::of(&MultiplyAccumulate::new(2, 3, 8)).unwrap().seeded(7);
@@ -225,7 +225,7 @@ fn a_reset_of_both_stages() {
 }
 
 #[test]
-#[should_panic(expected = "a number is that of a sum")]
+#[should_panic(expected = "the number of a sum is in range")]
 fn a_sum_that_there_is_not() {
     let mut sim = Simulation::of(&MultiplyAccumulate::new(3, 2, 4)).unwrap();
     sim.set(sim.i.to, 3);
@@ -234,7 +234,7 @@ fn a_sum_that_there_is_not() {
 
 #[test]
 #[should_panic(
-    expected = "4 sums of 7 bits of factors of 4 bits: there are 2 sums or more, of 2 bits or more for each of a factor"
+    expected = "4 sums of 7 bits of factors of 4 bits: there are 2 sums or more, each at least twice as wide as a factor"
 )]
 fn sums_without_room_for_a_product() {
     MultiplyAccumulate::new(4, 4, 7);
@@ -268,7 +268,7 @@ fn checks_that_are_known() {
 }
 
 #[test]
-#[should_panic(expected = "what enters says which way")]
+#[should_panic(expected = "a word that enters has a valid direction")]
 fn a_kind_of_shift_that_there_is_not() {
     let mut sim = Simulation::of(&Shifter::new(4)).unwrap();
     sim.drive(ShifterIn { enable: 1, word: 0, places: 0, kind: 3 });
@@ -283,7 +283,7 @@ fn a_kind_of_shift_does_not_matter_where_nothing_enters() {
 }
 
 #[test]
-#[should_panic(expected = "8 bits in 3 stages of a multiplier: each has as many bits, 1 or more")]
+#[should_panic(expected = "a multiplier of 8 bits in 3 stages: each stage needs the same number of bits, 1 or more")]
 fn digits_that_cannot_be_shared_out() {
     Multiplier::new(8, 3);
 }

@@ -8,7 +8,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn a_reset_is_held_so_many_clocks(clocks in 1..9u64, asked in prop::collection::vec(prop::bool::weighted(0.1), 1..60), seed in any::<u64>()) {
+    fn a_reset_lasts_its_number_of_clocks(clocks in 1..9u64, asked in prop::collection::vec(prop::bool::weighted(0.1), 1..60), seed in any::<u64>()) {
         let mut sim = Simulation::of(&PowerOnReset::new(clocks)).unwrap().seeded(seed);
         let mut left = clocks;
         for again in asked {
@@ -20,7 +20,7 @@ proptest! {
     }
 
     #[test]
-    fn ticks_come_in_one_of_so_many_clocks(every in 2..9u64, restarts in prop::collection::vec(prop::bool::weighted(0.1), 1..60), seed in any::<u64>()) {
+    fn ticks_come_once_in_each_period(every in 2..9u64, restarts in prop::collection::vec(prop::bool::weighted(0.1), 1..60), seed in any::<u64>()) {
         let mut sim = Simulation::of(&Ticks::new(every)).unwrap().seeded(seed);
         let mut clock = 0;
         for restart in restarts {
@@ -46,7 +46,7 @@ fn a_reset_of_nothing() {
 }
 
 #[test]
-#[should_panic(expected = "a tick in each 1 clocks is none: it is one of 2 or more")]
+#[should_panic(expected = "a tick every 1 clocks: a period has 2 or more")]
 fn a_tick_in_every_clock() {
     Ticks::new(1);
 }

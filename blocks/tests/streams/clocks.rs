@@ -4,11 +4,11 @@ use tilewright_blocks::{StreamIn, StreamOut};
 use tilewright_hdl::Block;
 use tilewright_sim::Simulation;
 
-/// A clock's inputs and outputs: the sender's word or none, and the receiver's `ready`; whether the block takes the
-/// word, and the word that it shows.
+/// The inputs and outputs of a clock: the sender's word, if any, and the receiver's `ready`; the block's `ready`, and
+/// the word that it shows, if any.
 pub type Row = (Option<u64>, u64, u64, Option<u64>);
 
-/// Plays the rows and compares.
+/// Plays the inputs of the rows, and compares the outputs.
 #[track_caller]
 pub fn play<B: Block<In = StreamIn, Out = StreamOut>>(block: &B, rows: &[Row]) {
     let mut sim = Simulation::of(block).unwrap();

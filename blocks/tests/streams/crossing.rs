@@ -56,7 +56,7 @@ fn pulse(sim: &mut Queue, port: Port, clock: Clock) {
     sim.set(port, 0);
 }
 
-/// How many edges of a clock come until a port is high.
+/// The number of edges of a clock until a port is high.
 fn edges_until(sim: &mut Queue, port: Port, clock: Clock) -> u64 {
     let start = sim.cycles(clock).unwrap();
     while sim.get_u64(port) == 0 {
@@ -73,7 +73,7 @@ fn periods(write: Clock, read: Clock) -> String {
     format!("periods of {} and {}", write.period, read.period)
 }
 
-/// Each after the one that takes it, twice around the queue.
+/// The edges count from the one that takes the word. Words go twice around the queue.
 #[test]
 fn a_word_is_shown_after_three_edges_of_the_reader() {
     for (write, read) in CLOCKS {
@@ -121,7 +121,7 @@ fn a_full_queue_takes_nothing() {
     assert_eq!(taken, 4);
 }
 
-/// Wherever both sides are, they become empty and ready together.
+/// In every state of both sides, a reset leaves the queue empty and ready.
 #[test]
 fn a_reset_empties_the_queue() {
     for ((write, read), words, taken) in CLOCKS
@@ -168,7 +168,7 @@ fn a_depth_that_gray_code_has_not() {
 }
 
 #[test]
-#[should_panic(expected = "a dual-clock FIFO on clock `a` alone: take `Fifo`")]
+#[should_panic(expected = "a dual-clock FIFO on clock `a` alone: use `Fifo`")]
 fn one_clock() {
     let clock = Clock::new("a", Period::ns(4));
     DualClockFifo::new(4, 8, clock, clock);

@@ -115,7 +115,7 @@ fn narrower_and_wider_words() {
     );
 }
 
-/// After words have gone in, and some out, by a reset.
+/// Checks that a reset empties a block after words have gone in, and some have gone out.
 fn empties<B: Block<In = StreamIn, Out = StreamOut>>(block: &B) {
     let mut sim = Simulation::of(block).unwrap();
     sim.set(sim.i.into.valid, 1);
@@ -142,7 +142,7 @@ fn a_reset_empties_slices_and_queues() {
     }
 }
 
-/// In each clock: the senders with a word, the receiver's `ready`, the sender that is served.
+/// Each row is a clock: the senders with a word, the receiver's `ready`, and the sender served.
 fn arbiter(turns: Turns, rows: &[([u64; 3], u64, Option<u64>)]) {
     let mut sim = Simulation::of(&Arbiter::new(3, 8, turns)).unwrap().seeded(7);
     sim.reset();
@@ -176,14 +176,14 @@ fn turns() {
             ([1, 1, 1], 1, Some(0)),
             ([1, 0, 0], 1, Some(0)),
             ([1, 0, 1], 0, Some(2)),
-            ([1, 1, 1], 1, Some(2)), // shown is shown
+            ([1, 1, 1], 1, Some(2)), // a shown word stays
             ([0, 0, 0], 1, None),
             ([0, 1, 1], 1, Some(1)),
         ],
     );
 }
 
-/// Wherever the round robin is, and whatever registers contain at power-on.
+/// A reset does so in every state of the round robin, and with any power-on values.
 #[test]
 fn a_reset_begins_the_turns_again() {
     for (seed, words, ready) in
@@ -214,7 +214,7 @@ fn priority() {
         &[
             ([1, 1, 1], 1, Some(0)),
             ([0, 1, 1], 0, Some(1)),
-            ([1, 1, 1], 1, Some(1)), // shown is shown
+            ([1, 1, 1], 1, Some(1)), // a shown word stays
             ([1, 0, 1], 1, Some(0)),
             ([0, 0, 1], 1, Some(2)),
             ([0, 0, 0], 1, None),
@@ -226,7 +226,7 @@ fn priority() {
 fn a_fork() {
     let mut sim = Simulation::of(&Fork::new(3, 8)).unwrap().seeded(7);
     sim.reset();
-    // The sender's word, the receivers' `ready`; the block's `ready`, what the receivers see.
+    // The sender's `valid`, the receivers' `ready`; the block's `ready`, and `valid` at the receivers.
     let rows = [
         (1, [1, 1, 1], 1, [1, 1, 1]),
         (1, [1, 0, 0], 0, [1, 1, 1]),
@@ -253,7 +253,7 @@ fn a_fork() {
 fn a_join() {
     let mut sim = Simulation::of(&Join::new(8, 4)).unwrap();
     sim.reset();
-    // The words of both sides, the receiver's `ready`; the block's two `ready`, what the receiver sees.
+    // The words of both sides, the receiver's `ready`; the block's two `ready`, and the word at the receiver.
     let rows = [
         (Some(1), None, 1, [0, 0], None),
         (Some(1), Some(5), 0, [0, 0], Some(0x15)),
@@ -280,10 +280,10 @@ fn a_join() {
 fn a_split() {
     let mut sim = Simulation::of(&Split::new(3, 8)).unwrap();
     sim.reset();
-    // The receiver's number, if there is a word, the receivers' `ready`; the block's `ready`, who sees the word.
+    // The receiver's number, if any, the receivers' `ready`; the block's `ready`, and `valid` at the receivers.
     let rows = [
         (Some(0), [1, 0, 0], 1, [1, 0, 0]),
-        (Some(1), [1, 0, 1], 0, [0, 1, 0]), // the others do not help
+        (Some(1), [1, 0, 1], 0, [0, 1, 0]), // only the receiver's `ready` counts
         (Some(1), [0, 1, 0], 1, [0, 1, 0]),
         (Some(2), [0, 0, 1], 1, [0, 0, 1]),
         (None, [1, 1, 1], 0, [0, 0, 0]),
@@ -310,7 +310,7 @@ fn a_queue_of_nothing() {
 
 #[test]
 #[should_panic(expected = "a fork to 0 receivers takes nothing")]
-fn a_fork_to_nobody() {
+fn a_fork_without_receivers() {
     Fork::new(0, 8);
 }
 
@@ -322,12 +322,12 @@ fn a_join_of_nothing() {
 
 #[test]
 #[should_panic(expected = "a split to 0 receivers takes nothing")]
-fn a_split_to_nobody() {
+fn a_split_without_receivers() {
     Split::new(0, 8);
 }
 
 #[test]
 #[should_panic(expected = "an arbiter of 0 senders sends nothing")]
-fn an_arbiter_of_nobody() {
+fn an_arbiter_without_senders() {
     Arbiter::new(0, 8, Turns::Priority);
 }

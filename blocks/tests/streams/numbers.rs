@@ -8,7 +8,7 @@ use tilewright_blocks::*;
 use tilewright_hdl::{Block, Module, Width, bits, lit, stream};
 use tilewright_sim::Simulation;
 
-/// A block of records as one of words.
+/// A block of records, wrapped as a block of words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Words {
     Divider(u32),
@@ -47,7 +47,7 @@ fn words() -> impl Strategy<Value = (u32, Vec<u64>)> {
     (2u32..9).prop_flat_map(move |width| (Just(width), words(width)))
 }
 
-/// What comes of a dividend above a divisor.
+/// The quotient above the remainder, for a dividend above a divisor.
 fn divided(word: u64, width: u32) -> u64 {
     let most = (1 << width) - 1;
     let (dividend, divisor) = (word >> width, word & most);
@@ -86,7 +86,7 @@ proptest! {
     }
 }
 
-/// Every division of small numbers, by 0 too.
+/// Tests every division of numbers of three bits, also by 0.
 #[test]
 fn all_quotients_of_three_bits() {
     let mut sim = Simulation::of(&Words::Divider(3)).unwrap();

@@ -43,8 +43,8 @@ pub const FORWARD: Cuts = Cuts { forward: true, backward: false };
 pub const BACKWARD: Cuts = Cuts { forward: false, backward: true };
 pub const BOTH: Cuts = Cuts { forward: true, backward: true };
 
-/// Sends each sender's words through the block, which has been reset, and returns what each receiver took: as many
-/// words as `counts` says, after which no more may come.
+/// Sends each sender's words through the block, which has been reset, and returns the words that each receiver took.
+/// Each receiver takes as many words as `counts` says, and no more words may come after that.
 ///
 /// # Panics
 ///
@@ -80,7 +80,7 @@ pub fn through<I: Bundle, O: Bundle>(
     t.run((senders, receivers, monitor(holds), monitor(has_no_path(&t, into, out, cuts)))).1
 }
 
-/// At every instant, checks that outputs that must not depend on an input do not change when it is inverted.
+/// Checks at every instant that an output without a path from an input does not change when that input is inverted.
 async fn has_no_path(t: &Testbench<'_>, into: &[End], out: &[End], cuts: Cuts) {
     let shown = || out.iter().map(|end| t.shown(&end.stream)).collect::<Vec<_>>();
     let accepted = || into.iter().map(|end| t.get_u64(end.stream.ready)).collect::<Vec<_>>();
@@ -89,7 +89,7 @@ async fn has_no_path(t: &Testbench<'_>, into: &[End], out: &[End], cuts: Cuts) {
         let (shows, accepts) = (shown(), accepted());
         for (k, End { stream, .. }) in out.iter().enumerate() {
             t.suppose(stream.ready, 1 - t.get_u64(stream.ready), || {
-                assert_eq!(shown(), shows, "what goes out waits for `ready` of output {k}");
+                assert_eq!(shown(), shows, "an output waits for `ready` of output {k}");
                 if cuts.backward {
                     assert_eq!(accepted(), accepts, "a path from `ready` of output {k} to that of an input");
                 }

@@ -1,4 +1,4 @@
-//! The property finds faults.
+//! The check of the property finds faults.
 
 use crate::streams::property::{BACKWARD, Cuts, End, FORWARD, NONE, Stalls, through};
 use tilewright_blocks::{RegisterSlice, Slice, StreamIn, StreamOut};
@@ -8,13 +8,13 @@ use tilewright_sim::Simulation;
 /// The fault of a bad block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 enum Fault {
-    /// It shows whatever comes in, with the number of the clock.
+    /// The block changes a word while it is shown.
     Changes,
-    /// It loses a word that comes while another waits.
+    /// The block loses a word that arrives while another one waits.
     Loses,
-    /// It shows each word twice.
+    /// The block sends each word twice.
     Doubles,
-    /// It takes nothing.
+    /// The block takes no word.
     Sticks,
 }
 
@@ -83,7 +83,7 @@ bundle! {
     struct WaitsOut<T> { valid: T, payload: T }
 }
 
-/// Shows its word only to a receiver that is ready; for a stream the language would reject that.
+/// Shows its word only to a receiver that is ready. The language rejects this for a stream, so the ports are plain.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Waits;
 
@@ -101,7 +101,7 @@ impl Block for Waits {
 }
 
 #[test]
-#[should_panic(expected = "what goes out waits for `ready` of output 0")]
+#[should_panic(expected = "an output waits for `ready` of output 0")]
 fn a_sender_that_waits_for_its_receiver() {
     let mut sim = Simulation::of(&Waits).unwrap();
     let out = End::of(Stream { valid: sim.o.valid, ready: sim.i.ready, payload: sim.o.payload });

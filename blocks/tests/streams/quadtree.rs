@@ -1,5 +1,5 @@
-//! A coverage test of windows in three forms behind one interface: a stage a level, a stack, and side by side. `hdl/docs/lines.md` shows lines
-//! of them.
+//! A coverage test of windows in three forms behind one interface: a stage for each level, a stack, and side by side.
+//! `docs/decisions/lines.md` shows lines of them.
 
 use crate::streams::property::Stalls;
 use crate::streams::stalls::stalls;
@@ -28,7 +28,7 @@ fn window() -> Window<Width> {
     Window { x: bits(4), y: bits(4), level: up_to(LEVELS), edges: bits(8).signed().of(row(3)) }
 }
 
-/// How much less an edge function is in a quarter, for each pixel of its width.
+/// The decrease of an edge function's greatest value from a window to a quarter, per pixel of the quarter's width.
 fn less((a, b): (i64, i64), quarter: u64) -> u64 {
     let along = |slope: i64, upper: bool| if (slope > 0) == upper { 0 } else { slope.unsigned_abs() };
     along(a, quarter & 1 == 1) + along(b, quarter >> 1 == 1)
@@ -95,7 +95,7 @@ impl Pipe {
 }
 
 block! {
-    /// Divides windows down to pixels in one unit, whose own results come back to it, the newest first.
+    /// Divides windows down to pixels in one unit, to which its own results return, the newest first.
     struct Stack {
         depth: u32,
     }
@@ -131,8 +131,7 @@ impl Tree {
     }
 }
 
-/// The pixels of the triangle in a window of that size, in any sequence; at one pixel the edge functions have one
-/// value.
+/// The pixels of the triangle in a window of the largest size, sorted. `edges` are the greatest values in the window.
 fn pixels(edges: [i64; 3]) -> Vec<(u64, u64)> {
     let inside = |x: i64, y: i64| {
         let last = (1 << LEVELS) - 1;
@@ -186,8 +185,8 @@ fn drive(
     (received, clocks)
 }
 
-/// The depth that a stack needs if each window is covered completely: for two branches, as it alternates, three
-/// siblings on each level but the last.
+/// The depth that a stack needs if each window is covered completely: three siblings on each level but the last, for
+/// the two branches between which it alternates, and one window more.
 const DEPTH: u32 = 2 * 3 * (LEVELS - 1) + 1;
 
 proptest! {
@@ -208,7 +207,7 @@ proptest! {
 
 const NO_STALLS: Stalls = Stalls { senders: 0, receivers: 0, seed: 1 };
 
-/// Eight windows that are covered completely.
+/// The clocks for eight windows that are covered completely.
 fn whole<B: Block<In = WindowsIn, Out = WindowsOut>>(form: &B) -> u64 {
     divided(form, &[[127; 3]; 8], NO_STALLS).1
 }

@@ -12,7 +12,7 @@ bundle! {
     struct SpanOut<T> { moved: Stream<Span<T>, T>, steps: Stream<T, T>, ends: Stream<(), T> }
 }
 
-/// Through a queue, a fork and slices; the output is moved by its step, which has a sign.
+/// Passes records through a queue, a fork and slices. One output is moved by its step, which is signed.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct Spans;
 
@@ -31,7 +31,7 @@ impl Block for Spans {
         let moved = m.slice("u_slice", Slice::Both, moved);
         let steps = m.block_ram_fifo("u_steps", 2, second.with(second.step));
         let ends = m.slice("u_ends", Slice::Forward, third.with(()));
-        m.assert(!moved.shade.is(Shade::Phong), "none is of that kind");
+        m.assert(!moved.shade.is(Shade::Phong), "no span has Phong shading");
         SpanOut { moved, steps, ends }
     }
 }

@@ -1,4 +1,4 @@
-//! The stack, against one in software.
+//! The stack, compared with one in software.
 
 use crate::streams::clocks::play;
 use crate::streams::property::Stalls;
@@ -14,7 +14,7 @@ fn a_stack_gives_the_newest_first() {
         &[
             (Some(1), 0, 1, None),
             (Some(2), 0, 1, Some(1)),
-            (Some(3), 0, 1, Some(1)), // shown is shown
+            (Some(3), 0, 1, Some(1)), // a shown word stays
             (Some(4), 0, 0, Some(1)), // full
             (Some(4), 1, 0, Some(1)), // `ready` does not pass
             (Some(4), 1, 1, Some(3)),

@@ -15,7 +15,7 @@ fn words(below: u64) -> impl Strategy<Value = Vec<u64>> {
     prop::collection::vec(0..below, 0..60)
 }
 
-/// The block's expected output for the senders' words.
+/// The words that each receiver takes from the block, for the senders' words.
 fn result<B: Block>(
     block: &B,
     into: impl Fn(&<B::In as Bundle>::Of<Port>) -> Vec<Stream<Port, Port>>,
@@ -32,7 +32,7 @@ fn result<B: Block>(
     through(&mut sim, (&into, &out), words, counts, stalls, cuts)
 }
 
-/// The expected output words of a block with one stream in and one out, and their number.
+/// The words that the receiver takes from a block with one stream in and one out; `count` words are expected.
 pub fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
     block: &B,
     words: &[u64],
@@ -43,7 +43,7 @@ pub fn passed<B: Block<In = StreamIn, Out = StreamOut>>(
     result(block, |i| vec![i.into], |o| vec![o.out], (&[words.to_vec()], &[count]), stalls, cuts).remove(0)
 }
 
-/// A split of words, of which the receiver's number is the upper part.
+/// A split of words whose upper part is the receiver's number.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 struct SplitWords(u32);
 
@@ -64,7 +64,7 @@ impl Block for SplitWords {
 
 #[test]
 #[should_panic(expected = "a word goes to one of 3 receivers")]
-fn a_word_to_nobody() {
+fn a_word_without_a_receiver() {
     result(
         &SplitWords(3),
         |i| vec![i.into],
