@@ -18,10 +18,10 @@
 //! its bank 1 from 288, and the texture unit's registers from 320. While the network has one bank, the pixels work with
 //! the other one.
 //!
-//! The ports access one pixel of each chip at a time ([`registers`](super::registers)); the network's port has its own
+//! The ports access one pixel of each chip at a time ([`registers`](super::registers)). The network's port has its own
 //! clock.
 //!
-//! Latency and throughput are those of the instructions ([`controller`](super::controller)).
+//! Latency and throughput: those of the instructions ([`controller`](super::controller)).
 
 use super::controller::{ArrayController, ArrayControllerIn, BANKS, Given};
 use super::instruction::Instruction;
@@ -33,37 +33,37 @@ use super::{ARRAY, NETWORK, extents};
 use crate::prelude::*;
 
 block! {
-    /// Pixels that compute under one instruction stream.
+    /// Pixels that execute one instruction stream.
     pub struct PixelArray {
-        /// Pixels in a line of a region.
+        /// The number of pixels in a line of a region.
         width: u32,
-        /// Lines in a region.
+        /// The number of lines of a region.
         height: u32,
     }
-    latency = "the clocks of the instructions; a port's byte within the clock";
+    latency = "the clocks of the instructions; 0 clocks for a port to read a byte";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) PixelArrayIn {
         /// The instructions; all coefficients are relative to the region.
         instructions: stream(Instruction).on(ARRAY),
-        /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
         side_by_side: bit().on(ARRAY),
-        /// The network is done with a bank: a bit for each.
+        /// For one clock: the network is done with a bank; a bit for each.
         bank_done: bits(BANKS).on(ARRAY),
-        /// The texture unit is done.
+        /// For one clock: the texture unit is done.
         texture_done: bit().on(ARRAY),
-        /// From the network, of each bank.
+        /// For each bank: the network's access.
         network: [PortAccess::widths(&self.bank()).on(NETWORK); BANKS],
-        /// From the texture unit.
+        /// The texture unit's access to its registers.
         texture: PortAccess::widths(&self.texture()).on(ARRAY),
     }
     out(self) PixelArrayOut {
-        /// To network and texture unit: after the next edge the registers contain the results of all instructions so far.
+        /// The hand-over to network and texture unit: after the next edge the registers have all results so far.
         given: Given,
-        /// To the network, from each bank: a byte of each chip.
+        /// For each bank: the byte of each chip that the network reads.
         network_seen: [bits(8).of(row(self.chips())); BANKS],
-        /// To the texture unit: a byte of each chip.
+        /// The byte of each chip that the texture unit reads.
         texture_seen: bits(8).of(row(self.chips())),
-        /// Every instruction has ended except in the pixels, which are as late as the evaluator.
+        /// All instructions have left the controller; the pixels execute the last one after the evaluator's latency.
         idle: bit(),
     }
 }
@@ -73,33 +73,33 @@ impl PixelArray {
     ///
     /// # Errors
     ///
-    /// There is no such array.
+    /// The width or the height is not such a power of two.
     pub fn new(width: u32, height: u32) -> Result<PixelArray, ParameterError> {
         let [width, height] = extents(width, height)?;
         Ok(PixelArray { width, height })
     }
 
-    /// Pixels in a line.
+    /// The number of pixels in a line.
     pub fn width(&self) -> u32 {
         self.width
     }
 
-    /// Lines.
+    /// The number of lines.
     pub fn height(&self) -> u32 {
         self.height
     }
 
-    /// Chips: two lines each.
+    /// The number of chips, which have two lines each.
     pub fn chips(&self) -> u32 {
         self.height / 2
     }
 
-    /// Pixels of a chip.
+    /// The number of pixels of a chip.
     pub fn pixels(&self) -> u32 {
         2 * self.width
     }
 
-    /// Clocks from the end of an instruction in the controller to its end in the pixels.
+    /// The clocks from the end of an instruction in the controller to its end in the pixels.
     pub fn latency(&self) -> u32 {
         LinearEvaluator { width: self.width, height: self.height }.latency()
     }

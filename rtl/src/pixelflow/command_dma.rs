@@ -1,4 +1,4 @@
-//! The command fetcher: reads a node's instructions from memory, one frame after another (PFL-NODE, facts E4).
+//! The command fetcher: reads a node's instructions from memory, frame by frame (PFL-NODE, facts E4).
 //!
 //! ```text
 //! store ----------------------> [ memory ]
@@ -7,11 +7,11 @@
 //!     base, length                  [ offered ]==> instructions
 //! ```
 //!
-//! The geometry processors write the instructions of frames. They say where each frame begins and how many instructions
-//! it has. Up to two frames wait, so that one is fetched while the next is written.
+//! The geometry processors write the instructions of frames. They give the base and the length of each frame. Up to two
+//! frames wait, so that one is fetched while the next is written.
 //!
-//! Latency: 2 clocks from the acceptance of a frame to its first instruction, then an instruction a clock while the
-//! receiver is ready. Between frames one clock is lost.
+//! Latency: 2 clocks from the acceptance of a frame to its first instruction, then an instruction in every clock while
+//! the receiver is ready. Between frames one clock is lost.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -19,29 +19,29 @@ use super::instruction::Instruction;
 use crate::prelude::*;
 
 block! {
-    /// Fetches the instructions of frames.
+    /// Fetches the instructions of frames from memory.
     pub struct CommandDma {
         /// The capacity of the memory, in instructions.
         pub words: u32,
     }
-    latency = "2 clocks from a frame that is taken to its first instruction, then one a clock";
+    latency = "2 clocks from the acceptance of a frame to its first instruction, then one in every clock";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) CommandDmaIn {
-        /// From the geometry processors.
+        /// A write by the geometry processors.
         store: Store::widths(self.words),
-        /// Frames, one after another.
+        /// The frames to fetch, one after another.
         frames: stream(Commands::widths(self.words)),
     }
     out CommandDmaOut {
-        /// To the array.
+        /// The instructions to the array.
         instructions: stream(Instruction),
-        /// There is nothing to fetch, and nothing on its way.
+        /// No frame waits, and no instruction is under way.
         idle: bit(),
     }
 }
 
 record! {
-    /// A write of the memory.
+    /// A write to the instruction memory.
     pub struct Store(words: u32) {
         /// An instruction is written.
         writes: bit(),
@@ -55,7 +55,7 @@ record! {
     pub struct Commands(words: u32) {
         /// The address of the frame's first instruction.
         base: below(words),
-        /// The number of the frame's instructions; behind the end of the memory comes its beginning.
+        /// The number of the frame's instructions; addresses wrap at the end of the memory.
         length: up_to(words),
     }
 }
@@ -72,7 +72,7 @@ impl CommandDma {
         def!(next = m.reg(below(self.words)));
         let frame = frames.take_when(left.eq(0));
 
-        // The next instruction is read when its predecessor goes.
+        // The next instruction is read when its predecessor is sent.
         def!(arrived = m.reg(bit()).reset(0));
         def!(reads = m.wire(bit()));
         let (instructions, sent) = m.offer(*arrived, memory.read_when(reads, next));

@@ -1,5 +1,5 @@
-//! The compositor: sends on the lesser of two words, which arrive byte by byte (PFL-NET, facts E4). The pixels of a
-//! chip follow one another.
+//! The compositor: passes on the lesser of two words, which arrive byte by byte (PFL-NET, facts E4). It processes the
+//! pixels of a chip one after another.
 //!
 //! ```text
 //!                                  .---------.
@@ -13,26 +13,26 @@
 //!                    '---------------->
 //! ```
 //!
-//! A word is everything known about a pixel, with its depth first, most significant byte first. So the lesser word is
-//! the nearer pixel. If depths are equal the later bytes decide, so the result does not depend on the sequence of
-//! nodes. While all bytes are equal, both words are candidates. The first difference decides, and the rest of the
-//! chosen word follows.
+//! A word is everything known about a pixel, with the depth on top. The most significant byte is sent first. So the
+//! lesser word is the nearer pixel. If depths are equal the later bytes decide, so the result does not depend on the
+//! sequence of nodes. While all bytes are equal, both words are candidates. The first difference decides, and the rest
+//! of the chosen word follows.
 //!
-//! The bytes of all pixels are interleaved: the first byte of each pixel, then the second of each. So each pixel's
-//! state is stored between two of its bytes.
+//! The bytes of all pixels are interleaved: the first byte of each pixel, then the second of each. So the state of each
+//! pixel is stored from one of its bytes to the next.
 //!
-//! Latency: 1 clock; a byte a clock.
+//! Latency: 1 clock; a byte in every clock.
 
 use crate::prelude::*;
 
 codes! {
-    /// The mode of a node: its action on the words that pass.
+    /// The mode of a node: what it does with the words that pass.
     pub enum Mode {
         /// The words pass unchanged.
         Forward,
         /// The node's own words replace them.
         Load,
-        /// The lesser of both words goes on.
+        /// The node passes on the lesser of both words.
         Composite,
         /// The words pass, and the node also stores them.
         Unload,
@@ -40,43 +40,43 @@ codes! {
 }
 
 codes! {
-    /// The lesser of two words, as far as known.
+    /// The lesser of two words, by the bytes compared so far.
     pub enum Nearer {
-        /// They are equal.
+        /// Both words are equal.
         Equal,
-        /// The node's own is the lesser.
+        /// The node's own word is the lesser.
         Own,
-        /// The passing one is the lesser.
+        /// The passing word is the lesser.
         Upstream,
     }
 }
 
 block! {
-    /// Sends on the lesser of two words of each pixel, byte by byte.
+    /// Passes on the lesser of two words of each pixel, byte by byte.
     pub struct Compositor {
         /// The number of pixels of a chip, which are processed one after another.
         pub pixels: u32,
-        /// Bits of a byte.
+        /// The width of a byte.
         pub width: u32,
     }
-    latency = "1 clock, a byte a clock";
+    latency = "1 clock; a byte in every clock";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
     in(self) CompositorIn {
         /// The mode of the node: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// A byte of the pixel goes.
+        /// A byte of the pixel is transferred.
         advances: bit(),
         /// The byte is the first of the pixel's word.
         first: bit(),
         /// The number of the pixel.
         pixel: below(self.pixels),
-        /// The pixel's byte from the node before.
+        /// The pixel's byte from the previous node.
         upstream: bits(self.width),
         /// The pixel's byte in this node.
         own: bits(self.width),
     }
     out(self) CompositorOut {
-        /// The pixel's byte for the node behind.
+        /// The pixel's byte for the next node.
         downstream: bits(self.width),
     }
 }

@@ -16,23 +16,23 @@
 //! The controller has two slots. Instructions that use the evaluator, or that read or change `enable`, go to the
 //! evaluator slot. All others, such as copies where a flag is set, go to the memory slot. So while a primitive's result
 //! is still being written, the evaluator already works on the next primitive's edges, whose signs bypass the ALU. One
-//! more instruction may wait for the memory. Instructions are taken in sequence, at most one a clock, and each begins
-//! right behind its predecessor:
+//! more instruction may wait for the memory. Instructions are taken in sequence, at most one per clock, and each begins
+//! in the clock after its predecessor:
 //!
 //! | instruction | taken when |
 //! |---|---|
-//! | on the evaluator | its slot ends in this clock; and, if its word also needs ALU or memory, the memory slot is free by then |
+//! | on the evaluator | its slot ends in this clock; and the memory slot is free when the word begins, if the word needs ALU or memory |
 //! | on the memory | no instruction waits, or the memory slot ends in this clock; and the instruction in the evaluator slot needs no ALU, or also ends |
 //! | any, one at a time | both slots end in this clock |
 //! | synchronized with a port | both slots end in this clock, and the port has finished |
 //!
-//! Coefficients are loaded at the edge at which an instruction begins. So the array never waits while instructions
-//! come.
+//! Coefficients are loaded at the edge at which an instruction begins. So the array does not wait while instructions
+//! arrive.
 //!
-//! Latency: 1 clock from an instruction to its first bytes at the evaluator. The control of the pixels is delayed as
-//! long as the expression.
+//! Latency: 1 clock from an instruction to its first bytes at the evaluator. The control of the pixels is delayed by
+//! the latency of the evaluator.
 
-use self::slot::{Order, Slot};
+use self::slot::{Slot, Work};
 use super::instruction::{Instruction, LONGEST, Sync};
 use super::linear_evaluator::{Coefficients, LinearEvaluator};
 use super::pixel::{Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
@@ -44,61 +44,61 @@ mod slot;
 pub const BANKS: u32 = 2;
 
 block! {
-    /// Takes the instructions of a node, and controls its evaluator and its pixels.
+    /// Takes the instructions of a node, and controls the evaluator and the pixels.
     pub struct ArrayController {
-        /// Pixels in a line of a region; a power of two.
+        /// The number of pixels in a line of a region; a power of two.
         pub width: u32,
-        /// Lines in a region; a power of two.
+        /// The number of lines of a region; a power of two.
         pub height: u32,
     }
     latency(self) = format!(
-        "1 clock to the coefficients' bytes, {} to the control of pixels; the next instruction begins with the last byte",
+        "1 clock to the bytes of the coefficients, {} to the control of pixels; the next instruction is taken with the last byte",
         1 + self.evaluator().latency(),
     );
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in ArrayControllerIn {
         /// The instructions.
         instructions: stream(Instruction),
-        /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
         side_by_side: bit(),
-        /// The network is done with a bank: a bit for each.
+        /// For one clock: the network is done with a bank; a bit for each.
         bank_done: bits(BANKS),
-        /// The texture unit is done.
+        /// For one clock: the texture unit is done.
         texture_done: bit(),
     }
     out(self) ArrayControllerOut {
-        /// To the evaluator.
+        /// A byte of each coefficient for the evaluator.
         coefficients: Coefficients = Coefficients { a: bits(8), b: bits(8), c: bits(8) },
-        /// The coefficients' bytes are the first of an expression.
+        /// The bytes of the coefficients are the first of an expression.
         first: bit(),
-        /// The coefficients are bytes of an expression.
+        /// The bytes of the coefficients belong to an expression.
         sends: bit(),
-        /// To the pixels.
+        /// The control of the pixels.
         control: Control,
-        /// To network and texture unit, with the pixels' control: after the next edge the registers contain the results of all instructions so far.
+        /// The hand-over to network and texture unit: after the next edge the registers have all results so far.
         given: Given,
-        /// Nothing is under way except in the pixels.
+        /// No instruction is offered, and none is in a slot.
         idle: bit(),
     }
 }
 
 record! {
-    /// What network and texture unit are told about the registers.
+    /// The hand-over of registers to the network and the texture unit.
     pub struct Given {
-        /// A bank is for the network now: a bit for each.
+        /// For one clock: a bank is given to the network; a bit for each.
         banks: bits(BANKS),
-        /// The texture unit begins.
+        /// For one clock: the texture unit begins.
         texture: bit(),
     }
 
-    /// The control of the pixels, and with it of the ports.
+    /// The control of the pixels, with the hand-over of registers.
     struct Sent { control: Control, given: Given }
 }
 
 /// The resources that an instruction needs.
 struct Needs {
     on_evaluator: Signal,
-    /// ALU or memory, in the clocks of its word.
+    /// The instruction uses ALU or memory in the clocks of its word.
     on_memory: Signal,
     expression: Signal,
     by_sign: Signal,
@@ -110,7 +110,7 @@ impl Needs {
         let any = |condition: Signal, codes: &[Enabling]| {
             codes.iter().map(|code| i.enabling.is(*code)).fold(condition, |any, is| any | is)
         };
-        // Its condition, if any, is the expression's sign.
+        // The condition, if the instruction looks at one, is the expression's sign.
         def!(looks = any(lit(1, 0), &[Enabling::Replace, Enabling::Restrict, Enabling::Push]));
         def!(by_sign = looks & expression & i.condition.is(Condition::Positive));
         def!(writes = !i.mask.is(Mask::Nobody) & (i.accumulates | i.stores));
@@ -133,12 +133,12 @@ impl ArrayController {
     fn build(&self, m: Module, i: ArrayControllerIn) -> ArrayControllerOut {
         let (evaluator, memory) = (Slot::new(m, "evaluator"), Slot::new(m, "memory"));
         def!(waits = m.reg(bit()).reset(0));
-        def!(waiting = m.reg(Order::widths()));
+        def!(waiting = m.reg(Work::widths()));
         let needs = Needs::of(&i.instructions);
 
         // When the next instruction is taken.
-        def!(ahead = Order::clocks(*memory.left) + mux(waits, Order::clocks(waiting.length), 0));
-        def!(ends_in_time = ahead.le(Order::clocks(i.instructions.skip) + 1));
+        def!(ahead = Work::clocks(*memory.left) + mux(waits, Work::clocks(waiting.length), 0));
+        def!(ends_in_time = ahead.le(Work::clocks(i.instructions.skip) + 1));
         def!(evaluator_may = evaluator.ends & (!needs.on_memory | ends_in_time));
         def!(memory_may = (!waits | memory.ends) & (evaluator.ends | !evaluator.on_memory()));
         def!(both_end = evaluator.ends & memory.ends & !waits);
@@ -147,19 +147,19 @@ impl ArrayController {
         def!(may = mux(needs.on_evaluator, evaluator_may, memory_may) & in_turn & !ports.waits(&i.instructions));
         let next = i.instructions.take_when(may);
         ports.claim(m, &next);
-        let order = Order::of(&next, needs.on_memory, needs.by_sign);
+        let work = Work::of(&next, needs.on_memory, needs.by_sign);
 
-        // The slot that it goes to.
+        // The slot that the instruction goes to.
         def!(evaluator_begins = next.taken & needs.on_evaluator);
         def!(for_memory = next.taken & !needs.on_evaluator);
         def!(must_wait = for_memory & (waits | !memory.ends));
         waits.when(must_wait, 1).when(memory.ends, 0);
-        waiting.when(must_wait, order);
+        waiting.when(must_wait, work);
         def!(memory_begins = memory.ends & (waits | for_memory));
-        evaluator.begin(evaluator_begins, order);
-        memory.begin(memory_begins, mux(waits, waiting, order));
+        evaluator.begin(evaluator_begins, work);
+        memory.begin(memory_begins, mux(waits, waiting, work));
 
-        // Coefficients go to the evaluator, a byte a clock.
+        // The coefficients go to the evaluator, a byte of each in every clock.
         let [a, b] = [("a", next.a), ("b", next.b)]
             .map(|(name, coefficient)| slot::byte_by_byte(m, name, evaluator_begins, coefficient));
         def!(first = m.reg(bit()).reset(0));
@@ -195,7 +195,7 @@ impl ArrayController {
         }
     }
 
-    /// The same, delayed as long as the evaluator takes for an expression.
+    /// The same control, delayed by the latency of the evaluator.
     fn later(&self, m: Module, sent: Sent) -> Sent {
         (1..=self.evaluator().latency()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), Sent::widths()).reset(0);
@@ -205,7 +205,7 @@ impl ArrayController {
     }
 }
 
-/// What the ports still work on: an instruction has handed it over, and the port has not finished.
+/// What instructions have handed over to the ports, and the ports have not finished.
 struct Ports {
     banks: Reg,
     texture: Reg,
@@ -237,27 +237,27 @@ impl Ports {
         self.banks.next((*self.banks & !self.bank_done) | mux(next.taken & gives, bank, 0));
         self.texture.when(next.taken & starts, 1).when(self.texture_done, 0);
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
-        state(gives.implies((*self.banks & bank).eq(0)), "a bank is given when the network has done with it");
-        state(starts.implies(!self.texture), "the texture unit begins when it has done");
+        state(gives.implies((*self.banks & bank).eq(0)), "a bank is given only when the network is done with it");
+        state(starts.implies(!self.texture), "the texture unit begins only when it is done");
     }
 }
 
 fn state_what_instructions_are(m: Module, next: &Taken<Instruction>, needs: &Needs) {
     let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
     state(next.length.ne(0) & next.length.le(LONGEST), "a word has 1 to 8 bytes");
-    state(needs.expression | next.skip.eq(0), "only of an expression bytes are skipped");
+    state(needs.expression | next.skip.eq(0), "only bytes of an expression are skipped");
     let end = up_to(2 * PixelProcessor::BYTES);
     let is_inside = |first: Signal| {
         let (first, length) = (first.zext(end), next.length.zext(end));
         mux(next.descends, (first + 1).ge(length), (first + length).le(PixelProcessor::BYTES))
     };
-    state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 384 bytes");
+    state(is_inside(next.read) & is_inside(next.write), "a word is within the 384 bytes of a pixel");
     let Instruction { source, function, begin, condition, enabling, flagging, sync, .. } = **next;
     let fields = [source, function, begin, condition, enabling, flagging, sync];
-    state(are_codes(&fields), "each field has a code that there is");
+    state(are_codes(&fields), "each field has a valid code");
 }
 
-/// Each of these fields has a valid code.
+/// Whether each of these fields has a valid code.
 fn are_codes(fields: &[Signal]) -> Signal {
     fields.iter().fold(lit(1, 1), |all, field| all & field.is_code())
 }

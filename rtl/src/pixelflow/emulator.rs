@@ -1,8 +1,8 @@
-//! The effect of instructions on a pixel, by definition: for the tests of programs and of the hardware.
+//! A software model of a pixel that executes instructions, for the tests of programs and of the hardware.
 //!
-//! A direct transcription of [`instruction`](super::instruction) and [`pixel`](super::pixel). An instruction controls
-//! the pixel in as many clocks as it has bytes, and [`Pixel::step`] is one such clock. When instructions begin and what
-//! they wait for is left out, because it does not change their effect.
+//! The model transcribes [`instruction`](super::instruction) and [`pixel`](super::pixel). An instruction controls the
+//! pixel in as many clocks as its word has bytes, and [`Pixel::step`] is one such clock. The model does not know when
+//! instructions begin and what they wait for, because that does not change their effect.
 
 use super::instruction::{COEFFICIENT, Instruction};
 use super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
@@ -44,7 +44,7 @@ pub struct Pixel {
     pub flag: bool,
     /// The enable flags: bit 0 is the top one.
     pub enable: u32,
-    /// The number of enable flags. A push beyond it is lost, and a pop brings up copies of the lowest flag.
+    /// The number of enable flags. A push onto a full stack loses a flag, and a pop copies the lowest flag.
     depth: u32,
 }
 
@@ -55,7 +55,7 @@ impl Default for Pixel {
 }
 
 impl Pixel {
-    /// A pixel with zeros everywhere; hardware starts with arbitrary values.
+    /// A pixel with all bytes and flags 0. Hardware starts with arbitrary values.
     pub fn new() -> Pixel {
         Pixel::of_depth(PixelProcessor::DEPTH)
     }
@@ -71,12 +71,12 @@ impl Pixel {
         program.iter().for_each(|instruction| self.instruction(instruction, expression(instruction, x, y)));
     }
 
-    /// Executes an instruction whose expression has that value.
+    /// Executes an instruction whose expression has this value.
     pub fn instruction(&mut self, i: &Instruction<u64>, value: i64) {
         (0..i.length).for_each(|byte| self.step(&control(i, byte), byte_of(value, i.skip + byte)));
     }
 
-    /// Executes a clock, in which every part sees the flags as they were before.
+    /// Executes a clock. Every part uses the flags from before the clock.
     pub fn step(&mut self, c: &Control<u64>, expression: u8) {
         let (word, constant) = (self.memory[c.read as usize], c.constant as u8);
         let operand = match Source::ALL[c.source as usize] {
@@ -138,7 +138,7 @@ impl Pixel {
     }
 }
 
-/// The control that an instruction gives the pixels with one of its bytes.
+/// The control of the pixels for one byte of an instruction's word.
 pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     let at = |address: u64| if i.descends == 1 { address.wrapping_sub(byte) } else { address + byte };
     let last = |code: u64, none: u64| if byte + 1 == i.length { code } else { none };
@@ -159,12 +159,12 @@ pub fn control(i: &Instruction<u64>, byte: u64) -> Control<u64> {
     }
 }
 
-/// Whether a condition enables pixels.
+/// Whether the change of the enable flags depends on a condition.
 pub(super) fn is_conditional(enabling: u64) -> bool {
     [Enabling::Replace, Enabling::Restrict, Enabling::Push].iter().any(|it| it.code() == enabling)
 }
 
-/// Whether the expression's sign, which bypasses the ALU, enables pixels.
+/// Whether the change of the enable flags depends on the expression's sign, which bypasses the ALU.
 pub(super) fn is_by_sign(i: &Instruction<u64>) -> bool {
     is_conditional(i.enabling) && i.source == Source::Expression.code() && i.condition == Condition::Positive.code()
 }
@@ -174,7 +174,7 @@ pub(super) fn byte_of(number: i64, byte: u64) -> u8 {
     (number >> (8 * byte).min(63)) as u8
 }
 
-/// The result and the carry. `w` is a word's byte, `x` an operand, `c` the carry that comes in, and `kept` the previous
+/// The result and the carry out. `w` is a byte of a word, `x` an operand, `c` the carry in, and `kept` the previous
 /// carry.
 fn computed(function: Function, w: u8, x: u8, c: bool, kept: bool) -> (u8, bool) {
     let sum = |x: u8| u16::from(w) + u16::from(x) + u16::from(c);

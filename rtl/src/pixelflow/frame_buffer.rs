@@ -1,4 +1,4 @@
-//! The frame buffer: takes the colours of a region from the registers of its node, and scans frames out line by line
+//! The frame buffer: reads the colours of a region from the registers of its node, and scans frames out line by line
 //! (PFL-LOAD, facts E4).
 //!
 //! ```text
@@ -6,23 +6,23 @@
 //! registers ==>[ + ]==>[ colours or sums ]--->[ stored ]--->[ memory of even chips ]---.
 //!                ^             |                       '--->[ memory of odd chips  ]--+v
 //!                '-------------' of eight samples                                   [ offered ]==> pixels
-//!                                             x, y: the place of the scan ----------------'
+//!                                             x, y: the pixel of the scan ----------------'
 //! ```
 //!
-//! The frame buffer takes the place of the texture unit of a node that shades, and starts at the array's command. It
-//! then takes the next region, from the upper left on, row by row of regions. Colours are in registers 0 to 2: blue,
-//! green, red. The registers' port reads a byte of one pixel of each chip a clock. So a round takes at least 3 clocks,
-//! or half as many as there are chips:
+//! The frame buffer is connected where a shader has its texture unit, and starts at the array's command. It then takes
+//! the next region; regions come row by row from the upper left. Colours are in registers 0 to 2: blue, green, red. The
+//! port reads a byte of one pixel of each chip per clock, and a round reads one pixel of each chip. It takes 3 clocks,
+//! or half as many as there are chips if that is more:
 //!
 //! | clock of a round | port | memory |
 //! |---|---|---|
-//! | 0 to 2 | reads the colour of pixel p | pixel p - 1 of two chips a clock, |
-//! | 3 and on | | from clock 0 on |
+//! | 0 to 2 | reads the colour of pixel p | writes pixel p - 1 of two chips per clock, |
+//! | from 3 on | | from clock 0 on |
 //!
-//! With eight samples the array has four of each screen pixel, in 2 x 2 processors. Each of them has two colours, the
-//! second one in registers 3 to 5. All four are in one chip, so the port reads them one after another in 24 clocks.
-//! Meanwhile each chip adds up three sums of 11 bits. It stores an eighth of each, rounded to the nearest (facts E0:
-//! `floor((sum + 4) / 8)`).
+//! With eight samples, 2 x 2 processors have the samples of one screen pixel. Each processor has two colours, the
+//! second one in registers 3 to 5. The four processors are in one chip, so the port reads them one after another in 24
+//! clocks. Meanwhile three sums of 11 bits add up for each chip. An eighth of each sum is stored, rounded to nearest
+//! (facts E0: `floor((sum + 4) / 8)`).
 //!
 //! | clock of a round | reads |
 //! |---|---|
@@ -30,13 +30,13 @@
 //! | 6 to 11 | both colours of the upper right sample |
 //! | 12 to 23 | both colours of the two lower samples |
 //!
-//! There is room for two frames: one is scanned while the other is loaded. When the last region has arrived, they
-//! change places at the beginning of the next scan. Until then the first region of the next frame waits. The output is
-//! a stream of pixels, with flags at the beginning of a frame and the end of a line.
+//! There is memory for two frames: one is scanned while the other is loaded. When the last region has arrived, the two
+//! are exchanged at the beginning of the next scan. Until then the first region of the next frame waits. The output is
+//! a stream of pixels, with flags for the first pixel of a frame and the last pixel of a line.
 //!
 //! Latency: a round for each pixel that a chip stores, and one more. That is 4112 clocks with 128 x 64 pixels (41.1 us;
-//! the paper takes 52), and 1560 with 64 x 32 of eight samples. The scan reads a pixel a clock, and pauses for one
-//! between different frames.
+//! the paper takes 52), and 1560 with 64 x 32 of eight samples. The scan reads a pixel per clock, and pauses for one
+//! clock between different frames.
 
 use super::extents;
 use super::registers::PortAccess;
@@ -45,11 +45,11 @@ use crate::parameter::{ParameterError, Screen};
 use crate::prelude::*;
 
 block! {
-    /// Stores the frame of a screen in regions.
+    /// Stores frames of a screen region by region, and scans them out.
     pub struct FrameBuffer {
-        /// Processors in a line of its node's array, and its lines: powers of two.
+        /// The width and the height of the node's array in processors: powers of two.
         array: [u32; 2],
-        /// Samples of a pixel: 1 or 8.
+        /// The number of samples of a pixel: 1 or 8.
         samples: u32,
         /// The screen.
         screen: Screen,
@@ -57,28 +57,28 @@ block! {
     latency(self) = format!("{} clocks for a region", self.clocks());
     source = "Reducing Latency on PixelFlow, section 4 (PFL-LOAD)";
     in(self) FrameBufferIn {
-        /// The frame buffer takes the next region.
+        /// For one clock: take the next region.
         start: bit(),
-        /// A byte of each chip, at the place that the port says.
+        /// The byte of each chip that the port addresses.
         seen: bits(8).of(row(self.chips())),
     }
     out(self) FrameBufferOut {
-        /// To the registers.
+        /// The access to the node's registers.
         port: PortAccess = PortAccess {
             pixel: below(self.processors()),
             address: bits(6),
             writes: bit(),
             bytes: bits(8).of(row(self.chips())),
         },
-        /// The frame buffer has the region.
+        /// For one clock: the frame buffer has the region.
         done: bit(),
-        /// The pixels of the frame on display.
+        /// The pixels of the displayed frame.
         pixels: stream(Shown),
     }
 }
 
 record! {
-    /// A pixel that is shown.
+    /// A displayed pixel.
     pub struct Shown {
         /// The red of the pixel.
         red: bits(CHANNEL),
@@ -95,12 +95,12 @@ record! {
 
 /// The bytes of a colour.
 const COLOUR: u32 = 3;
-/// The number of frames that fit.
+/// The number of frames in memory.
 const FRAMES: u32 = 2;
 /// The bits of a channel.
 const CHANNEL: u32 = 8;
-/// For eight samples: the number side by side along each axis, and the number of renderings; a processor has a colour
-/// of each rendering.
+/// For eight samples: the number of processors along each side of a pixel, and the number of renderings. A processor
+/// has a colour of each rendering.
 const SIDE: u32 = 2;
 const RENDERINGS: u32 = 2;
 const EIGHT: u32 = SIDE * SIDE * RENDERINGS;
@@ -112,7 +112,7 @@ impl FrameBuffer {
     ///
     /// # Errors
     ///
-    /// There are no such regions, or they have fewer than two chips.
+    /// The region's sides are not powers of two from 2 to 256, or it has fewer than 4 lines.
     pub fn new([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
         let array = extents(width, height)?;
         if height < 4 {
@@ -123,8 +123,8 @@ impl FrameBuffer {
         Ok(FrameBuffer { array, samples: 1, screen })
     }
 
-    /// A frame buffer whose pixels have eight samples each. 2 x 2 processors of an array of `width` x `height` have two
-    /// each.
+    /// A frame buffer whose pixels have eight samples each: two in each of 2 x 2 processors of an array of `width` x
+    /// `height`.
     ///
     /// ```
     /// use tilewright_rtl::parameter::Screen;
@@ -137,7 +137,7 @@ impl FrameBuffer {
     ///
     /// # Errors
     ///
-    /// There is no such array, or a side has fewer than 8 processors.
+    /// The array's sides are not powers of two from 2 to 256, or one is below 8.
     pub fn of_eight_samples([width, height]: [u32; 2], screen: Screen) -> Result<FrameBuffer, ParameterError> {
         let array = extents(width, height)?;
         if width < 8 || height < 8 {
@@ -147,67 +147,67 @@ impl FrameBuffer {
         Ok(FrameBuffer { array, samples: EIGHT, screen })
     }
 
-    /// Chips of its node.
+    /// The number of chips of the node.
     pub fn chips(&self) -> u32 {
         self.array[1] / 2
     }
 
-    /// Processors of a chip.
+    /// The number of processors of a chip.
     pub fn processors(&self) -> u32 {
         2 * self.array[0]
     }
 
-    /// Processors along a side of a pixel.
+    /// The number of processors along a side of a pixel.
     fn side(&self) -> u32 {
         if self.samples == 1 { 1 } else { SIDE }
     }
 
-    /// Pixels of a region along x and y.
+    /// The width and the height of a region in pixels.
     fn region(&self) -> [u32; 2] {
         self.array.map(|processors| processors / self.side())
     }
 
-    /// Pixels stored for each chip.
+    /// The number of pixels stored for each chip.
     fn pixels(&self) -> u32 {
         self.processors() / (self.side() * self.side())
     }
 
-    /// Regions across and down the screen.
+    /// The number of regions across and down the screen.
     pub fn regions(&self) -> [u32; 2] {
         let ([width, height], screen) = (self.region(), self.screen);
         [screen.width.div_ceil(width), screen.height.div_ceil(height)]
     }
 
-    /// Clocks of a round, in which a pixel of each chip is read.
+    /// The clocks of a round, in which a pixel of each chip is read.
     pub fn turn(&self) -> u32 {
         self.bytes().max(self.chips() / 2)
     }
 
-    /// Bytes read for a pixel.
+    /// The number of bytes read for a pixel.
     fn bytes(&self) -> u32 {
         COLOUR * self.samples
     }
 
-    /// Clocks for a region.
+    /// The clocks for a region.
     pub fn clocks(&self) -> u64 {
         u64::from(self.turn()) * u64::from(self.pixels() + 1)
     }
 
-    /// Words of each of the two memories.
+    /// The number of words of each of the two memories.
     fn words(&self) -> u32 {
         FRAMES * self.count() * self.chips() / 2 * self.pixels()
     }
 
-    /// Regions of a frame.
+    /// The number of regions of a frame.
     fn count(&self) -> u32 {
         let [across, down] = self.regions();
         across * down
     }
 
-    /// The word of a pixel in the memory of its chip; the lowest bits of `pair` are half of the chip's number.
+    /// The address of a pixel in the memory of its chip. The lowest bits of `pair` are half of the chip's number.
     fn address(&self, slot: Signal, pair: Signal, pixel: Signal) -> Signal {
         match self.chips() / 2 {
-            // If there is only one pair it has no number.
+            // A single pair needs no number.
             1 => cat![slot, pixel],
             pairs => cat![slot, pair.trunc(below(pairs)), pixel],
         }
@@ -229,7 +229,7 @@ impl FrameBuffer {
         def!(clock = m.reg(up_to(turn.max(4))));
         let number = m.reg("pixel", up_to(pixels));
         def!(region = m.reg(below(count)).reset(0));
-        m.assume(i.start.implies(!busy), "the frame buffer begins when it has done");
+        m.assume(i.start.implies(!busy), "the frame buffer begins only when it is done");
         def!(runs = busy & !(*is_whole & region.eq(0)));
         def!(turn_ends = runs & clock.eq(turn - 1));
         def!(ends = turn_ends & number.eq(pixels));
@@ -249,7 +249,7 @@ impl FrameBuffer {
         even.write(stores, stores_at, stored.lane(0));
         odd.write(stores, stores_at, stored.lane(1));
 
-        // The scan, line by line; when it begins a frame, the next one may be complete.
+        // The scan, line by line. Frames are exchanged where it begins, if the new frame is complete.
         let [across, _] = self.regions();
         let Screen { width: columns, height: lines } = self.screen;
         let [width, height] = self.region();
@@ -275,7 +275,7 @@ impl FrameBuffer {
 
         let (inside, beside) = (x.part(0, below(width)), *x >> width.trailing_zeros());
         def!(scanned = slot(*shown, *left + fitting(beside, left.width())));
-        // From two lines of processors, a chip has two lines of pixels, or one.
+        // The two lines of processors of a chip have two lines of pixels, or one.
         let (chip, inside) = match self.side() {
             1 => (*y >> 1, cat![y.bit(0), inside]),
             _ => (*y, inside),
@@ -300,7 +300,7 @@ impl FrameBuffer {
         FrameBufferOut { port, done: ends, pixels }
     }
 
-    /// The colour stored for each chip once everything is read: its colour, or the mean of all samples.
+    /// The colour stored for each chip when a round ends: that of the pixel, or the mean of its samples.
     fn gather(&self, m: Module, seen: Signal, clock: Signal, reads: Signal) -> Signal {
         let of_all = row(self.chips());
         if self.samples == 1 {
@@ -309,7 +309,7 @@ impl FrameBuffer {
             colours.next(gathered);
             return gathered;
         }
-        // The lowest sum is the one of the current channel.
+        // The lowest sum is that of the current channel.
         def!(sums = m.reg(bits(SUM * COLOUR).of(of_all)));
         let half = lit(SUM, EIGHT / 2).of(of_all);
         def!(sum = mux(clock.lt(COLOUR), half, sums.part(0, SUM)) + seen.zext(SUM));
@@ -320,8 +320,8 @@ impl FrameBuffer {
         gathered
     }
 
-    /// The processor whose byte is read for a pixel of eight samples, and the register, from the clock behind `begins`
-    /// on.
+    /// The processor and the register that are read for a pixel of eight samples, from the clock after `begins` on. All
+    /// registers of a processor are read before the next processor.
     fn place_of_sample(m: Module, number: Signal, runs: Signal, begins: Signal) -> (Signal, Signal) {
         def!(register = m.reg(below(COLOUR * RENDERINGS)));
         def!(sample = m.reg(below(SIDE * SIDE)));

@@ -1,22 +1,22 @@
-//! The instructions of a node; each works on a word of some bytes, a byte a clock (facts E4).
+//! The instructions of a node; each works on a word of 1 to 8 bytes, one byte in every clock (facts E4).
 //!
-//! An instruction states directly what the processors do. The controller decodes it once and broadcasts it. If it has
-//! an expression, the first `skip` bytes of that are ignored: a fraction, or all bytes of an edge below its sign:
+//! An instruction states directly what the processors do. The controller decodes it once and broadcasts it. The first
+//! `skip` bytes of an expression are ignored: a fraction, or all bytes of an edge below the one with its sign:
 //!
 //! ```text
 //! bytes of the expression     0 1 ..         skip            skip + length - 1
-//! the evaluator is taken      |---------------|--------------------|
-//! ALU and memory are taken                    |--------------------|   read, read + 1, ..  write, write + 1, ..
+//! the evaluator is busy       |---------------|--------------------|
+//! ALU and memory are busy                     |--------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
-//! So memory and ALU are free for the previous instruction while an expression's lower bytes are on their way, and an
+//! So memory and ALU are free for the previous instruction while the lower bytes of an expression are under way. An
 //! expression is never interrupted.
 //!
-//! | field | in which bytes of the word |
+//! | field | takes effect in |
 //! |---|---|
-//! | `begin` | the first; later bytes keep the carry |
-//! | `enabling`, `flagging` | the last, which has the sign and the whole word's carry |
-//! | all others | each |
+//! | `begin` | the first byte of the word; later bytes keep the carry |
+//! | `enabling`, `flagging` | the last byte, which has the sign and the carry of the whole word |
+//! | all others | every byte |
 
 use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
 use crate::prelude::*;
@@ -24,15 +24,15 @@ use crate::prelude::*;
 codes! {
     /// The synchronization of an instruction with the ports of the node.
     pub enum Sync {
-        /// Nothing.
+        /// The instruction does not synchronize.
         Nothing,
-        /// It waits until the network has released the bank whose number is `c`.
+        /// The instruction waits until the network has released the bank whose number is `c`.
         AwaitBank,
-        /// When it has ended, the bank whose number is `c` is given to the network.
+        /// When the instruction has ended, the bank whose number is `c` is given to the network.
         GiveBank,
-        /// It waits until the texture unit has finished.
+        /// The instruction waits until the texture unit has finished.
         AwaitTexture,
-        /// When it has ended, the texture unit begins.
+        /// When the instruction has ended, the texture unit begins.
         StartTexture,
     }
 }
@@ -40,7 +40,7 @@ codes! {
 /// The width of a coefficient in bits, as in the contract's depth planes (facts E0).
 pub const COEFFICIENT: u32 = 40;
 
-/// The most bytes of a word; fewer may be skipped before it.
+/// The greatest number of bytes of a word. Fewer than this may be skipped before it.
 pub const LONGEST: u32 = 8;
 
 record! {
@@ -64,11 +64,11 @@ record! {
         enabling: one_of::<Enabling>(),
         /// The change of the flag with the last byte: a [`Flagging`].
         flagging: one_of::<Flagging>(),
-        /// Bytes of the expression before the word; 0 without an expression.
+        /// The number of bytes of the expression before the word; 0 without an expression.
         skip: below(LONGEST),
-        /// Bytes of the word: 1 to [`LONGEST`].
+        /// The number of bytes of the word: 1 to [`LONGEST`].
         length: up_to(LONGEST),
-        /// Addresses decrease, from the most significant byte on: for shifts to the right.
+        /// Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
         descends: bit(),
         /// The address of the first byte that is read.
         read: below(PixelProcessor::BYTES),
@@ -80,8 +80,8 @@ record! {
         a: bits(COEFFICIENT).signed(),
         /// Coefficient B of the expression, in two's complement.
         b: bits(COEFFICIENT).signed(),
-        /// Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no expression, from its least
-        /// significant byte on. Longer words are of its sign.
+        /// Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is
+        /// the constant, least significant byte first; its sign extends it to a longer word.
         c: bits(COEFFICIENT).signed(),
     }
 }
@@ -90,7 +90,7 @@ impl Instruction<u64> {
     /// An instruction of one byte that does nothing, as a starting point.
     pub const NOTHING: Instruction<u64> = Instruction { length: 1, ..Instruction::ZERO };
 
-    /// The clocks that it takes, without waiting.
+    /// The clocks that the instruction takes, without waiting.
     pub fn clocks(&self) -> u64 {
         self.skip + self.length
     }

@@ -1,4 +1,4 @@
-//! The linear evaluator: A x + B y + C at each pixel, a byte a clock, least significant byte first (PFL-NODE, facts E4).
+//! The linear evaluator: A x + B y + C at each pixel, a byte per clock, the lowest byte first (PFL-NODE, facts E4).
 //!
 //! ```text
 //!            tree of a chip's pixels: 1 + log2 W levels         a sum for each of its pixels
@@ -16,16 +16,16 @@
 //! A chip has two lines of the region. Each node of a tree stands for a span of pixels, or of chips, and has the sum at
 //! the first one. Its left child takes that sum. Its right child adds half the span times a coefficient, which is the
 //! coefficient shifted by a few places. The shift is less than a byte, so a level adds a byte of the coefficient joined
-//! with the top bits of the previous byte. Each pixel adds the sum of its place in the chip and the sum of its chip.
-//! That is one adder a pixel, and few others.
+//! with the top bits of the previous byte. Each pixel adds two sums: that of its position in the chip, and that of its
+//! chip. So there is one adder per pixel, and few others.
 //!
-//! Nodes without a byte of an expression keep their values. A flag goes down the trees with the bytes and enables the
+//! Nodes without a byte of an expression keep their values. A flag goes down the trees with the bytes, and enables the
 //! registers.
 //!
-//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
+//! All sums are exact modulo 2^n for n bits sent, so signs and fractions are those of the integers (facts E0).
 //!
-//! Latency: 1 clock more than the larger tree has levels. Each pixel gets a byte a clock, and expressions may follow
-//! one another without a gap.
+//! Latency: 1 clock more than the larger tree has levels. Each pixel gets a byte in every clock, and expressions may
+//! follow one another without a gap.
 
 use crate::delays::{delays, mark_delays};
 use crate::prelude::*;
@@ -33,41 +33,41 @@ use crate::prelude::*;
 block! {
     /// Evaluates a linear expression at every pixel of a region.
     pub struct LinearEvaluator {
-        /// Pixels in a line; a power of two, from 2 to 256.
+        /// The number of pixels in a line; a power of two, from 2 to 256.
         pub width: u32,
-        /// Lines; a power of two, from 2 to 256.
+        /// The number of lines; a power of two, from 2 to 256.
         pub height: u32,
     }
-    latency(self) = format!("{} clocks from a coefficient's byte to the expression's at each pixel", self.latency());
+    latency(self) = format!("{} clocks from a byte of the coefficients to the expression's byte at each pixel", self.latency());
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE)";
     in(self) LinearEvaluatorIn {
-        /// A byte of each coefficient, beginning with the least significant.
+        /// A byte of each coefficient, least significant byte first.
         coefficients: pub struct Coefficients {
-            /// A byte of coefficient A, which is added from a column to the next.
+            /// A byte of coefficient A, the increment from each column to the next.
             a: bits(8),
-            /// A byte of coefficient B, which is added from a line to the next.
+            /// A byte of coefficient B, the increment from each line to the next.
             b: bits(8),
             /// A byte of coefficient C, the value at column 0 of line 0.
             c: bits(8),
         },
-        /// The coefficients' bytes are the first of an expression.
+        /// The bytes of the coefficients are the first of an expression.
         first: bit(),
-        /// The coefficients are bytes of an expression, which come without a pause: the nodes that have none stay as they are.
+        /// The bytes of the coefficients belong to an expression. The bytes of an expression come without a pause.
         sends: bit(),
     }
     out(self) LinearEvaluatorOut {
-        /// A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+        /// A byte of the expression at each pixel: a row for each chip, with its upper line before its lower one.
         value: bits(8).of(grid(self.height / 2, 2 * self.width)),
     }
 }
 
 impl LinearEvaluator {
-    /// Clocks from a coefficient's byte to the expression's byte: a clock a level, and one for the sum.
+    /// Clocks from a byte of the coefficients to the expression's byte: one for each level, and one for the sum.
     pub fn latency(&self) -> u32 {
         self.levels() + 1
     }
 
-    /// Levels of the larger tree. The other one begins later, so that both end in the same clock.
+    /// Levels of the larger tree. The other tree begins later, so both end in the same clock.
     fn levels(&self) -> u32 {
         (self.width.trailing_zeros() + 1).max(self.height.trailing_zeros() - 1)
     }
@@ -81,7 +81,7 @@ impl LinearEvaluator {
             a: delays(m, "a", levels + 1, a),
             b: delays(m, "b", levels + 1, b),
         };
-        // The places by which each level shifts its coefficient.
+        // The number of bits by which each level shifts its coefficient.
         let of_columns = (0..self.width.trailing_zeros()).rev().map(|places| (&sent.a, places));
         let in_chip: Vec<_> = std::iter::once((&sent.b, 0)).chain(of_columns).collect();
         let of_chips: Vec<_> = (1..self.height.trailing_zeros()).rev().map(|places| (&sent.b, places)).collect();
@@ -109,7 +109,7 @@ struct Sent {
     b: Vec<Signal>,
 }
 
-/// The kinds of bytes: the first of an expression, any of one.
+/// What a byte is: the first one of an expression, or any one.
 #[derive(Clone, Copy)]
 struct Marks {
     first: Signal,
@@ -117,12 +117,12 @@ struct Marks {
 }
 
 impl Sent {
-    /// The kinds of the bytes sent `ago` clocks ago.
+    /// What the bytes sent `clocks` clocks ago are.
     fn marks(&self, clocks: usize) -> Marks {
         Marks { first: self.first[clocks], sends: self.sends[clocks] }
     }
 
-    /// A byte of a shifted coefficient, some clocks after it was sent: joined with the top bits of the previous byte.
+    /// A byte of a shifted coefficient, `clocks` clocks after it was sent, with the top bits of the previous byte.
     fn weighted(&self, coefficient: &[Signal], places: u32, clocks: usize) -> Signal {
         let (byte, before) = (coefficient[clocks], coefficient[clocks + 1]);
         if places == 0 {
@@ -132,7 +132,7 @@ impl Sent {
     }
 }
 
-/// The sums of a level's nodes, a clock later: a left child takes its parent's, and a right child adds the coefficient.
+/// The sums of a level, a clock later: a left child takes its parent's sum, and a right child adds the coefficient.
 fn children(m: Module, parents: Signal, weighted: Signal, marks: Marks) -> Signal {
     let nodes = 2 * parents.count();
     let is_right = constants(bits(8).of(row(nodes)), |node| node % 2 * 0xff);

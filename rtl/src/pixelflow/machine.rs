@@ -1,5 +1,5 @@
-//! The whole machine without its geometry processors: a chain of nodes, with the network between them in both
-//! directions (PFL-NODE, PFL-NET).
+//! The whole machine without its geometry processors: a chain of nodes, which the network connects in both directions
+//! (PFL-NODE, PFL-NET).
 //!
 //! ```text
 //!   stores, frames        stores, frames               stores, frames
@@ -15,16 +15,16 @@
 //!
 //! | party | action | when |
 //! |---|---|---|
-//! | host | writes the instructions of each node, and gives their addresses | at any time |
-//! | host | offers each node its jobs in both directions, one after another, one for each word | at any time |
-//! | host | serves the texture ports: a shader's with a [texture unit](super::texture_unit), the frame holder's with its memory | when the port starts |
+//! | host | writes the instructions of each node, and offers the frames to execute | at any time |
+//! | host | offers each node its jobs in both directions, one for each word | at any time |
+//! | host | serves the texture ports: a shader's with a [texture unit](super::texture_unit), that of the frame buffer's node with a [frame buffer](super::frame_buffer) | when `textures_start` is high |
 //!
-//! Instructions and jobs decide whether a node is a rasterizer, a shader or the holder of the frame. A node that loads
-//! a word sits behind those that get nothing of it; they have jobs of no bytes
+//! Instructions and jobs decide whether a node is a rasterizer, a shader or the node of the frame buffer. A word begins
+//! at the node that loads it. The nodes before that one have jobs of no bytes
 //! ([`network_sequencer`](super::network_sequencer)).
 //!
-//! Latency: when all are ready, the first byte of each chip leaves one clock later, and takes 1 clock of the network
-//! per node.
+//! Latency: the first byte of each chip leaves one clock of the network after all nodes are ready. A byte takes 1 clock
+//! of the network per node.
 
 use super::command_dma::{Commands, Store};
 use super::network_port::Transfer;
@@ -34,47 +34,47 @@ use super::registers::PortAccess;
 use super::{ARRAY, NETWORK};
 use crate::prelude::*;
 
-/// The most nodes.
+/// The greatest number of nodes.
 pub const MOST_NODES: u32 = 64;
 
 block! {
-    /// PixelFlow's nodes on a network with both directions.
+    /// PixelFlow's nodes on a network with two directions.
     pub struct PixelFlow {
         /// The number of nodes.
         nodes: u32,
         /// The node, the same for all.
         node: Node,
     }
-    latency = "1 clock of the network a node; instructions have their own clocks";
+    latency = "1 clock of the network per node; in the array, the clocks of each instruction";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) PixelFlowIn {
-        /// Instructions that are written, of each node.
+        /// A write to the instruction memory of each node.
         stores: [Store::widths(self.node.words()).on(ARRAY); self.nodes],
-        /// Frames of them that are to be done.
+        /// The frames that each node executes, one after another.
         frames: [stream(Commands::widths(self.node.words())).on(ARRAY); self.nodes],
-        /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
         side_by_side: bit().on(ARRAY),
-        /// From the texture unit of each node.
+        /// The access of each node's texture unit to its registers.
         textures: [PortAccess::widths(&self.node.array().texture()).on(ARRAY); self.nodes],
-        /// The nodes whose texture unit is done.
+        /// For one clock: the texture unit of the node is done; a bit for each node.
         textures_done: bit().of(row(self.nodes)).on(ARRAY),
         /// The jobs of each node for the words that go forth, from the first node to the last.
         forth: [stream(Job).on(NETWORK); self.nodes],
-        /// The jobs of each node for the words that go back.
+        /// The jobs of each node for the words that go back, from the last node to the first.
         back: [stream(Job).on(NETWORK); self.nodes],
     }
     out(self) PixelFlowOut {
-        /// To the texture unit of each node: a byte of each chip.
+        /// The byte of each chip that the texture unit of each node reads.
         texture_seen: [bits(8).of(row(self.node.array().chips())); self.nodes],
-        /// The nodes whose texture unit begins.
+        /// For one clock: the texture unit of the node begins; a bit for each node.
         textures_start: bit().of(row(self.nodes)),
-        /// The nodes in which every instruction has ended except in the pixels.
+        /// All instructions have left the controller of the node; a bit for each node.
         idle: bit().of(row(self.nodes)),
-        /// The nodes that have no job, of each direction.
+        /// For each direction: the node has no job; a bit for each node.
         without_job: [bit().of(row(self.nodes)); DIRECTIONS],
-        /// All nodes are ready for a word of the direction.
+        /// For each direction: all nodes are ready for their word.
         go: [bit(); DIRECTIONS],
-        /// The bytes that leave the network at the end of each direction.
+        /// For each direction: the bytes that leave the network at its end.
         off: [Transfer::widths(&self.node.port()); DIRECTIONS],
     }
 }

@@ -1,4 +1,4 @@
-//! PixelFlow: nodes that compose their images on a network (facts A4, E4).
+//! PixelFlow: nodes that compose their images over a network (facts A4, E4).
 //!
 //! ```text
 //!            node 0                node 1                          node n
@@ -10,10 +10,10 @@
 //!            load                composite                       unload
 //! ```
 //!
-//! A region of 128 x 64 pixels is in 32 chips of 256 pixels. The network has 8 wires for each chip, so a byte of each pixel takes 256 transfers of
-//! 5 ns: 1.28 us (PFL-NET, PFL-TCB).
+//! The 128 x 64 pixels of a region are in 32 chips of 256 pixels each. The network has 8 wires for each chip, so a byte
+//! of each pixel takes 256 transfers of 5 ns: 1.28 us (PFL-NET, PFL-TCB).
 //!
-//! A node, without the processors that write its instructions:
+//! This is a node, without the processors that write its instructions:
 //!
 //! ```text
 //! store, frames ==>[ command fetcher ]==>[ controller ]---->[ linear evaluator ]
@@ -27,7 +27,7 @@
 //! | file | contents |
 //! |---|---|
 //! | [`machine`] | nodes on a network with both directions |
-//! | [`node`] | everything below but the texture unit |
+//! | [`node`] | an array with its instructions, sequencers and network ports |
 //! | [`command_dma`] | brings instructions to the array |
 //! | [`array`](mod@array) | controller, evaluator, pixels and communication registers |
 //! | [`instruction`] | the instructions of an array |
@@ -36,7 +36,7 @@
 //! | [`pixel`] | a pixel's ALU, flags and memory |
 //! | [`registers`] | bytes of each pixel that a port also accesses |
 //! | [`texture_unit`] | looks up the texels of each pixel |
-//! | [`texture_memory`] | reads the texels around a place |
+//! | [`texture_memory`] | reads the texels around a point of a texture |
 //! | [`frame_buffer`] | stores and shows frames |
 //! | [`network_sequencer`] | decides what a node does with each word that passes |
 //! | [`network_port`] | the compositors of a node, and the counter of their pixels |
@@ -45,7 +45,7 @@
 //! | [`fields`] | the layout of a pixel's memory |
 //! | [`programs`] | rasterization and shading |
 //! | [`schedule`] | the clocks in which a controller takes instructions |
-//! | [`emulator`] | the effect of instructions, by definition |
+//! | [`emulator`] | a software model of what instructions do to a pixel |
 
 use crate::prelude::{Clock, ParameterError, Period};
 
@@ -80,16 +80,16 @@ pub const ARRAY: Clock = Clock::new("array", Period::ns(10));
 /// The clock of the network: 100 MHz, on both edges (PFL-NET).
 pub const NETWORK: Clock = Clock::new("network", TRANSFER);
 
-/// The time of a transfer: 200 MHz (PFL-NET).
+/// The time of a transfer; transfers have a rate of 200 MHz (PFL-NET).
 pub const TRANSFER: Period = Period::ns(5);
 
-/// Pixels of a chip, which share a compositor (facts E4).
+/// The number of pixels of a chip, which share a compositor (facts E4).
 pub const PIXELS: u32 = 256;
 
-/// Chips of a node: 128 x 64 pixels (PFL-NODE).
+/// The number of chips of a node with 128 x 64 pixels (PFL-NODE).
 pub const CHIPS: u32 = 32;
 
-/// Checks that there is hardware for this many pixels in a line of a region, and this many lines.
+/// Checks that there is hardware for regions of `width` x `height` pixels, and returns both.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! The controller's treatment of instructions, for tests: from their codes, written independently.
+//! A model of how the controller treats instructions, for tests: written independently, from the codes of their fields.
 
 use super::emulator::{control, is_by_sign, is_conditional};
 use super::instruction::Instruction;
@@ -6,12 +6,12 @@ use super::pixel::{Control, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::Step;
 use crate::prelude::Codes;
 
-/// The control of a pixel with each byte of the word, one after another.
+/// The control of a pixel for each byte of the word, one after another.
 pub(super) fn controls(i: &Instruction<u64>) -> Vec<Control<u64>> {
     (0..i.length).map(|byte| control(i, byte)).collect()
 }
 
-/// The resources it needs of a controller: the table of [`controller`](super::controller), written independently.
+/// The resources that an instruction needs: the table of [`controller`](super::controller), written independently.
 pub(super) fn step(i: &Instruction<u64>) -> Step {
     let on_enable = i.enabling != Enabling::Keep.code()
         || i.mask == Mask::Enabled.code()

@@ -1,4 +1,4 @@
-//! The network: the ports of all nodes, one behind the other (PFL-NET).
+//! The network: a chain of the ports of all nodes (PFL-NET).
 //!
 //! ```text
 //!      node 0            node 1            node 2                  last node
@@ -8,31 +8,31 @@
 //!                            '-> unloaded      '-> unloaded            '-> unloaded
 //! ```
 //!
-//! Words go one way. The lesser word goes on, and each node that unloads gets it. A second network of the same kind
-//! goes the other way (PFL-NET).
+//! Words go one way. At each node that composites the lesser word goes on, and each node that unloads gets it. A second
+//! network of the same kind goes the other way (PFL-NET).
 //!
-//! Latency: 1 clock a node; a byte of each chip a clock.
+//! Latency: 1 clock per node; a byte of each chip in every clock.
 
 use super::compositor::Mode;
 use super::network_port::{NetworkPort, NetworkPortIn, Transfer};
 use crate::prelude::*;
 
 block! {
-    /// Connects nodes with each other.
+    /// Connects the ports of all nodes in a chain, in one direction.
     pub struct Network {
         /// The number of nodes.
         pub nodes: u32,
         /// The port of each node.
         pub port: NetworkPort,
     }
-    latency(self) = format!("1 clock a node; a byte of all pixels takes {}", self.port.pixels);
+    latency(self) = format!("1 clock per node; a byte of all pixels takes {}", self.port.pixels);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET)";
     in(self) NetworkIn {
         /// The inputs of each node.
         nodes: [NodeIn::widths(&self.port); self.nodes],
     }
     out(self) NetworkOut {
-        /// To each node.
+        /// The outputs to each node.
         nodes: [NodeOut] = _,
     }
 }
@@ -40,9 +40,9 @@ block! {
 record! {
     /// A node's inputs to the network.
     pub struct NodeIn(port: &NetworkPort) {
-        /// The mode of the node: a [`Mode`]. It stays while a word goes.
+        /// The mode of the node, constant during a word: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// A node that loads sends a byte of each chip.
+        /// A node in mode `Load` sends a byte of each chip.
         sends: bit(),
         /// The byte is the first of a word.
         first: bit(),
@@ -56,11 +56,11 @@ bundle! {
     pub struct NodeOut<T> {
         /// The current pixel of each chip.
         pub pixel: T,
-        /// A byte of the pixel goes.
+        /// A byte of the current pixel is transferred.
         pub advances: T,
-        /// The bytes that come are for this node.
+        /// The incoming bytes are for this node.
         pub unloaded: T,
-        /// The bytes that come, one of each chip.
+        /// The incoming bytes, one of each chip.
         pub bytes: T,
     }
 }

@@ -3,7 +3,7 @@
 //! ```text
 //!                 .-------.
 //! sends, first -->|       |--> pixel, whose bytes the node has to show
-//!        mode --->| turns |--> advances
+//!        mode --->| count |--> advances
 //!                 |       |--> unloaded: the bytes of upstream are for the node
 //!                 '-------'
 //!                     | advances, first, pixel
@@ -13,11 +13,11 @@
 //! own --------------' a byte of each chip
 //! ```
 //!
-//! The network never waits: a byte goes on in the next clock. A node that loads decides when its bytes go; all others
+//! The network never waits: a byte goes on in the next clock. A node that loads decides when it sends; all others
 //! follow the bytes that arrive. A byte of all pixels takes as many clocks as a chip has pixels: 256, or 1.28 us
 //! (PFL-TCB). Each node is one clock behind its predecessor.
 //!
-//! Latency: 1 clock; a byte of each chip a clock.
+//! Latency: 1 clock; a byte of each chip in every clock.
 
 use super::compositor::{Compositor, CompositorIn, Mode};
 use crate::prelude::*;
@@ -25,35 +25,35 @@ use crate::prelude::*;
 block! {
     /// Connects a node to the network that composes images.
     pub struct NetworkPort {
-        /// Chips of the node.
+        /// The number of chips of the node.
         pub chips: u32,
-        /// Pixels of a chip.
+        /// The number of pixels of a chip.
         pub pixels: u32,
-        /// Bits of a byte.
+        /// The width of a byte.
         pub width: u32,
     }
     latency(self) = format!("1 clock; a byte of all pixels takes {}", self.pixels);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-TCB)";
     in(self) NetworkPortIn {
-        /// The mode of the node: a [`Mode`]. It stays while a word goes.
+        /// The mode of the node, constant during a word: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// A node that loads sends a byte of each chip.
+        /// A node in mode `Load` sends a byte of each chip.
         sends: bit(),
         /// The byte is the first of a word.
         first: bit(),
-        /// What comes from the node before.
+        /// The bytes from the previous node.
         upstream: Transfer::widths(self),
-        /// The bytes of `pixel` in this node.
+        /// The node's own bytes of the pixels at `pixel`.
         own: bits(self.width).of(row(self.chips)),
     }
     out(self) NetworkPortOut {
         /// The current pixel of each chip.
         pixel: below(self.pixels),
-        /// A byte of the pixel goes.
+        /// A byte of the current pixel is transferred.
         advances: bit(),
         /// The bytes from upstream are for this node.
         unloaded: bit(),
-        /// What goes to the node behind.
+        /// The bytes to the next node.
         downstream: Transfer::widths(self),
     }
 }
@@ -61,7 +61,7 @@ block! {
 record! {
     /// A byte of each chip on the network.
     pub struct Transfer(port: &NetworkPort) {
-        /// There is a byte of each chip.
+        /// A byte of each chip is transferred.
         valid: bit(),
         /// The byte is the first of a word.
         first: bit(),
@@ -78,7 +78,7 @@ impl NetworkPort {
         def!(is_first = mux(loads, i.first, i.upstream.first));
         def!(pixel = m.reg(below(pixels)).reset(0));
         pixel.when(advances, mux(pixel.eq(pixels - 1), 0, pixel + 1));
-        m.assume(!(loads & i.upstream.valid), "nothing comes while a node loads");
+        m.assume(!(loads & i.upstream.valid), "no byte arrives while a node loads");
 
         let each = |signal: Signal| signal.of(row(chips));
         def!(

@@ -12,15 +12,15 @@
 //!
 //! A job is one word of each pixel of a region. The most significant byte of all pixels is sent first, then the next
 //! byte of all. Byte j of n is at address n - 1 - j of the bank. So a word is a number with its least significant byte
-//! at the lowest address, as the pixels process it.
+//! at the lowest address, which the pixels process first.
 //!
 //! The network never waits, so no node may send before all are set up. Every node has a job for each word, even if it
-//! only forwards it. A node is ready when it has the bank and its set-up is over; the loading node starts when all are
-//! ready. The set-up time depends on the number of nodes. The paper leaves it out (PFL-SETUP), so it is a parameter.
-//! The nodes before the loading one get nothing: each has a job of no bytes, which ends when all are ready.
+//! only forwards the word. A node is ready when it has the bank and its set-up is over. The loading node starts when
+//! all are ready. The set-up time depends on the number of nodes. The paper does not give it (PFL-SETUP), so it is a
+//! parameter. No byte reaches the nodes before the loading one: their jobs have no bytes, and end when all are ready.
 //!
-//! Latency: a job becomes ready 3 clocks and the set-up after it is taken, if it has its bank. The first byte goes in
-//! the clock behind `go`, then one a clock. The next job is taken in the clock behind the last byte.
+//! Latency: a node with its bank is ready 3 clocks and the set-up after it takes a job. The first byte is sent in the
+//! clock after `go`, then one in every clock. The next job is taken in the clock after the last byte.
 
 use super::compositor::Mode;
 use super::controller::BANKS;
@@ -29,41 +29,41 @@ use crate::prelude::*;
 block! {
     /// Schedules the words of a direction of the network.
     pub struct NetworkSequencer {
-        /// Pixels of a chip.
+        /// The number of pixels of a chip.
         pub pixels: u32,
-        /// Clocks of the set-up before a word.
+        /// The set-up before a word, in clocks.
         pub setup: u32,
     }
-    latency(self) = format!("{} clocks from a job to ready, if it has its bank", 3 + self.setup);
+    latency(self) = format!("{} clocks from taking a job to ready, if the bank is given", 3 + self.setup);
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)";
     in(self) NetworkSequencerIn {
         /// The jobs, one for each word.
         jobs: stream(Job),
-        /// Banks that the array has given: a bit for each.
+        /// The banks that the array has given: a bit for each.
         given: bits(BANKS),
         /// All nodes are ready.
         go: bit(),
         /// The current pixel of each chip.
         pixel: below(self.pixels),
-        /// A byte of the pixel goes.
+        /// A byte of the current pixel is transferred.
         advances: bit(),
     }
     out NetworkSequencerOut {
         /// The mode of the port: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// A byte of the node goes.
+        /// The node sends a byte of each chip.
         sends: bit(),
         /// The byte is the first of its word.
         first: bit(),
         /// The bank, if the job needs one: a bit for each.
         bank: bits(BANKS),
-        /// The byte of the bank.
+        /// The address of the byte in the bank.
         address: below(NetworkSequencer::BYTES),
-        /// The node is set for its word.
+        /// The node is ready for its word.
         ready: bit(),
-        /// The network is done with a bank: a bit for each.
+        /// For one clock: the network is done with a bank; a bit for each.
         done: bits(BANKS),
-        /// There is no job.
+        /// The node has no job.
         idle: bit(),
     }
 }
@@ -73,9 +73,9 @@ record! {
     pub struct Job {
         /// The mode of the node for the word: a [`Mode`].
         mode: one_of::<Mode>(),
-        /// The bank that the word is in, unless the node forwards.
+        /// The bank of the word, unless the node forwards.
         bank: below(BANKS),
-        /// Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a [`Mode::Forward`].
+        /// The bytes of the word, 1 to 32; or 0 before the node that loads, where the mode has to be [`Mode::Forward`].
         bytes: up_to(NetworkSequencer::BYTES),
     }
 }
@@ -85,11 +85,11 @@ codes! {
     enum Phase {
         /// There is no job.
         Idle,
-        /// It waits for its bank.
+        /// The job waits for its bank.
         Bank,
-        /// It is set up.
+        /// The set-up runs.
         SetUp,
-        /// The node is ready and follows the bytes that arrive; if it loads, it waits for all nodes.
+        /// The node is ready, and follows the bytes that arrive; to load, it waits for all nodes.
         Ready,
         /// The node sends.
         Sends,
@@ -137,9 +137,9 @@ impl NetworkSequencer {
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
         state(next.bytes.le(NetworkSequencer::BYTES), "a word has at most 32 bytes");
         state(next.bytes.ne(0) | next.mode.is(Mode::Forward), "a job of no bytes forwards");
-        m.assume(i.advances.implies(ready | sends), "a word comes when the node is ready for it");
+        m.assume(i.advances.implies(ready | sends), "a word comes only when the node is ready for it");
         let done = mux(ends, *bank, 0);
-        // Until it is ready, its mode has no meaning.
+        // Until the node is ready, the mode has no meaning.
         let mode = mux(ready | sends, *mode, Mode::Forward);
         NetworkSequencerOut {
             mode,

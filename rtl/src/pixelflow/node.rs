@@ -1,5 +1,5 @@
-//! A node: an array that draws or shades regions, its instructions, and its ports to the network (PFL-NODE, PFL-NET,
-//! facts E4).
+//! A node: an array that draws or shades regions, the memory of its instructions, and its ports to the network
+//! (PFL-NODE, PFL-NET, facts E4).
 //!
 //! ```text
 //!   store, frames ==>[ command fetcher ]==>[ array ]<== port ==> texture unit
@@ -12,17 +12,17 @@
 //! downstream ==[ port ]<== upstream
 //! ```
 //!
-//! The network has two directions, and a node has a port and a sequencer for each. So regions of surfaces can come one
+//! The network has two directions, and a node has a port and a sequencer for each. So regions of surfaces can go one
 //! way while shaded ones go the other. A bank belongs to one direction at a time. Instructions and jobs alone decide
-//! whether a node is a rasterizer, a shader or the holder of the frame.
+//! whether a node is a rasterizer, a shader or the node of the frame buffer.
 //!
 //! The array has a clock of 10 ns, and the network one of 5 ns. Two events cross between them: a bank is given, and a
-//! bank is released. Each crosses as a flag that toggles, which takes 2 clocks of the other side. The bytes themselves
-//! are in registers that the other side leaves alone.
+//! bank is released. Each crosses as a flag that toggles, which takes 2 clocks of the other side. The bytes do not
+//! cross: a side that does not have the bank does not access its registers.
 //!
-//! The holder of the frame is at an end of the network, and sends words there as any node loads them.
+//! The node of the frame buffer is at an end of the network. It loads words onto the network as any other node does.
 //!
-//! Latency: a byte of each chip passes in 1 clock of the network; the instructions have their own clocks.
+//! Latency: 1 clock of the network for a byte of each chip; in the array, the clocks of each instruction.
 
 use super::array::{PixelArray, PixelArrayIn};
 use super::command_dma::{CommandDma, CommandDmaIn, Commands, Store};
@@ -36,7 +36,7 @@ use crate::prelude::*;
 /// The directions of the network.
 pub const DIRECTIONS: u32 = 2;
 
-/// The largest capacity of a node's memory, in instructions.
+/// The greatest capacity of a node's memory, in instructions.
 pub const MOST: u32 = 1 << 20;
 
 /// The longest set-up, in clocks of the network.
@@ -49,7 +49,7 @@ record! {
         jobs: stream(Job),
         /// All nodes are ready.
         go: bit(),
-        /// From the node before.
+        /// The bytes from the previous node.
         upstream: Transfer::widths(port),
     }
 }
@@ -57,11 +57,11 @@ record! {
 bundle! {
     /// Signals from a node to a direction of the network.
     pub struct DirectionOut<T> {
-        /// The node is set for its word.
+        /// The node is ready for its word.
         pub ready: T,
-        /// There is no job.
+        /// The node has no job in this direction.
         pub idle: T,
-        /// To the node behind.
+        /// The bytes to the next node.
         pub downstream: Transfer<T>,
     }
 }
@@ -69,48 +69,48 @@ bundle! {
 block! {
     /// A node of PixelFlow without its geometry processors.
     pub struct Node {
-        /// Its pixels.
+        /// The array of pixels.
         array: PixelArray,
-        /// The capacity of its memory, in instructions.
+        /// The capacity of the instruction memory.
         words: u32,
-        /// Clocks of the network's set-up before a word.
+        /// The set-up before a word, in clocks of the network.
         setup: u32,
     }
-    latency = "a byte of each chip passes in 1 clock of the network; instructions have their own clocks";
+    latency = "1 clock of the network for a byte of each chip; in the array, the clocks of each instruction";
     source = "Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)";
     in(self) NodeIn {
-        /// Instructions that are written.
+        /// A write to the instruction memory.
         store: Store::widths(self.words).on(ARRAY),
-        /// Frames of them that are to be done.
+        /// The frames to execute, one after another.
         frames: stream(Commands::widths(self.words)).on(ARRAY),
-        /// Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
         side_by_side: bit().on(ARRAY),
-        /// From the texture unit.
+        /// The texture unit's access to its registers.
         texture: PortAccess::widths(&self.array.texture()).on(ARRAY),
-        /// The texture unit is done.
+        /// For one clock: the texture unit is done.
         texture_done: bit().on(ARRAY),
-        /// From both directions of the network.
+        /// The inputs from both directions of the network.
         network: [DirectionIn::widths(&self.port()).on(NETWORK); DIRECTIONS],
     }
     out(self) NodeOut {
-        /// To the texture unit: a byte of each chip.
+        /// The byte of each chip that the texture unit reads.
         texture_seen: bits(8).of(row(self.array.chips())),
-        /// The texture unit begins.
+        /// For one clock: the texture unit begins.
         texture_starts: bit(),
-        /// Every instruction has ended except in the pixels, which are as late as the evaluator.
+        /// All instructions have left the controller; the pixels execute the last one after the evaluator's latency.
         idle: bit(),
-        /// To both directions of the network.
+        /// The outputs to both directions of the network.
         network: [DirectionOut] = _,
     }
 }
 
 impl Node {
-    /// A node with these pixels, a memory for `words` instructions, and a set-up of `setup` clocks of the
+    /// A node with `width` x `height` pixels, a memory for `words` instructions, and a set-up of `setup` clocks of the
     /// network before each word.
     ///
     /// # Errors
     ///
-    /// There is no such array; or the memory has no instructions, or more than [`MOST`]; or the set-up is above
+    /// No array has this size; or the memory has no instructions, or more than [`MOST`]; or the set-up is above
     /// [`LONGEST_SETUP`].
     pub fn new(width: u32, height: u32, words: u32, setup: u32) -> Result<Node, ParameterError> {
         let array = PixelArray::new(width, height)?;
@@ -118,27 +118,27 @@ impl Node {
             return Err(ParameterError(format!("a memory of {words} instructions: it has to hold from 1 to {MOST}")));
         }
         if setup > LONGEST_SETUP {
-            return Err(ParameterError(format!("a set-up of {setup} clocks: {LONGEST_SETUP} are the most")));
+            return Err(ParameterError(format!("a set-up of {setup} clocks: it has to be at most {LONGEST_SETUP}")));
         }
         Ok(Node { array, words, setup })
     }
 
-    /// Its pixels.
+    /// The array of pixels.
     pub fn array(&self) -> &PixelArray {
         &self.array
     }
 
-    /// The capacity of its memory, in instructions.
+    /// The capacity of the instruction memory.
     pub fn words(&self) -> u32 {
         self.words
     }
 
-    /// Clocks of the network's set-up before a word.
+    /// The set-up before a word, in clocks of the network.
     pub fn setup(&self) -> u32 {
         self.setup
     }
 
-    /// Its port to a direction of the network.
+    /// The port to a direction of the network.
     pub fn port(&self) -> NetworkPort {
         self.array.network_port()
     }
@@ -149,11 +149,11 @@ impl Node {
         def!(dma = array.instance(&CommandDma { words: self.words }, CommandDmaIn { store, frames }));
         def!(given = array.wire(bits(BANKS)));
         def!(done = network.wire(bits(BANKS)));
-        let bank_done = m.within("done", || turned(array, network, *done));
+        let bank_done = m.within("done", || crossed(array, network, *done));
         def!(held = network.reg(bits(BANKS)).reset(0));
-        held.next((held & !done) | m.within("given", || turned(network, array, *given)));
+        held.next((held & !done) | m.within("given", || crossed(network, array, *given)));
 
-        // Each direction gets the byte that its bank shows, and selects it.
+        // Both banks show a byte of each chip. Each direction selects the byte of the bank that it has.
         let seen: Vec<Wire> =
             (0..BANKS).map(|bank| network.wire(&format!("seen{bank}"), bits(8).of(row(self.array.chips())))).collect();
         let sides: Vec<Side> = (0..)
@@ -163,7 +163,7 @@ impl Node {
         let [first, second] = &sides[..] else { unreachable!("two directions") };
         done.drive(first.sequencer.done | second.sequencer.done);
         let both = (first.sequencer.bank & second.sequencer.bank).ne(0);
-        network.assert(!both, "a bank is of one direction at a time");
+        network.assert(!both, "a bank belongs to one direction at a time");
         let access =
             (0..BANKS).map(|bank| mux(second.sequencer.bank.bit(bank), second.access(bank), first.access(bank)));
 
@@ -206,7 +206,7 @@ impl Node {
     }
 }
 
-/// The state of a direction.
+/// The outputs of a direction's sequencer and port.
 struct Side {
     sequencer: NetworkSequencerOut,
     pixel: Signal,
@@ -216,18 +216,18 @@ struct Side {
 }
 
 impl Side {
-    /// What it sends to a bank that it has.
+    /// The direction's access to a bank, if it has the bank.
     fn access(&self, bank: u32) -> PortAccess {
         let writes = self.unloaded & self.sequencer.bank.bit(bank);
         PortAccess { pixel: self.pixel, address: self.sequencer.address, writes, bytes: self.bytes }
     }
 }
 
-/// Pulses of one clock as pulses of this clock: a flag toggles with each, and two registers synchronize it.
-fn turned(here: Module, there: Module, marks: Signal) -> Signal {
+/// Carries pulses from the clock of `there` to that of `here`: each toggles a flag, which two registers synchronize.
+fn crossed(here: Module, there: Module, pulses: Signal) -> Signal {
     let mut bits = Vec::new();
-    for bit in (0..marks.width()).rev() {
-        let flag = there.toggle(&format!("flag{bit}"), marks.bit(bit));
+    for bit in (0..pulses.width()).rev() {
+        let flag = there.toggle(&format!("flag{bit}"), pulses.bit(bit));
         let flag = here.synchronize(&format!("here{bit}"), flag);
         let before = here.reg(&format!("before{bit}"), self::bit()).reset(0);
         before.next(flag);

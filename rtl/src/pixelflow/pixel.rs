@@ -1,4 +1,4 @@
-//! The pixel processor: an ALU of 8 bits with an accumulator, a stack of enable flags, and 256 bytes of memory (PFL-NODE, facts E4).
+//! The pixel processor: 8-bit ALU, accumulator, stack of enable flags, and 256 bytes of memory (PFL-NODE, facts E4).
 //!
 //! ```text
 //! expression --.                               .---------.
@@ -10,41 +10,41 @@
 //!                              |               '---------'                       |
 //!                              '-------------------------------------------------'
 //!
-//! enable stack: the top one tells whether the pixel takes part       flag: a result of one word is kept, or a bit of a multiplier
+//! enable stack: the top flag enables the pixel   flag: the result of a word's comparison, or a digit of a multiplier
 //! ```
 //!
-//! All processors execute the same control in each clock, each on its own byte; only their flags differ. A word is
-//! processed from its least significant byte, with the carry between bytes; a shift to the right starts at the most
-//! significant.
+//! All processors execute the same control in each clock, each on its own bytes and flags. A word is processed from its
+//! least significant byte on, and the carry connects the bytes. A shift to the right starts at the most significant
+//! byte.
 //!
-//! Combining two words into a third takes two clocks a byte. One clock moves a byte into the accumulator. The next
-//! combines it with the other word and writes memory. With a constant, or a byte of the expression, it takes one.
-//! Addresses 0 to 255 are memory. Addresses 256 to 383 are communication registers; they are outside the processor, as
-//! network and texture unit access them, too ([`array`](super::array)).
+//! Combining two words into a third takes two clocks per byte. The first moves a byte into the accumulator. The second
+//! combines it with the other word and writes memory. With a constant or an expression, one clock per byte is enough.
+//! Addresses 0 to 255 are memory. Addresses 256 to 383 are communication registers. They are outside the processor,
+//! because network and texture unit also access them ([`array`](super::array)).
 //!
-//! The sign of an expression bypasses the ALU to the enable flags, and the ALU may do something else in that clock. So
-//! edges are tested while the previous primitive is still being written.
+//! The sign of an expression bypasses the ALU on its way to the enable flags. The ALU may do something else in that
+//! clock. So edges are tested while the previous primitive is still being written.
 //!
-//! Latency: 1 clock to memory and flags; one read and one write a clock, each at an address that all processors share.
+//! Latency: 1 clock to memory and flags; one read and one write per clock, at addresses that all processors share.
 
 use crate::prelude::*;
 
 codes! {
     /// The source of the operand.
     pub enum Source {
-        /// The controller: the same byte for all processors.
+        /// A byte from the controller, the same for all processors.
         Constant,
-        /// The linear-expression tree.
+        /// The linear evaluator.
         Expression,
         /// The accumulator.
         Accumulator,
-        /// The accumulator where the flag is set, and 0 elsewhere: the summand for a digit of a multiplier.
+        /// The accumulator if the flag is set, otherwise 0: the summand for a digit of a multiplier.
         Multiplicand,
     }
 }
 
 codes! {
-    /// The function of the ALU. `x` is the operand, `w` the byte read, and `c` the carry that comes in.
+    /// The function of the ALU. `x` is the operand, `w` the byte read, and `c` the carry in.
     pub enum Function {
         /// `x`; the carry stays.
         Operand,
@@ -52,9 +52,9 @@ codes! {
         Word,
         /// `w + x + c`.
         Add,
-        /// `w - x`, as `w + (255 - x) + c`, where c is 1 unless there is a borrow.
+        /// `w - x`, as `w + (255 - x) + c`; c is 1 unless there is a borrow.
         Subtract,
-        /// `x`, with the carry of `w - x`: after a whole word it is 1 unless the operand is the greater.
+        /// `x`, with the carry of `w - x`: after a whole word, 1 unless the operand is greater.
         Compare,
         /// Bitwise and; the carry stays.
         And,
@@ -62,18 +62,18 @@ codes! {
         Or,
         /// Bitwise exclusive or; the carry stays.
         ExclusiveOr,
-        /// `w` shifted to the left; c comes in below, and the bit shifted out is the carry.
+        /// `w` shifted to the left; c is shifted in, and the bit shifted out is the carry.
         ShiftLeft,
-        /// `w` shifted to the right; c comes in above, and the bit shifted out is the carry.
+        /// `w` shifted to the right; c is shifted in, and the bit shifted out is the carry.
         ShiftRight,
-        /// `(w + x + c) / 2`, with the sum's carry on top; the bit shifted out is the carry. With a multiplicand as
-        /// `x`, this adds a digit of a product.
+        /// `(w + x + c) / 2`, with the sum's carry as the top bit; the bit shifted out is the carry. With a
+        /// multiplicand as `x`, this processes a digit of a product.
         AddHalved,
     }
 }
 
 codes! {
-    /// The carry that comes in.
+    /// The carry into a byte.
     pub enum Begin {
         /// The carry of the previous byte.
         Kept,
@@ -87,13 +87,13 @@ codes! {
 codes! {
     /// Which processors write.
     pub enum Mask {
-        /// None.
+        /// No processor.
         Nobody,
-        /// All.
+        /// All processors.
         Everybody,
-        /// Those that are enabled.
+        /// The enabled processors.
         Enabled,
-        /// Those whose flag is set.
+        /// The processors whose flag is set.
         Flagged,
     }
 }
@@ -101,7 +101,7 @@ codes! {
 codes! {
     /// A condition in the current clock.
     pub enum Condition {
-        /// The operand's top bit, a sign, is 0.
+        /// The operand's top bit, its sign, is 0.
         Positive,
         /// The carry becomes 1.
         Carry,
@@ -113,19 +113,19 @@ codes! {
 codes! {
     /// The change of the stack of enable flags.
     pub enum Enabling {
-        /// It stays.
+        /// The stack does not change.
         Keep,
-        /// The top one is set.
+        /// The top flag becomes 1.
         Set,
-        /// The first edge: the top one becomes 1 where the condition is true, and 0 elsewhere.
+        /// The first edge: the top flag becomes 1 if the condition is true, otherwise 0.
         Replace,
-        /// Another edge: the top one stays 1 where the condition is true.
+        /// Another edge: the top flag becomes 0 unless the condition is true.
         Restrict,
-        /// If: pushes a flag that is the old top one where the condition is true, and 0 elsewhere.
+        /// If: pushes a copy of the top flag if the condition is true, otherwise 0.
         Push,
-        /// Else: the top one becomes 1 where it is 0 and the one below it is 1, and 0 elsewhere.
+        /// Else: the top flag becomes 1 if it is 0 and the flag below is 1, otherwise 0.
         Invert,
-        /// End if: pops the top one. The lowest one stays.
+        /// End if: pops the top flag. The lowest flag does not change.
         Pop,
     }
 }
@@ -133,11 +133,11 @@ codes! {
 codes! {
     /// The change of the flag.
     pub enum Flagging {
-        /// It stays.
+        /// The flag does not change.
         Keep,
-        /// It is set where the condition is true.
+        /// The flag becomes the condition.
         Condition,
-        /// It is set where the condition is true and the processor is enabled.
+        /// The flag becomes 1 if the condition is true and the processor is enabled, otherwise 0.
         EnabledCondition,
     }
 }
@@ -151,7 +151,7 @@ record! {
         constant: bits(8),
         /// The function of the ALU: a [`Function`].
         function: one_of::<Function>(),
-        /// The carry that comes in: a [`Begin`].
+        /// The carry into the byte: a [`Begin`].
         begin: one_of::<Begin>(),
         /// Which processors write: a [`Mask`].
         mask: one_of::<Mask>(),
@@ -163,19 +163,19 @@ record! {
         condition: one_of::<Condition>(),
         /// The change of the enable flags: an [`Enabling`].
         enabling: one_of::<Enabling>(),
-        /// `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
+        /// `enabling` depends on the expression's sign instead: the condition is true if its top bit is 0.
         by_sign: bit(),
         /// The change of the flag: a [`Flagging`].
         flagging: one_of::<Flagging>(),
-        /// The address that is read.
+        /// The read address.
         read: below(PixelProcessor::BYTES),
-        /// The address that is written.
+        /// The write address.
         write: below(PixelProcessor::BYTES),
     }
 }
 
 block! {
-    /// Computes a byte of a pixel a clock.
+    /// Computes one byte of a pixel in every clock.
     pub struct PixelProcessor {
         /// The depth of the stack of enable flags; at least 2.
         pub depth: u32,
@@ -187,13 +187,13 @@ block! {
         control: Control,
         /// A byte of the expression at this pixel.
         expression: bits(8),
-        /// The communication register at the address that is read, if one is there.
+        /// The communication register at the read address, if that is one of a register.
         register_byte: bits(8),
     }
     out PixelProcessorOut {
-        /// The byte that the ALU makes.
+        /// The result of the ALU.
         result: bits(8),
-        /// The result goes to the communication register at the address that is written.
+        /// The result is written to the communication register at the write address.
         writes_register: bit(),
     }
 }
@@ -303,7 +303,7 @@ impl PixelProcessor {
     }
 }
 
-/// The address is one of a communication register.
+/// Whether the address is that of a communication register.
 fn is_register(address: Signal) -> Signal {
     address.msb()
 }

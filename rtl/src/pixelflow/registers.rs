@@ -1,32 +1,32 @@
-//! Communication registers: bytes of each pixel that the array accesses, and a port beside it (PFL-NODE, facts E4).
+//! Communication registers: bytes of each pixel that both the array and a port access (PFL-NODE, facts E4).
 //!
 //! ```text
 //!                        .------------ registers of each pixel ------------.
-//! read, write address -->|  of all pixels a byte, at the array's addresses |--> word
+//! read, write address -->|  a byte of all pixels, at the array's addresses |--> word
 //!    result, writes ---->|                                                 |
-//!                        |  of a pixel of each chip a byte                 |
+//!                        |  a byte of one pixel of each chip               |
 //!  pixel, address ------>|                                                 |--> seen
 //!  writes, bytes ------->|                                                 |
 //!                        '-------------------------------------------------'
 //! ```
 //!
-//! A chip is two lines of the region. Its port has 8 wires, so a byte of all pixels takes as many clocks as a chip has
-//! pixels, whatever the number of chips. Port and array are independent, with clocks of their own. Giving a bank and
-//! awaiting it ensures that they leave each other's bytes alone.
+//! A chip has two lines of the region. Its port has 8 wires, so a byte of all pixels takes as many clocks as a chip has
+//! pixels, for any number of chips. Port and array are independent, with clocks of their own. Instructions give a bank
+//! and await its return, so port and array never access the same bytes.
 //!
-//! A read is valid in the same clock; a write takes effect at the edge.
+//! Latency: a read is valid in the same clock, and a write takes effect at the edge.
 
 use super::ARRAY;
 use crate::prelude::*;
 
 block! {
-    /// Registers of a region's pixels, and a port that sees one pixel of each chip.
+    /// Registers of a region's pixels, with a port that accesses one pixel of each chip.
     pub struct CommunicationRegisters {
-        /// Pixels in a line; a power of two.
+        /// The number of pixels in a line; a power of two.
         pub width: u32,
-        /// Lines; a power of two.
+        /// The number of lines; a power of two.
         pub height: u32,
-        /// Registers of a pixel; a power of two.
+        /// The number of registers of a pixel; a power of two.
         pub bytes: u32,
         /// The clock of the port.
         pub port: Clock,
@@ -38,23 +38,23 @@ block! {
         read: below(self.bytes).on(ARRAY),
         /// The register that the array writes.
         write: below(self.bytes).on(ARRAY),
-        /// The pixels whose register is written.
+        /// The pixels whose register the array writes.
         writes: bit().of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
-        /// What the pixels write; a row for each chip, its upper line and then its lower one.
+        /// The byte that each pixel writes: a row for each chip, with its upper line before its lower one.
         result: bits(8).of(grid(self.height / 2, 2 * self.width)).on(ARRAY),
-        /// From the port.
+        /// The access of the port.
         port: PortAccess::widths(self).on(self.port),
     }
     out(self) CommunicationRegistersOut {
-        /// The register that each pixel reads.
+        /// The byte that each pixel reads.
         word: bits(8).of(grid(self.height / 2, 2 * self.width)),
-        /// To the port: a byte of each chip.
+        /// The byte of each chip that the port reads.
         seen: bits(8).of(row(self.height / 2)),
     }
 }
 
 record! {
-    /// The access of a port: which byte of which pixel of each chip it sees, and what it writes.
+    /// The access of a port: the pixel and the byte of each chip, and what the port writes there.
     pub struct PortAccess(registers: &CommunicationRegisters) {
         /// The pixel of each chip, counted line by line.
         pixel: below(2 * registers.width),
@@ -78,8 +78,8 @@ impl CommunicationRegisters {
         let PortAccess { pixel, address, writes, bytes } = i.port;
         def!(here = constants(below(pixels).of(row(pixels)), |pixel| pixel).eq(pixel) & writes);
         port.write(here.to_rows(chips), address, bytes.to_columns(pixels));
-        // Each side reads bytes that the other wrote before it gave the bank.
-        let given = |read: Signal| read.quasi_static("port and array leave alone what the other one works with");
+        // Each side reads only bytes that the other wrote before it gave the bank.
+        let given = |read: Signal| read.quasi_static("port and array never access the same registers at the same time");
         let seen = given(port.read_async(address)).columns().pick(pixel.of(row(chips)));
         CommunicationRegistersOut { word: given(array.read_async(i.read)), seen }
     }

@@ -1,21 +1,21 @@
-//! The clocks of instructions: the rules of a node's controller as a plain model.
+//! The clocks of instructions: a model of the rules of a node's controller.
 //!
-//! The rules are those of Pixel-planes' [`Schedule`]; what an instruction needs is read from its fields:
+//! The rules are those of Pixel-planes' [`Schedule`]. The fields of an instruction tell what it needs:
 //!
 //! | instruction | slot | uses ALU and memory |
 //! |---|---|---|
 //! | with an expression, or that reads or changes `enable` | the evaluator's, in sequence | unless it is quiet |
 //! | any other | the memory's | yes |
 //!
-//! An instruction is quiet if it writes nothing and tests only an expression's sign: an edge, which bypasses the ALU.
-//! So while the evaluator has the edges of a primitive, the previous primitive's result may still be written.
+//! An instruction is quiet if it writes nothing and tests only an expression's sign, which bypasses the ALU. Edges are
+//! quiet: while the evaluator has them, the previous primitive's result may still be written.
 
 use super::instruction::{Instruction, Sync};
 use super::pixel::{Condition, Enabling, Flagging, Function, Mask, Source};
 use crate::pixel_planes::schedule::{Schedule, Step, Times};
 use crate::prelude::Codes;
 
-/// What an instruction needs.
+/// The resources that an instruction needs.
 pub fn step(i: &Instruction<u64>) -> Step {
     let has_expression = i.source == Source::Expression.code();
     let enabling = Enabling::ALL[i.enabling as usize];
@@ -51,8 +51,8 @@ pub fn one_at_a_time(program: &[Instruction<u64>]) -> u64 {
     program.iter().map(Instruction::clocks).sum()
 }
 
-/// The clocks from a program's beginning to the next one's, for many equal ones in a row, where evaluator and memory
-/// work side by side. None of the instructions waits for a port.
+/// The clocks from the beginning of a program to that of the next one, in a long sequence of equal programs. Evaluator
+/// and memory work side by side, and no instruction waits for a port.
 pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
     let steps: Vec<Step> = program.iter().map(step).collect();
     let mut schedule = Schedule::new(true);
@@ -61,13 +61,13 @@ pub fn side_by_side(program: &[Instruction<u64>]) -> u64 {
             program.iter().zip(&steps).map(|(i, step)| take(&mut schedule, i, step, 0).taken).collect();
         times.first().copied().unwrap_or(0)
     };
-    // The first ones begin with an idle controller.
+    // The first programs begin with an idle controller.
     let (_, _, third, fourth) = (begins(), begins(), begins(), begins());
     fourth - third
 }
 
-/// Takes an instruction as soon as possible, from the clock on in which its port is ready; returns its clocks. An
-/// instruction that synchronizes with a port runs alone.
+/// Takes an instruction as soon as possible, but not before clock `from`, in which its port is ready. Returns its
+/// times. An instruction that synchronizes with a port runs alone.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::schedule::Schedule;
@@ -98,7 +98,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(4000) })]
 
-        /// The controller agrees with the model in each clock.
+        /// Compares with a model that is written independently and agrees with the controller.
         #[test]
         fn an_instruction_takes_what_it_takes_in_the_model(instruction in testing::instructions()) {
             prop_assert_eq!(step(&instruction), model::step(&instruction));

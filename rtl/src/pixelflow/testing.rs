@@ -1,4 +1,4 @@
-//! Helpers for tests: random instructions, and a very simple program.
+//! Helpers for tests: random instructions, and a simple program.
 
 use proptest::prelude::*;
 
@@ -6,7 +6,7 @@ use super::instruction::Instruction;
 use super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, Source};
 use crate::prelude::Codes;
 
-/// Instructions that hit each other's words, in a few places of memory and registers; none synchronizes with a port.
+/// Instructions that access the same few words of memory and registers. None synchronizes with a port.
 pub(super) fn instructions() -> impl Strategy<Value = Instruction<u64>> {
     let address = || prop_oneof![3 => 8..24u64, 1 => 252..260u64, 1 => 284..292u64, 1 => 316..324u64];
     let coefficient = || prop_oneof![0..1u64 << 40, 0..64u64, (0..64u64).prop_map(|number| (1 << 40) - 1 - number)];
@@ -57,8 +57,9 @@ pub(super) fn edge(enabling: Enabling, [a, b, c]: [i64; 3], bytes: u64) -> Instr
     }
 }
 
-/// The parts of a triangle that take clocks. They are the edges, four planes, a comparison with bytes 0 to 5, and the
-/// commit. One plane, the depth, has 5 bytes, and three have 3; bytes 10 to 15 get them, the depth on top.
+/// The parts of a triangle that take clocks: the edges, four planes, a comparison with bytes 0 to 5, and a copy of the
+/// new bytes. The plane of depth has 5 bytes, and that of each colour has 3. The results go to bytes 10 to 15, with the
+/// depth on top.
 pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3]; 4]) -> Vec<Instruction<u64>> {
     let [first, second, third] = edges;
     let edges = [
@@ -106,8 +107,7 @@ pub(super) fn triangle(edges: [[i64; 3]; 3], edge_bytes: u64, planes: [[i64; 3];
     [&edges[..], &planes, &[commit]].concat()
 }
 
-/// The time that this thread has been on a processor, in nanoseconds, as Linux counts it: for measurements beside other
-/// work.
+/// The processor time of this thread in nanoseconds, as Linux counts it. Other work on the machine does not change it.
 pub(super) fn processor_time() -> u64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").expect("Linux counts a thread's time");
     text.split(' ').next().and_then(|number| number.parse().ok()).expect("the first number is the time")

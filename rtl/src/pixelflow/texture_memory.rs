@@ -1,4 +1,4 @@
-//! The texture memory: reads the eight texels around a place on two levels of a texture, a place a clock (PFL-SHADE,
+//! The texture memory: reads the eight texels around a point on two levels of a texture, a point per clock (PFL-SHADE,
 //! facts E4).
 //!
 //! ```text
@@ -9,41 +9,41 @@
 //!                                      '------------------------'     '------------------'
 //! ```
 //!
-//! A texture is stored on all of its levels. Level l has 2^l x 2^l texels, and repeats on all sides. The four texels
-//! around a place are neighbours, so their columns and rows have all combinations of parities. Of two successive levels
+//! A texture is stored at all of its levels. Level l has 2^l x 2^l texels, and repeats on all sides. The four texels
+//! around a point are neighbours, so their columns and rows have all combinations of parities. Of two successive levels
 //! one is even. So no two of the eight texels are in the same bank, and all are read at once. A texture has the same
 //! base in all banks; a level is stored behind all coarser ones of the same parity.
 //!
-//! The place in texels is `floor(u 2^level / 2^8) - 2^7` in 1/2^8, as a texel's colour is that of its middle. Beyond
-//! the finest level, both levels are the finest.
+//! The coordinate in texels is `floor(u 2^level / 2^8) - 2^7` in 1/2^8, because the colour of a texel is that of its
+//! centre. A level finer than the finest is replaced by the finest one.
 //!
-//! Latency: 3 clocks; a place a clock.
+//! Latency: 3 clocks; a point per clock.
 
 use crate::delays::mark_delays;
 use crate::prelude::*;
 
 block! {
-    /// Reads the texels around a place.
+    /// Reads the texels around a point of a texture on two levels.
     pub struct TextureMemory {
-        /// The texels of a bank.
+        /// The number of texels of a bank.
         pub texels: u32,
         /// The number of textures.
         pub textures: u32,
     }
-    latency = "3 clocks, a place a clock";
+    latency = "3 clocks; a point per clock";
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureMemoryIn {
-        /// The texel that the geometry processors write.
+        /// A texel that the geometry processors write.
         write: TexelWrite::widths(self),
-        /// Where the geometry processors say that a texture is.
+        /// The location of a texture, from the geometry processors.
         describe: Describe::widths(self),
-        /// The place that is sought.
+        /// The point to look up.
         request: pub struct TexturePlace {
-            /// A place is sought.
+            /// There is a point to look up.
             valid: bit(),
-            /// The place from the left, in 1/2^16 of the texture.
+            /// The distance from the left, in 1/2^16 of the texture.
             u: bits(16),
-            /// The place from below, in 1/2^16 of the texture.
+            /// The distance from the bottom, in 1/2^16 of the texture.
             v: bits(16),
             /// The coarser of the two levels.
             level: bits(8),
@@ -52,15 +52,15 @@ block! {
         },
     }
     out TextureMemoryOut {
-        /// The texels of a place are there.
+        /// The texels of a point are at the output.
         valid: bit(),
-        /// Texel 4 s + 2 y + x is on level `level + s`. It is on the right if x is 1, and above if y is 1.
+        /// Texel 4 s + 2 y + x is on level `level + s`: on the right if x is 1, and above if y is 1.
         texels: bits(24).of(row(8)),
     }
 }
 
 record! {
-    /// A texel that is written.
+    /// A write of a texel.
     pub struct TexelWrite(memory: &TextureMemory) {
         /// A texel is written.
         valid: bit(),
@@ -72,9 +72,9 @@ record! {
         texel: bits(24),
     }
 
-    /// Where a texture is.
+    /// The location of a texture.
     pub struct Describe(memory: &TextureMemory) {
-        /// A texture is described.
+        /// The location of a texture is written.
         valid: bit(),
         /// The number of the texture.
         texture: below(memory.textures),
@@ -88,7 +88,7 @@ record! {
 /// The location of a texel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TexelAddress {
-    /// Its bank.
+    /// The bank: the parity of the level, then of the row, then of the column.
     pub bank: u64,
     /// The texel's address in its bank.
     pub address: u64,
@@ -98,7 +98,7 @@ impl TextureMemory {
     /// The finest level that a texture may have.
     pub const FINEST: u32 = 10;
 
-    /// The location of texel (i, j) on a level of a texture with that base.
+    /// The location of texel (i, j), column and row, on a level of a texture with this base.
     ///
     /// ```
     /// use tilewright_rtl::pixelflow::texture_memory::TextureMemory;
@@ -111,12 +111,12 @@ impl TextureMemory {
         TexelAddress { bank, address: base + TextureMemory::offset(level) + ((j >> 1) << level >> 1) + (i >> 1) }
     }
 
-    /// The addresses of a bank that a texture with that finest level takes.
+    /// The number of addresses of a bank that a texture with this finest level takes.
     pub fn size(finest: u32) -> u64 {
         TextureMemory::offset(finest + 2)
     }
 
-    /// The address of a level behind the texture's base.
+    /// The address of a level relative to the texture's base.
     fn offset(level: u32) -> u64 {
         let size = |level: u32| if level == 0 { 1 } else { 1 << (2 * (level - 1)) };
         (level % 2..level).step_by(2).map(size).sum()
@@ -135,7 +135,7 @@ impl TextureMemory {
         let [u, v] = [("u", i.request.u), ("v", i.request.v)].map(|(name, part)| m.pipe(name, part));
         def!(level = m.pipe(i.request.level).zext(9));
 
-        // Second clock: the levels, and columns and rows on both.
+        // Second clock: the two levels, and the columns and rows on each.
         def!(base = m.pipe(base));
         let around = |sought: Signal| {
             let level = mux(sought.lt(finest.zext(9)), sought.low(), finest);
@@ -155,7 +155,7 @@ impl TextureMemory {
         TextureMemoryOut { valid, texels: banks.to_rows(8).columns().pick(from) }
     }
 
-    /// The address of each bank's texel.
+    /// The address of the texel in each bank.
     fn addresses(&self, base: Signal, coarser: Side, finer: Side) -> Vec<Signal> {
         let wide = bits(2 * TextureMemory::FINEST + 1);
         let offsets = constants(wide.of(row(TextureMemory::FINEST + 1)), TextureMemory::offset);
@@ -180,18 +180,18 @@ impl TextureMemory {
     }
 }
 
-/// The lowest bits, or more of them.
+/// A number in `width` bits: truncated, or extended with zeros.
 pub(super) fn fitting(number: Signal, width: u32) -> Signal {
     if width > number.width() { number.zext(width) } else { number.trunc(width) }
 }
 
 bundle! {
-    /// A level, and the columns and rows around a place on it.
+    /// A level, and the columns and rows around a point on it.
     struct Side<T> { level: T, left: T, right: T, below: T, above: T }
 }
 
 impl Side {
-    /// The banks that have its texels: left and right below, and then above.
+    /// The banks of the four texels: left and right below, then left and right above.
     fn banks(&self) -> [Signal; 4] {
         let Side { level, left, right, below, above } = *self;
         [(below, left), (below, right), (above, left), (above, right)]
@@ -199,7 +199,7 @@ impl Side {
     }
 }
 
-/// The numbers of the two texels around a place along one axis.
+/// The numbers of the two texels around a point along one axis.
 fn neighbours(part: Signal, level: Signal) -> [Signal; 2] {
     let number = bits(TextureMemory::FINEST);
     let wide = bits(16 + TextureMemory::FINEST);

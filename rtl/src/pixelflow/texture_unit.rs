@@ -1,89 +1,89 @@
-//! The texture unit: for one pixel of a region after another, gets the texels around the place that the pixel asks for
+//! The texture unit: looks up, for each pixel of a region, the texels around the point that the pixel requests
 //! (PFL-SHADE, facts E4).
 //!
 //! ```text
-//!                6 bytes of each chip         a chip a clock
+//!                6 bytes of each chip         a chip per clock
 //! registers ====>[ requests of a pixel ]--->[ looked up ]--->[ texture memory ]
 //! registers <====[ texels of a pixel   ]<---[ collected ]<---'
 //!               24 bytes of each chip
 //! ```
 //!
-//! The registers' port accesses a byte of one pixel of each chip a clock. A round has at least 30 clocks. In it the
-//! unit reads the 6 bytes of a request of one pixel of each chip. It writes the 24 bytes of texels for an earlier
-//! pixel. Meanwhile the memory looks up the pixel between the two, a chip a clock. With 32 chips a round is 32 clocks,
-//! so each pixel takes one:
+//! The port accesses a byte of one pixel of each chip per clock. A round has at least 30 clocks. In it the unit reads
+//! the 6 bytes of a request for one pixel of each chip, and writes the 24 bytes of texels for an earlier pixel.
+//! Meanwhile the memory looks up the pixel between the two, one chip per clock. With 32 chips a round is 32 clocks,
+//! so the unit takes one clock per pixel:
 //!
-//! | clock of a round | port | |
+//! | clock of a round | port | texture memory |
 //! |---|---|---|
-//! | 0 to 5 | reads the request of pixel p: u, v, level, texture | pixel p - 1 of each chip is looked up, |
-//! | 6 to 29 | writes the texels of pixel p - 2 | from the first clock on |
+//! | 0 to 5 | reads the request of pixel p: u, v, level, texture | looks up pixel p - 1 of each chip, |
+//! | 6 to 29 | writes the texels of pixel p - 2 | from clock 0 on |
 //!
-//! | register | |
+//! | register | contents |
 //! |---|---|
-//! | 0, 1 | u, little end first |
+//! | 0, 1 | u, least significant byte first |
 //! | 2, 3 | v |
 //! | 4 | the coarser level |
 //! | 5 | the texture |
 //! | 8 + 3 (4 s + 2 y + x) + channel | texels, in the sequence of [`TextureMemory`] |
 //!
-//! Latency: a round for each pixel of a chip, and two more. With 128 x 64 pixels that is 8256 clocks, 82.6 us of the 95
-//! that the paper allows.
+//! Latency: a round for each pixel of a chip, and two more. With 128 x 64 pixels that is 8256 clocks, or 82.6 us. The
+//! paper allows 95 us.
 
 use super::registers::PortAccess;
 use super::texture_memory::{Describe, TexelWrite, TextureMemory, TextureMemoryIn, TexturePlace};
 use crate::prelude::*;
 
 block! {
-    /// Serves the texture registers of a region.
+    /// Looks up texels for the requests in the texture registers of a region.
     pub struct TextureUnit {
         /// The number of chips of the node.
         pub chips: u32,
         /// The number of pixels of a chip.
         pub pixels: u32,
-        /// Its memory.
+        /// The texture memory.
         pub memory: TextureMemory,
     }
     latency(self) = format!("{} clocks for a region", self.clocks());
     source = "Reducing Latency on PixelFlow, section 4 (PFL-SHADE)";
     in(self) TextureUnitIn {
-        /// The texel that the geometry processors write.
+        /// A texel that the geometry processors write.
         write: TexelWrite::widths(&self.memory),
-        /// Where the geometry processors say that a texture is.
+        /// The location of a texture, from the geometry processors.
         describe: Describe::widths(&self.memory),
-        /// The texture unit begins.
+        /// For one clock: begin a region.
         start: bit(),
-        /// A byte of each chip, at the place that the port says.
+        /// The byte of each chip that the port addresses.
         seen: bits(8).of(row(self.chips)),
     }
     out(self) TextureUnitOut {
-        /// To the texture registers.
+        /// The access to the texture registers.
         port: PortAccess = PortAccess {
             pixel: below(self.pixels),
             address: bits(6),
             writes: bit(),
             bytes: bits(8).of(row(self.chips)),
         },
-        /// All pixels have their texels.
+        /// For one clock: all pixels have their texels.
         done: bit(),
     }
 }
 
-/// The bytes of a pixel's request.
+/// The number of bytes of a pixel's request.
 const ASKED: u32 = 6;
-/// The bytes of its texels.
+/// The number of bytes of a pixel's texels.
 const TEXELS: u32 = 24;
-/// The register with the first of them.
+/// The register of the first texel.
 const FIRST: u32 = 8;
 /// The clock of a round in which the texels of the previous pixel are complete.
 const COLLECTED: u32 = 3;
 
 impl TextureUnit {
-    /// Clocks of a round, in which a pixel of each chip is looked up.
+    /// The clocks of a round, in which a pixel of each chip is looked up.
     pub fn turn(&self) -> u32 {
         self.chips.max(ASKED + TEXELS)
     }
 
-    /// Clocks for a region.
+    /// The clocks for a region.
     pub fn clocks(&self) -> u64 {
         u64::from(self.turn()) * u64::from(self.pixels + 2)
     }
@@ -95,12 +95,12 @@ impl TextureUnit {
         let number = m.reg("turn", up_to(pixels + 1));
         def!(turn_ends = busy & clock.eq(turn - 1));
         def!(ends = turn_ends & number.eq(pixels + 1));
-        m.assume(i.start.implies(!busy), "the texture unit begins when it has done");
+        m.assume(i.start.implies(!busy), "the texture unit begins only when it is done");
         busy.when(i.start, 1).when(ends, 0);
         clock.when(i.start | turn_ends, 0).otherwise(clock + 1);
         number.when(i.start, 0).when(turn_ends, number + 1);
 
-        // The requests enter at the top, and leave a chip a clock.
+        // Requests arrive a byte of each chip per clock, and leave a chip per clock.
         def!(reads = busy & number.lt(pixels) & clock.lt(ASKED));
         def!(asked = m.reg(bits(8 * ASKED).of(row(chips))));
         asked.when(reads, cat![i.seen, asked.slice(8..8 * ASKED)]);
@@ -119,7 +119,7 @@ impl TextureUnit {
         let TextureUnitIn { write, describe, .. } = i;
         def!(memory = m.instance(&self.memory, TextureMemoryIn { write, describe, request }));
 
-        // Texels are collected a chip a clock, and written a byte a clock.
+        // Texels are collected a chip per clock, and written a byte of each chip per clock.
         def!(collected = m.reg(bits(8 * TEXELS).of(row(chips))));
         collected.when(memory.valid, collected.following(memory.texels.pack()));
         def!(writes = busy & number.ge(2) & clock.ge(ASKED) & clock.lt(ASKED + TEXELS));

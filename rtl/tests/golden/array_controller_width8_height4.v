@@ -1,9 +1,9 @@
 // array_controller_width8_height4
 //
-// Takes the instructions of a node, and controls its evaluator and its pixels.
+// Takes the instructions of a node, and controls the evaluator and the pixels.
 //
 // Parameters  ArrayController { width: 8, height: 4 }
-// Latency     1 clock to the coefficients' bytes, 6 to the control of pixels; the next instruction begins with the last byte
+// Latency     1 clock to the bytes of the coefficients, 6 to the control of pixels; the next instruction is taken with the last byte
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/controller.rs:46
 `default_nettype none
@@ -23,48 +23,48 @@ module array_controller_width8_height4 (
     input  wire [1:0]  instructions_condition,
     input  wire [2:0]  instructions_enabling,    // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [1:0]  instructions_flagging,    // The change of the flag with the last byte: a `Flagging`.
-    input  wire [2:0]  instructions_skip,        // Bytes of the expression before the word; 0 without an expression.
-    input  wire [3:0]  instructions_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    // The number of bytes of the expression before the word; 0 without an expression.
+    input  wire [2:0]  instructions_skip,
+    input  wire [3:0]  instructions_length,      // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     input  wire        instructions_descends,
     input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
     input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
     input  wire [2:0]  instructions_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] instructions_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] instructions_b,           // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     input  wire [39:0] instructions_c,
-    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
     input  wire        side_by_side,
-    input  wire [1:0]  bank_done,                // The network is done with a bank: a bit for each.
-    input  wire        texture_done,             // The texture unit is done.
-    // To the evaluator.
-    output wire [7:0]  coefficients_a,           // A byte of coefficient A, which is added from a column to the next.
-    output wire [7:0]  coefficients_b,           // A byte of coefficient B, which is added from a line to the next.
+    input  wire [1:0]  bank_done,                // For one clock: the network is done with a bank; a bit for each.
+    input  wire        texture_done,             // For one clock: the texture unit is done.
+    // A byte of each coefficient for the evaluator.
+    output wire [7:0]  coefficients_a,           // A byte of coefficient A, the increment from each column to the next.
+    output wire [7:0]  coefficients_b,           // A byte of coefficient B, the increment from each line to the next.
     output wire [7:0]  coefficients_c,           // A byte of coefficient C, the value at column 0 of line 0.
-    output reg         first,                    // The coefficients' bytes are the first of an expression.
-    output reg         sends,                    // The coefficients are bytes of an expression.
-    // To the pixels.
+    output reg         first,                    // The bytes of the coefficients are the first of an expression.
+    output reg         sends,                    // The bytes of the coefficients belong to an expression.
+    // The control of the pixels.
     output wire [1:0]  control_source,           // Where the operand comes from: a `Source`.
     output wire [7:0]  control_constant,         // The operand, if it is a constant.
     output wire [3:0]  control_function,         // The function of the ALU: a `Function`.
-    output wire [1:0]  control_begin,            // The carry that comes in: a `Begin`.
+    output wire [1:0]  control_begin,            // The carry into the byte: a `Begin`.
     output wire [1:0]  control_mask,             // Which processors write: a `Mask`.
     output wire        control_accumulates,      // The result goes to the accumulator.
     output wire        control_stores,           // The result goes to memory.
     output wire [1:0]  control_condition,        // What `enabling` and `flagging` depend on: a `Condition`.
     output wire [2:0]  control_enabling,         // The change of the enable flags: an `Enabling`.
-    // `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
+    // `enabling` depends on the expression's sign instead: the condition is true if its top bit is 0.
     output wire        control_by_sign,
     output wire [1:0]  control_flagging,         // The change of the flag: a `Flagging`.
-    output wire [8:0]  control_read,             // The address that is read.
-    output wire [8:0]  control_write,            // The address that is written.
-    // To network and texture unit, with the pixels' control: after the next edge the registers contain the results of
-    // all instructions so far.
-    output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
-    output wire        given_texture,            // The texture unit begins.
-    output wire        idle,                     // Nothing is under way except in the pixels.
+    output wire [8:0]  control_read,             // The read address.
+    output wire [8:0]  control_write,            // The write address.
+    // The hand-over to network and texture unit: after the next edge the registers have all results so far.
+    output wire [1:0]  given_banks,              // For one clock: a bank is given to the network; a bit for each.
+    output wire        given_texture,            // For one clock: the texture unit begins.
+    output wire        idle,                     // No instruction is offered, and none is in a slot.
     output wire        instructions_ready
 );
 
@@ -743,11 +743,11 @@ module array_controller_width8_height4 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!instructions_taken | ((instructions_sync != SYNC_GIVE_BANK) | assumed_equal))) begin // rtl/src/pixelflow/controller.rs:239
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given when the network has done with it", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a bank is given only when the network is done with it", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixelflow/controller.rs:239
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins only when it is done", $time);
             stop;
         end
         if (!rst && (asserted_and & evaluator_is_word & memory_is_word)) begin // rtl/src/pixelflow/controller.rs:171
@@ -763,15 +763,15 @@ module array_controller_width8_height4 (
             stop;
         end
         if (!rst && !(!instructions_taken | (expression | (instructions_skip == 3'd0)))) begin // rtl/src/pixelflow/controller.rs:246
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bytes are skipped", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only bytes of an expression are skipped", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | (assumed_choice & assumed_choice_2))) begin // rtl/src/pixelflow/controller.rs:246
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the memory of 384 bytes", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word is within the 384 bytes of a pixel", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | (assumed_and_2 & (instructions_sync <= SYNC_START_TEXTURE)))) begin // rtl/src/pixelflow/controller.rs:246
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a code that there is", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: each field has a valid code", $time);
             stop;
         end
     end

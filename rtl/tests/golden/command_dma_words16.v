@@ -1,9 +1,9 @@
 // command_dma_words16
 //
-// Fetches the instructions of frames.
+// Fetches the instructions of frames from memory.
 //
 // Parameters  CommandDma { words: 16 }
-// Latency     2 clocks from a frame that is taken to its first instruction, then one a clock
+// Latency     2 clocks from the acceptance of a frame to its first instruction, then one in every clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/command_dma.rs:21
 `default_nettype none
@@ -11,7 +11,7 @@
 module command_dma_words16 (
     input  wire        clk,
     input  wire        rst,
-    // From the geometry processors.
+    // A write by the geometry processors.
     input  wire        store_writes,                  // An instruction is written.
     input  wire [3:0]  store_address,                 // The address at which the instruction is written.
     // The instruction that is written.
@@ -26,26 +26,26 @@ module command_dma_words16 (
     // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [2:0]  store_instruction_enabling,
     input  wire [1:0]  store_instruction_flagging,    // The change of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression before the word; 0 without an expression.
+    // The number of bytes of the expression before the word; 0 without an expression.
     input  wire [2:0]  store_instruction_skip,
-    input  wire [3:0]  store_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    input  wire [3:0]  store_instruction_length,      // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     input  wire        store_instruction_descends,
     input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
     input  wire [2:0]  store_instruction_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] store_instruction_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] store_instruction_b,           // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     input  wire [39:0] store_instruction_c,
-    // Frames, one after another.
+    // The frames to fetch, one after another.
     input  wire        frames_valid,
     input  wire [3:0]  frames_base,                   // The address of the frame's first instruction.
-    // The number of the frame's instructions; behind the end of the memory comes its beginning.
+    // The number of the frame's instructions; addresses wrap at the end of the memory.
     input  wire [4:0]  frames_length,
     input  wire        instructions_ready,
-    // To the array.
+    // The instructions to the array.
     output wire        instructions_valid,
     output wire [1:0]  instructions_source,           // Where the operand comes from: a `Source`.
     output wire [3:0]  instructions_function,         // The function of the ALU: a `Function`.
@@ -58,20 +58,20 @@ module command_dma_words16 (
     // The change of the enable flags with the last byte: an `Enabling`.
     output wire [2:0]  instructions_enabling,
     output wire [1:0]  instructions_flagging,         // The change of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression before the word; 0 without an expression.
+    // The number of bytes of the expression before the word; 0 without an expression.
     output wire [2:0]  instructions_skip,
-    output wire [3:0]  instructions_length,           // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    output wire [3:0]  instructions_length,           // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     output wire        instructions_descends,
     output wire [8:0]  instructions_read,             // The address of the first byte that is read.
     output wire [8:0]  instructions_write,            // The address of the first byte that is written.
     output wire [2:0]  instructions_sync,             // The synchronization with the ports: a `Sync`.
     output wire [39:0] instructions_a,                // Coefficient A of the expression, in two's complement.
     output wire [39:0] instructions_b,                // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     output wire [39:0] instructions_c,
-    output wire        idle,                          // There is nothing to fetch, and nothing on its way.
+    output wire        idle,                          // No frame waits, and no instruction is under way.
     output wire        frames_ready
 );
 

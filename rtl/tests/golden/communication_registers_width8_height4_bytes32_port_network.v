@@ -1,12 +1,12 @@
 // communication_registers_width8_height4_bytes32_port_network
 //
-// Registers of a region's pixels, and a port that sees one pixel of each chip.
+// Registers of a region's pixels, with a port that accesses one pixel of each chip.
 //
 // Parameters  CommunicationRegisters { width: 8, height: 4, bytes: 32, port: Clock { name: "network", period: Period(5000) } }
 // Latency     0 clocks to read; a write takes effect at the edge
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/registers.rs:22
-// Stable      port and array leave alone what the other one works with (rtl/src/pixelflow/registers.rs:82)
+// Stable      port and array never access the same registers at the same time (rtl/src/pixelflow/registers.rs:82)
 `default_nettype none
 
 module communication_registers_width8_height4_bytes32_port_network (
@@ -14,16 +14,16 @@ module communication_registers_width8_height4_bytes32_port_network (
     input  wire         network_clk,
     input  wire [4:0]   read,         // The register that the array reads.
     input  wire [4:0]   write,        // The register that the array writes.
-    input  wire [31:0]  writes,       // The pixels whose register is written.
-    // What the pixels write; a row for each chip, its upper line and then its lower one.
+    input  wire [31:0]  writes,       // The pixels whose register the array writes.
+    // The byte that each pixel writes: a row for each chip, with its upper line before its lower one.
     input  wire [255:0] result,
-    // From the port.
+    // The access of the port.
     input  wire [3:0]   port_pixel,   // The pixel of each chip, counted line by line.
     input  wire [4:0]   port_address, // The register of the pixel.
     input  wire         port_writes,  // The register is written.
     input  wire [15:0]  port_bytes,   // The bytes to write, one of each chip.
-    output wire [255:0] word,         // The register that each pixel reads.
-    output wire [15:0]  seen          // To the port: a byte of each chip.
+    output wire [255:0] word,         // The byte that each pixel reads.
+    output wire [15:0]  seen          // The byte of each chip that the port reads.
 );
 
     (* no_rw_check *)

@@ -1,9 +1,9 @@
 // compositor_pixels16_width8
 //
-// Sends on the lesser of two words of each pixel, byte by byte.
+// Passes on the lesser of two words of each pixel, byte by byte.
 //
 // Parameters  Compositor { pixels: 16, width: 8 }
-// Latency     1 clock, a byte a clock
+// Latency     1 clock; a byte in every clock
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
 // Described   rtl/src/pixelflow/compositor.rs:54
 `default_nettype none
@@ -11,12 +11,12 @@
 module compositor_pixels16_width8 (
     input  wire       clk,
     input  wire [1:0] mode,       // The mode of the node: a `Mode`.
-    input  wire       advances,   // A byte of the pixel goes.
+    input  wire       advances,   // A byte of the pixel is transferred.
     input  wire       first,      // The byte is the first of the pixel's word.
     input  wire [3:0] pixel,      // The number of the pixel.
-    input  wire [7:0] upstream,   // The pixel's byte from the node before.
+    input  wire [7:0] upstream,   // The pixel's byte from the previous node.
     input  wire [7:0] own,        // The pixel's byte in this node.
-    output reg  [7:0] downstream  // The pixel's byte for the node behind.
+    output reg  [7:0] downstream  // The pixel's byte for the next node.
 );
 
     localparam [1:0] MODE_LOAD      = 2'd1;

@@ -1,6 +1,6 @@
 // frame_buffer_array8_8_samples8_width16_height8
 //
-// Stores the frame of a screen in regions.
+// Stores frames of a screen region by region, and scans them out.
 //
 // Parameters  FrameBuffer { array: [8, 8], samples: 8, screen: Screen { width: 16, height: 8 } }
 // Latency     120 clocks for a region
@@ -11,16 +11,16 @@
 module frame_buffer_array8_8_samples8_width16_height8 (
     input  wire        clk,
     input  wire        rst,
-    input  wire        start,        // The frame buffer takes the next region.
-    input  wire [31:0] seen,         // A byte of each chip, at the place that the port says.
+    input  wire        start,        // For one clock: take the next region.
+    input  wire [31:0] seen,         // The byte of each chip that the port addresses.
     input  wire        pixels_ready,
-    // To the registers.
+    // The access to the node's registers.
     output wire [3:0]  port_pixel,   // The pixel of each chip, counted line by line.
     output wire [5:0]  port_address, // The register of the pixel.
     output wire        port_writes,  // The register is written.
     output wire [31:0] port_bytes,   // The bytes to write, one of each chip.
-    output wire        done,         // The frame buffer has the region.
-    // The pixels of the frame on display.
+    output wire        done,         // For one clock: the frame buffer has the region.
+    // The pixels of the displayed frame.
     output wire        pixels_valid,
     output wire [7:0]  pixels_red,   // The red of the pixel.
     output wire [7:0]  pixels_green, // The green of the pixel.
@@ -197,7 +197,7 @@ module frame_buffer_array8_8_samples8_width16_height8 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/frame_buffer.rs:232
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer begins when it has done", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the frame buffer begins only when it is done", $time);
             stop;
         end
     end

@@ -3,7 +3,7 @@
 // Evaluates a linear expression at every pixel of a region.
 //
 // Parameters  LinearEvaluator { width: 8, height: 4 }
-// Latency     5 clocks from a coefficient's byte to the expression's at each pixel
+// Latency     5 clocks from a byte of the coefficients to the expression's byte at each pixel
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/linear_evaluator.rs:33
 `default_nettype none
@@ -11,15 +11,14 @@
 module linear_evaluator_width8_height4 (
     input  wire         clk,
     input  wire         rst,
-    // A byte of each coefficient, beginning with the least significant.
-    input  wire [7:0]   coefficients_a, // A byte of coefficient A, which is added from a column to the next.
-    input  wire [7:0]   coefficients_b, // A byte of coefficient B, which is added from a line to the next.
+    // A byte of each coefficient, least significant byte first.
+    input  wire [7:0]   coefficients_a, // A byte of coefficient A, the increment from each column to the next.
+    input  wire [7:0]   coefficients_b, // A byte of coefficient B, the increment from each line to the next.
     input  wire [7:0]   coefficients_c, // A byte of coefficient C, the value at column 0 of line 0.
-    input  wire         first,          // The coefficients' bytes are the first of an expression.
-    // The coefficients are bytes of an expression, which come without a pause: the nodes that have none stay as they
-    // are.
+    input  wire         first,          // The bytes of the coefficients are the first of an expression.
+    // The bytes of the coefficients belong to an expression. The bytes of an expression come without a pause.
     input  wire         sends,
-    // A byte of the expression at each pixel, a row for each chip: its upper line, and then its lower one.
+    // A byte of the expression at each pixel: a row for each chip, with its upper line before its lower one.
     output wire [255:0] value
 );
 

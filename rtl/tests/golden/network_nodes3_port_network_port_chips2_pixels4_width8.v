@@ -1,9 +1,9 @@
 // network_nodes3_port_network_port_chips2_pixels4_width8
 //
-// Connects nodes with each other.
+// Connects the ports of all nodes in a chain, in one direction.
 //
 // Parameters  Network { nodes: 3, port: NetworkPort { chips: 2, pixels: 4, width: 8 } }
-// Latency     1 clock a node; a byte of all pixels takes 4
+// Latency     1 clock per node; a byte of all pixels takes 4
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET)
 // Described   rtl/src/pixelflow/network.rs:20
 `default_nettype none
@@ -12,8 +12,8 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     input  wire        clk,
     input  wire        rst,
     // The inputs of each node.
-    input  wire [1:0]  nodes_0_mode,     // The mode of the node: a `Mode`. It stays while a word goes.
-    input  wire        nodes_0_sends,    // A node that loads sends a byte of each chip.
+    input  wire [1:0]  nodes_0_mode,     // The mode of the node, constant during a word: a `Mode`.
+    input  wire        nodes_0_sends,    // A node in mode `Load` sends a byte of each chip.
     input  wire        nodes_0_first,    // The byte is the first of a word.
     input  wire [15:0] nodes_0_own,      // The node's own bytes of the current pixels.
     input  wire [1:0]  nodes_1_mode,
@@ -24,11 +24,11 @@ module network_nodes3_port_network_port_chips2_pixels4_width8 (
     input  wire        nodes_2_sends,
     input  wire        nodes_2_first,
     input  wire [15:0] nodes_2_own,
-    // To each node.
+    // The outputs to each node.
     output wire [1:0]  nodes_0_pixel,    // The current pixel of each chip.
-    output wire        nodes_0_advances, // A byte of the pixel goes.
-    output wire        nodes_0_unloaded, // The bytes that come are for this node.
-    output wire [15:0] nodes_0_bytes,    // The bytes that come, one of each chip.
+    output wire        nodes_0_advances, // A byte of the current pixel is transferred.
+    output wire        nodes_0_unloaded, // The incoming bytes are for this node.
+    output wire [15:0] nodes_0_bytes,    // The incoming bytes, one of each chip.
     output wire [1:0]  nodes_1_pixel,
     output wire        nodes_1_advances,
     output wire        nodes_1_unloaded,

@@ -11,19 +11,19 @@
 module network_port_chips2_pixels16_width8 (
     input  wire        clk,
     input  wire        rst,
-    input  wire [1:0]  mode,             // The mode of the node: a `Mode`. It stays while a word goes.
-    input  wire        sends,            // A node that loads sends a byte of each chip.
+    input  wire [1:0]  mode,             // The mode of the node, constant during a word: a `Mode`.
+    input  wire        sends,            // A node in mode `Load` sends a byte of each chip.
     input  wire        first,            // The byte is the first of a word.
-    // What comes from the node before.
-    input  wire        upstream_valid,   // There is a byte of each chip.
+    // The bytes from the previous node.
+    input  wire        upstream_valid,   // A byte of each chip is transferred.
     input  wire        upstream_first,   // The byte is the first of a word.
     input  wire [15:0] upstream_bytes,   // The bytes, one of each chip.
-    input  wire [15:0] own,              // The bytes of `pixel` in this node.
+    input  wire [15:0] own,              // The node's own bytes of the pixels at `pixel`.
     output reg  [3:0]  pixel,            // The current pixel of each chip.
-    output wire        advances,         // A byte of the pixel goes.
+    output wire        advances,         // A byte of the current pixel is transferred.
     output wire        unloaded,         // The bytes from upstream are for this node.
-    // What goes to the node behind.
-    output reg         downstream_valid, // There is a byte of each chip.
+    // The bytes to the next node.
+    output reg         downstream_valid, // A byte of each chip is transferred.
     output reg         downstream_first, // The byte is the first of a word.
     output wire [15:0] downstream_bytes  // The bytes, one of each chip.
 );
@@ -101,7 +101,7 @@ module network_port_chips2_pixels16_width8 (
 `else
     always @(posedge clk) begin
         if (!rst && (loads & upstream_valid)) begin                  // rtl/src/pixelflow/network_port.rs:81
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: nothing comes while a node loads", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: no byte arrives while a node loads", $time);
             stop;
         end
     end

@@ -3,7 +3,7 @@
 // Schedules the words of a direction of the network.
 //
 // Parameters  NetworkSequencer { pixels: 16, setup: 2 }
-// Latency     5 clocks from a job to ready, if it has its bank
+// Latency     5 clocks from taking a job to ready, if the bank is given
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NET, PFL-SETUP)
 // Described   rtl/src/pixelflow/network_sequencer.rs:29
 `default_nettype none
@@ -14,21 +14,21 @@ module network_sequencer_pixels16_setup2 (
     // The jobs, one for each word.
     input  wire       jobs_valid,
     input  wire [1:0] jobs_mode,  // The mode of the node for the word: a `Mode`.
-    input  wire       jobs_bank,  // The bank that the word is in, unless the node forwards.
-    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire       jobs_bank,  // The bank of the word, unless the node forwards.
+    // The bytes of the word, 1 to 32; or 0 before the node that loads, where the mode has to be `Mode::Forward`.
     input  wire [5:0] jobs_bytes,
-    input  wire [1:0] given,      // Banks that the array has given: a bit for each.
+    input  wire [1:0] given,      // The banks that the array has given: a bit for each.
     input  wire       go,         // All nodes are ready.
     input  wire [3:0] pixel,      // The current pixel of each chip.
-    input  wire       advances,   // A byte of the pixel goes.
+    input  wire       advances,   // A byte of the current pixel is transferred.
     output wire [1:0] mode,       // The mode of the port: a `Mode`.
-    output wire       sends,      // A byte of the node goes.
+    output wire       sends,      // The node sends a byte of each chip.
     output reg        first,      // The byte is the first of its word.
     output reg  [1:0] bank,       // The bank, if the job needs one: a bit for each.
-    output reg  [4:0] address,    // The byte of the bank.
-    output wire       ready,      // The node is set for its word.
-    output wire [1:0] done,       // The network is done with a bank: a bit for each.
-    output wire       idle,       // There is no job.
+    output reg  [4:0] address,    // The address of the byte in the bank.
+    output wire       ready,      // The node is ready for its word.
+    output wire [1:0] done,       // For one clock: the network is done with a bank; a bit for each.
+    output wire       idle,       // The node has no job.
     output wire       jobs_ready
 );
 
@@ -137,7 +137,7 @@ module network_sequencer_pixels16_setup2 (
             stop;
         end
         if (!rst && !(!advances | (ready | sends))) begin            // rtl/src/pixelflow/network_sequencer.rs:140
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes when the node is ready for it", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a word comes only when the node is ready for it", $time);
             stop;
         end
     end

@@ -3,7 +3,7 @@
 // A node of PixelFlow without its geometry processors.
 //
 // Parameters  Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 }
-// Latency     a byte of each chip passes in 1 clock of the network; instructions have their own clocks
+// Latency     1 clock of the network for a byte of each chip; in the array, the clocks of each instruction
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
 // Described   rtl/src/pixelflow/node.rs:69
 `default_nettype none
@@ -13,7 +13,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        array_rst,
     input  wire        network_clk,
     input  wire        network_rst,
-    // Instructions that are written.
+    // A write to the instruction memory.
     input  wire        store_writes,                  // An instruction is written.
     input  wire [3:0]  store_address,                 // The address at which the instruction is written.
     // The instruction that is written.
@@ -28,42 +28,42 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [2:0]  store_instruction_enabling,
     input  wire [1:0]  store_instruction_flagging,    // The change of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression before the word; 0 without an expression.
+    // The number of bytes of the expression before the word; 0 without an expression.
     input  wire [2:0]  store_instruction_skip,
-    input  wire [3:0]  store_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    input  wire [3:0]  store_instruction_length,      // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     input  wire        store_instruction_descends,
     input  wire [8:0]  store_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  store_instruction_write,       // The address of the first byte that is written.
     input  wire [2:0]  store_instruction_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] store_instruction_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] store_instruction_b,           // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     input  wire [39:0] store_instruction_c,
-    // Frames of them that are to be done.
+    // The frames to execute, one after another.
     input  wire        frames_valid,
     input  wire [3:0]  frames_base,                   // The address of the frame's first instruction.
-    // The number of the frame's instructions; behind the end of the memory comes its beginning.
+    // The number of the frame's instructions; addresses wrap at the end of the memory.
     input  wire [4:0]  frames_length,
-    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
     input  wire        side_by_side,
-    // From the texture unit.
+    // The texture unit's access to its registers.
     input  wire [3:0]  texture_pixel,                 // The pixel of each chip, counted line by line.
     input  wire [5:0]  texture_address,               // The register of the pixel.
     input  wire        texture_writes,                // The register is written.
     input  wire [15:0] texture_bytes,                 // The bytes to write, one of each chip.
-    input  wire        texture_done,                  // The texture unit is done.
-    // From both directions of the network.
+    input  wire        texture_done,                  // For one clock: the texture unit is done.
+    // The inputs from both directions of the network.
     // The jobs of the node, one for each word.
     input  wire        network_0_jobs_valid,
     input  wire [1:0]  network_0_jobs_mode,           // The mode of the node for the word: a `Mode`.
-    input  wire        network_0_jobs_bank,           // The bank that the word is in, unless the node forwards.
-    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire        network_0_jobs_bank,           // The bank of the word, unless the node forwards.
+    // The bytes of the word, 1 to 32; or 0 before the node that loads, where the mode has to be `Mode::Forward`.
     input  wire [5:0]  network_0_jobs_bytes,
     input  wire        network_0_go,                  // All nodes are ready.
-    // From the node before.
-    input  wire        network_0_upstream_valid,      // There is a byte of each chip.
+    // The bytes from the previous node.
+    input  wire        network_0_upstream_valid,      // A byte of each chip is transferred.
     input  wire        network_0_upstream_first,      // The byte is the first of a word.
     input  wire [15:0] network_0_upstream_bytes,      // The bytes, one of each chip.
     input  wire        network_1_jobs_valid,
@@ -74,15 +74,15 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        network_1_upstream_valid,
     input  wire        network_1_upstream_first,
     input  wire [15:0] network_1_upstream_bytes,
-    output wire [15:0] texture_seen,                  // To the texture unit: a byte of each chip.
-    output wire        texture_starts,                // The texture unit begins.
-    // Every instruction has ended except in the pixels, which are as late as the evaluator.
+    output wire [15:0] texture_seen,                  // The byte of each chip that the texture unit reads.
+    output wire        texture_starts,                // For one clock: the texture unit begins.
+    // All instructions have left the controller; the pixels execute the last one after the evaluator's latency.
     output wire        idle,
-    // To both directions of the network.
-    output wire        network_0_ready,               // The node is set for its word.
-    output wire        network_0_idle,                // There is no job.
-    // To the node behind.
-    output wire        network_0_downstream_valid,    // There is a byte of each chip.
+    // The outputs to both directions of the network.
+    output wire        network_0_ready,               // The node is ready for its word.
+    output wire        network_0_idle,                // The node has no job in this direction.
+    // The bytes to the next node.
+    output wire        network_0_downstream_valid,    // A byte of each chip is transferred.
     output wire        network_0_downstream_first,    // The byte is the first of a word.
     output wire [15:0] network_0_downstream_bytes,    // The bytes, one of each chip.
     output wire        network_1_ready,
@@ -458,7 +458,7 @@ module node_array_pixel_array_width8_height4_words16_setup2 (
 `else
     always @(posedge network_clk) begin
         if (!network_rst && !((u_sequencer0_bank & u_sequencer1_bank) == 2'd0)) begin // rtl/src/pixelflow/node.rs:166
-            $display("FAIL: time %0t: %m: a bank is of one direction at a time", $time);
+            $display("FAIL: time %0t: %m: a bank belongs to one direction at a time", $time);
             stop;
         end
     end

@@ -1,9 +1,9 @@
 // pixel_array_width8_height4
 //
-// Pixels that compute under one instruction stream.
+// Pixels that execute one instruction stream.
 //
 // Parameters  PixelArray { width: 8, height: 4 }
-// Latency     the clocks of the instructions; a port's byte within the clock
+// Latency     the clocks of the instructions; 0 clocks for a port to read a byte
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE)
 // Described   rtl/src/pixelflow/array.rs:35
 `default_nettype none
@@ -24,23 +24,24 @@ module pixel_array_width8_height4 (
     input  wire [1:0]  instructions_condition,
     input  wire [2:0]  instructions_enabling,    // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [1:0]  instructions_flagging,    // The change of the flag with the last byte: a `Flagging`.
-    input  wire [2:0]  instructions_skip,        // Bytes of the expression before the word; 0 without an expression.
-    input  wire [3:0]  instructions_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    // The number of bytes of the expression before the word; 0 without an expression.
+    input  wire [2:0]  instructions_skip,
+    input  wire [3:0]  instructions_length,      // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     input  wire        instructions_descends,
     input  wire [8:0]  instructions_read,        // The address of the first byte that is read.
     input  wire [8:0]  instructions_write,       // The address of the first byte that is written.
     input  wire [2:0]  instructions_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] instructions_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] instructions_b,           // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     input  wire [39:0] instructions_c,
-    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
     input  wire        side_by_side,
-    input  wire [1:0]  bank_done,                // The network is done with a bank: a bit for each.
-    input  wire        texture_done,             // The texture unit is done.
-    // From the network, of each bank.
+    input  wire [1:0]  bank_done,                // For one clock: the network is done with a bank; a bit for each.
+    input  wire        texture_done,             // For one clock: the texture unit is done.
+    // For each bank: the network's access.
     input  wire [3:0]  network_0_pixel,          // The pixel of each chip, counted line by line.
     input  wire [4:0]  network_0_address,        // The register of the pixel.
     input  wire        network_0_writes,         // The register is written.
@@ -49,19 +50,19 @@ module pixel_array_width8_height4 (
     input  wire [4:0]  network_1_address,
     input  wire        network_1_writes,
     input  wire [15:0] network_1_bytes,
-    // From the texture unit.
+    // The texture unit's access to its registers.
     input  wire [3:0]  texture_pixel,            // The pixel of each chip, counted line by line.
     input  wire [5:0]  texture_address,          // The register of the pixel.
     input  wire        texture_writes,           // The register is written.
     input  wire [15:0] texture_bytes,            // The bytes to write, one of each chip.
-    // To network and texture unit: after the next edge the registers contain the results of all instructions so far.
-    output wire [1:0]  given_banks,              // A bank is for the network now: a bit for each.
-    output wire        given_texture,            // The texture unit begins.
-    // To the network, from each bank: a byte of each chip.
+    // The hand-over to network and texture unit: after the next edge the registers have all results so far.
+    output wire [1:0]  given_banks,              // For one clock: a bank is given to the network; a bit for each.
+    output wire        given_texture,            // For one clock: the texture unit begins.
+    // For each bank: the byte of each chip that the network reads.
     output wire [15:0] network_seen_0,
     output wire [15:0] network_seen_1,
-    output wire [15:0] texture_seen,             // To the texture unit: a byte of each chip.
-    // Every instruction has ended except in the pixels, which are as late as the evaluator.
+    output wire [15:0] texture_seen,             // The byte of each chip that the texture unit reads.
+    // All instructions have left the controller; the pixels execute the last one after the evaluator's latency.
     output wire        idle,
     output wire        instructions_ready
 );

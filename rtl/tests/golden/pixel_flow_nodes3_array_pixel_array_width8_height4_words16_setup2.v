@@ -1,9 +1,9 @@
 // pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2
 //
-// PixelFlow's nodes on a network with both directions.
+// PixelFlow's nodes on a network with two directions.
 //
 // Parameters  PixelFlow { nodes: 3, node: Node { array: PixelArray { width: 8, height: 4 }, words: 16, setup: 2 } }
-// Latency     1 clock of the network a node; instructions have their own clocks
+// Latency     1 clock of the network per node; in the array, the clocks of each instruction
 // Source      Reducing Latency on PixelFlow, section 3 (PFL-NODE, PFL-NET)
 // Described   rtl/src/pixelflow/machine.rs:40
 `default_nettype none
@@ -13,7 +13,7 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        array_rst,
     input  wire        network_clk,
     input  wire        network_rst,
-    // Instructions that are written, of each node.
+    // A write to the instruction memory of each node.
     input  wire        stores_0_writes,                  // An instruction is written.
     input  wire [3:0]  stores_0_address,                 // The address at which the instruction is written.
     // The instruction that is written.
@@ -28,18 +28,18 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     // The change of the enable flags with the last byte: an `Enabling`.
     input  wire [2:0]  stores_0_instruction_enabling,
     input  wire [1:0]  stores_0_instruction_flagging,    // The change of the flag with the last byte: a `Flagging`.
-    // Bytes of the expression before the word; 0 without an expression.
+    // The number of bytes of the expression before the word; 0 without an expression.
     input  wire [2:0]  stores_0_instruction_skip,
-    input  wire [3:0]  stores_0_instruction_length,      // Bytes of the word: 1 to `LONGEST`.
-    // Addresses decrease, from the most significant byte on: for shifts to the right.
+    input  wire [3:0]  stores_0_instruction_length,      // The number of bytes of the word: 1 to `LONGEST`.
+    // Addresses decrease from byte to byte, most significant byte first: for shifts to the right.
     input  wire        stores_0_instruction_descends,
     input  wire [8:0]  stores_0_instruction_read,        // The address of the first byte that is read.
     input  wire [8:0]  stores_0_instruction_write,       // The address of the first byte that is written.
     input  wire [2:0]  stores_0_instruction_sync,        // The synchronization with the ports: a `Sync`.
     input  wire [39:0] stores_0_instruction_a,           // Coefficient A of the expression, in two's complement.
     input  wire [39:0] stores_0_instruction_b,           // Coefficient B of the expression, in two's complement.
-    // Coefficient C of the expression, in two's complement, relative to the region; the constant where there is no
-    // expression, from its least significant byte on. Longer words are of its sign.
+    // Coefficient C of the expression, in two's complement, relative to the region. Without an expression, C is the
+    // constant, least significant byte first; its sign extends it to a longer word.
     input  wire [39:0] stores_0_instruction_c,
     input  wire        stores_1_writes,
     input  wire [3:0]  stores_1_address,
@@ -81,10 +81,10 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [39:0] stores_2_instruction_a,
     input  wire [39:0] stores_2_instruction_b,
     input  wire [39:0] stores_2_instruction_c,
-    // Frames of them that are to be done.
+    // The frames that each node executes, one after another.
     input  wire        frames_0_valid,
     input  wire [3:0]  frames_0_base,                    // The address of the frame's first instruction.
-    // The number of the frame's instructions; behind the end of the memory comes its beginning.
+    // The number of the frame's instructions; addresses wrap at the end of the memory.
     input  wire [4:0]  frames_0_length,
     input  wire        frames_1_valid,
     input  wire [3:0]  frames_1_base,
@@ -92,9 +92,9 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire        frames_2_valid,
     input  wire [3:0]  frames_2_base,
     input  wire [4:0]  frames_2_length,
-    // Evaluator and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Evaluator and memory may execute two instructions at once; while this is low, they execute one at a time.
     input  wire        side_by_side,
-    // From the texture unit of each node.
+    // The access of each node's texture unit to its registers.
     input  wire [3:0]  textures_0_pixel,                 // The pixel of each chip, counted line by line.
     input  wire [5:0]  textures_0_address,               // The register of the pixel.
     input  wire        textures_0_writes,                // The register is written.
@@ -107,12 +107,13 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [5:0]  textures_2_address,
     input  wire        textures_2_writes,
     input  wire [15:0] textures_2_bytes,
-    input  wire [2:0]  textures_done,                    // The nodes whose texture unit is done.
+    // For one clock: the texture unit of the node is done; a bit for each node.
+    input  wire [2:0]  textures_done,
     // The jobs of each node for the words that go forth, from the first node to the last.
     input  wire        forth_0_valid,
     input  wire [1:0]  forth_0_mode,                     // The mode of the node for the word: a `Mode`.
-    input  wire        forth_0_bank,                     // The bank that the word is in, unless the node forwards.
-    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire        forth_0_bank,                     // The bank of the word, unless the node forwards.
+    // The bytes of the word, 1 to 32; or 0 before the node that loads, where the mode has to be `Mode::Forward`.
     input  wire [5:0]  forth_0_bytes,
     input  wire        forth_1_valid,
     input  wire [1:0]  forth_1_mode,
@@ -122,11 +123,11 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [1:0]  forth_2_mode,
     input  wire        forth_2_bank,
     input  wire [5:0]  forth_2_bytes,
-    // The jobs of each node for the words that go back.
+    // The jobs of each node for the words that go back, from the last node to the first.
     input  wire        back_0_valid,
     input  wire [1:0]  back_0_mode,                      // The mode of the node for the word: a `Mode`.
-    input  wire        back_0_bank,                      // The bank that the word is in, unless the node forwards.
-    // Bytes of a word, 1 to 32; none at a node before the one that loads, which has to be a `Mode::Forward`.
+    input  wire        back_0_bank,                      // The bank of the word, unless the node forwards.
+    // The bytes of the word, 1 to 32; or 0 before the node that loads, where the mode has to be `Mode::Forward`.
     input  wire [5:0]  back_0_bytes,
     input  wire        back_1_valid,
     input  wire [1:0]  back_1_mode,
@@ -136,21 +137,22 @@ module pixel_flow_nodes3_array_pixel_array_width8_height4_words16_setup2 (
     input  wire [1:0]  back_2_mode,
     input  wire        back_2_bank,
     input  wire [5:0]  back_2_bytes,
-    // To the texture unit of each node: a byte of each chip.
+    // The byte of each chip that the texture unit of each node reads.
     output wire [15:0] texture_seen_0,
     output wire [15:0] texture_seen_1,
     output wire [15:0] texture_seen_2,
-    output wire [2:0]  textures_start,                   // The nodes whose texture unit begins.
-    // The nodes in which every instruction has ended except in the pixels.
+    // For one clock: the texture unit of the node begins; a bit for each node.
+    output wire [2:0]  textures_start,
+    // All instructions have left the controller of the node; a bit for each node.
     output wire [2:0]  idle,
-    // The nodes that have no job, of each direction.
+    // For each direction: the node has no job; a bit for each node.
     output wire [2:0]  without_job_0,
     output wire [2:0]  without_job_1,
-    // All nodes are ready for a word of the direction.
+    // For each direction: all nodes are ready for their word.
     output wire        go_0,
     output wire        go_1,
-    // The bytes that leave the network at the end of each direction.
-    output wire        off_0_valid,                      // There is a byte of each chip.
+    // For each direction: the bytes that leave the network at its end.
+    output wire        off_0_valid,                      // A byte of each chip is transferred.
     output wire        off_0_first,                      // The byte is the first of a word.
     output wire [15:0] off_0_bytes,                      // The bytes, one of each chip.
     output wire        off_1_valid,

@@ -1,6 +1,6 @@
 // pixel_processor_depth8
 //
-// Computes a byte of a pixel a clock.
+// Computes one byte of a pixel in every clock.
 //
 // Parameters  PixelProcessor { depth: 8 }
 // Latency     1 clock to the memory and the flags
@@ -14,22 +14,22 @@ module pixel_processor_depth8 (
     input  wire [1:0] control_source,      // Where the operand comes from: a `Source`.
     input  wire [7:0] control_constant,    // The operand, if it is a constant.
     input  wire [3:0] control_function,    // The function of the ALU: a `Function`.
-    input  wire [1:0] control_begin,       // The carry that comes in: a `Begin`.
+    input  wire [1:0] control_begin,       // The carry into the byte: a `Begin`.
     input  wire [1:0] control_mask,        // Which processors write: a `Mask`.
     input  wire       control_accumulates, // The result goes to the accumulator.
     input  wire       control_stores,      // The result goes to memory.
     input  wire [1:0] control_condition,   // What `enabling` and `flagging` depend on: a `Condition`.
     input  wire [2:0] control_enabling,    // The change of the enable flags: an `Enabling`.
-    // `enabling` depends on the expression's top bit instead: the condition is true where it is 0.
+    // `enabling` depends on the expression's sign instead: the condition is true if its top bit is 0.
     input  wire       control_by_sign,
     input  wire [1:0] control_flagging,    // The change of the flag: a `Flagging`.
-    input  wire [8:0] control_read,        // The address that is read.
-    input  wire [8:0] control_write,       // The address that is written.
+    input  wire [8:0] control_read,        // The read address.
+    input  wire [8:0] control_write,       // The write address.
     input  wire [7:0] expression,          // A byte of the expression at this pixel.
-    input  wire [7:0] register_byte,       // The communication register at the address that is read, if one is there.
-    output reg  [7:0] result,              // The byte that the ALU makes.
-    // The result goes to the communication register at the address that is written.
-    output wire       writes_register
+    // The communication register at the read address, if that is one of a register.
+    input  wire [7:0] register_byte,
+    output reg  [7:0] result,              // The result of the ALU.
+    output wire       writes_register      // The result is written to the communication register at the write address.
 );
 
     localparam [1:0] SOURCE_CONSTANT    = 2'd0;

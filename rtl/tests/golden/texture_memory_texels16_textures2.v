@@ -1,9 +1,9 @@
 // texture_memory_texels16_textures2
 //
-// Reads the texels around a place.
+// Reads the texels around a point of a texture on two levels.
 //
 // Parameters  TextureMemory { texels: 16, textures: 2 }
-// Latency     3 clocks, a place a clock
+// Latency     3 clocks; a point per clock
 // Source      Reducing Latency on PixelFlow, section 4 (PFL-SHADE)
 // Described   rtl/src/pixelflow/texture_memory.rs:25
 `default_nettype none
@@ -11,25 +11,25 @@
 module texture_memory_texels16_textures2 (
     input  wire         clk,
     input  wire         rst,
-    // The texel that the geometry processors write.
+    // A texel that the geometry processors write.
     input  wire         write_valid,      // A texel is written.
     // The texel's bank: the parity of the level, then of the row, then of the column.
     input  wire [2:0]   write_bank,
     input  wire [3:0]   write_address,    // The texel's address in its bank.
     input  wire [23:0]  write_texel,      // The texel, red in the lowest byte, then green, then blue.
-    // Where the geometry processors say that a texture is.
-    input  wire         describe_valid,   // A texture is described.
+    // The location of a texture, from the geometry processors.
+    input  wire         describe_valid,   // The location of a texture is written.
     input  wire         describe_texture, // The number of the texture.
     input  wire [3:0]   describe_base,    // The texture's first address in each bank.
     input  wire [3:0]   describe_finest,  // The texture's finest level.
-    // The place that is sought.
-    input  wire         request_valid,    // A place is sought.
-    input  wire [15:0]  request_u,        // The place from the left, in 1/2^16 of the texture.
-    input  wire [15:0]  request_v,        // The place from below, in 1/2^16 of the texture.
+    // The point to look up.
+    input  wire         request_valid,    // There is a point to look up.
+    input  wire [15:0]  request_u,        // The distance from the left, in 1/2^16 of the texture.
+    input  wire [15:0]  request_v,        // The distance from the bottom, in 1/2^16 of the texture.
     input  wire [7:0]   request_level,    // The coarser of the two levels.
     input  wire [7:0]   request_texture,  // The number of the texture.
-    output wire         valid,            // The texels of a place are there.
-    // Texel 4 s + 2 y + x is on level `level + s`. It is on the right if x is 1, and above if y is 1.
+    output wire         valid,            // The texels of a point are at the output.
+    // Texel 4 s + 2 y + x is on level `level + s`: on the right if x is 1, and above if y is 1.
     output wire [191:0] texels
 );
 

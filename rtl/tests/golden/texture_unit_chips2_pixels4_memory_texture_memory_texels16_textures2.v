@@ -1,6 +1,6 @@
 // texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2
 //
-// Serves the texture registers of a region.
+// Looks up texels for the requests in the texture registers of a region.
 //
 // Parameters  TextureUnit { chips: 2, pixels: 4, memory: TextureMemory { texels: 16, textures: 2 } }
 // Latency     180 clocks for a region
@@ -11,25 +11,25 @@
 module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
     input  wire        clk,
     input  wire        rst,
-    // The texel that the geometry processors write.
+    // A texel that the geometry processors write.
     input  wire        write_valid,      // A texel is written.
     // The texel's bank: the parity of the level, then of the row, then of the column.
     input  wire [2:0]  write_bank,
     input  wire [3:0]  write_address,    // The texel's address in its bank.
     input  wire [23:0] write_texel,      // The texel, red in the lowest byte, then green, then blue.
-    // Where the geometry processors say that a texture is.
-    input  wire        describe_valid,   // A texture is described.
+    // The location of a texture, from the geometry processors.
+    input  wire        describe_valid,   // The location of a texture is written.
     input  wire        describe_texture, // The number of the texture.
     input  wire [3:0]  describe_base,    // The texture's first address in each bank.
     input  wire [3:0]  describe_finest,  // The texture's finest level.
-    input  wire        start,            // The texture unit begins.
-    input  wire [15:0] seen,             // A byte of each chip, at the place that the port says.
-    // To the texture registers.
+    input  wire        start,            // For one clock: begin a region.
+    input  wire [15:0] seen,             // The byte of each chip that the port addresses.
+    // The access to the texture registers.
     output wire [1:0]  port_pixel,       // The pixel of each chip, counted line by line.
     output wire [5:0]  port_address,     // The register of the pixel.
     output wire        port_writes,      // The register is written.
     output wire [15:0] port_bytes,       // The bytes to write, one of each chip.
-    output wire        done              // All pixels have their texels.
+    output wire        done              // For one clock: all pixels have their texels.
 );
 
     reg busy;                                                    // rtl/src/pixelflow/texture_unit.rs:93
@@ -155,7 +155,7 @@ module texture_unit_chips2_pixels4_memory_texture_memory_texels16_textures2 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!start | !busy)) begin                         // rtl/src/pixelflow/texture_unit.rs:98
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins when it has done", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the texture unit begins only when it is done", $time);
             stop;
         end
     end

@@ -1,4 +1,4 @@
-//! Random programs against the effect of each instruction on each pixel, and the bytes that the ports see.
+//! Random programs, compared with the emulator at every pixel, and the time of a simulated clock.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -27,7 +27,7 @@ fn clock(sim: &mut Array, instruction: Option<&Instruction<u64>>) -> bool {
     taken
 }
 
-/// Sends the program, after pauses, and lets it end in the pixels; returns the clocks.
+/// Sends the program with pauses, and lets it end in the pixels; returns the clocks.
 fn run(sim: &mut Array, array: &PixelArray, program: &[Instruction<u64>], pauses: &[u32]) -> u64 {
     let start = sim.cycles(ARRAY).unwrap();
     for (number, instruction) in program.iter().enumerate() {
@@ -66,7 +66,7 @@ fn held(sim: &mut Array, array: &PixelArray, x: u32, y: u32) -> Pixel {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever overlaps, the state ends as if each instruction began when its predecessor had ended.
+    /// Instructions may overlap. The final state is as if each began when its predecessor had ended.
     #[test]
     fn instructions_do_what_they_do_one_after_another(
         extents in prop::array::uniform2(1..4u32),
@@ -86,7 +86,7 @@ proptest! {
     }
 }
 
-/// Nanoseconds a clock of the array of 128 x 64 pixels, by activity, and per clock of a network transfer. Only printed:
+/// Prints the nanoseconds per clock of an array of 128 x 64 pixels, for each activity of the array and of a port:
 /// `cargo test --release -p tilewright-rtl --lib -- --ignored --nocapture nanoseconds_of_the_machine_s_array`
 #[test]
 #[ignore = "it measures"]

@@ -1,4 +1,4 @@
-//! Frames that are fetched, clock by clock and at random.
+//! Fetching of frames, clock by clock and at random.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation};
@@ -7,7 +7,7 @@ use super::*;
 
 type Dma = Simulation<CommandDmaIn, CommandDmaOut>;
 
-/// An instruction that differs from all others in every field, whatever it means.
+/// An instruction with a different value in every field for each number; it need not be a valid one.
 fn numbered(number: u64) -> Instruction<u64> {
     let mut state = number;
     let fields = Instruction::widths().map(|width| {
@@ -17,7 +17,7 @@ fn numbered(number: u64) -> Instruction<u64> {
     Instruction { a: number, ..fields }
 }
 
-/// With instruction n at address n.
+/// A fetcher with instruction n at address n.
 fn started(words: u32) -> Dma {
     let mut sim = Simulation::of(&CommandDma { words }).unwrap();
     sim.reset();
@@ -27,7 +27,7 @@ fn started(words: u32) -> Dma {
         sim.drive(CommandDmaIn { store, frames });
         sim.step();
     }
-    // An input that is not written differs from the last instruction and from zero.
+    // The input that is not written differs from the last instruction and from zero.
     sim.drive(CommandDmaIn { store: Store { writes: 0, address: 0, instruction: numbered(1000) }, frames });
     sim
 }

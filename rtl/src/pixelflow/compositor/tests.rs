@@ -1,4 +1,4 @@
-//! The compositor byte by byte, and against the lesser of two words.
+//! The compositor byte by byte, and compared with the lesser of two words.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -11,7 +11,8 @@ fn the_first_byte_that_differs_decides() {
     sim.reset();
     let (i, o) = (sim.i, sim.o);
     let wave = sim.record([i.first, i.pixel, i.upstream, i.own, o.downstream]);
-    // For pixel 0 upstream is less at once; for pixel 1 the node's own word is, from the second byte on.
+    // For pixel 0 the upstream word is the lesser from its first byte on. For pixel 1 the node's own word is, from the
+    // second byte on.
     let bytes = [(1, 0, 3, 4), (1, 1, 7, 7), (0, 0, 9, 1), (0, 1, 6, 5), (0, 0, 8, 2), (0, 1, 1, 8)];
     for (first, pixel, upstream, own) in bytes {
         sim.drive(CompositorIn { mode: Mode::Composite.code(), advances: 1, first, pixel, upstream, own });
@@ -30,7 +31,7 @@ fn the_first_byte_that_differs_decides() {
     );
 }
 
-/// The words that a node sends for its pixels.
+/// The words that a node passes on for its pixels.
 fn sent(
     mode: Mode,
     upstream: &[Vec<u64>],
@@ -62,12 +63,12 @@ fn sent(
     words
 }
 
-/// Words of two bytes of 2 bits, for two pixels; each pixel gets all pairs of words.
+/// Words have two bytes of 2 bits. Each of two pixels gets all pairs of words.
 #[test]
 fn of_all_small_words_the_lesser_goes_on() {
     let word = |number: u64| vec![number >> 2, number & 3];
     for (upstream, own) in (0..16).flat_map(|upstream| (0..16).map(move |own| (upstream, own))) {
-        // The other pixel has the two swapped, or others.
+        // The other pixel has the two words exchanged, or other words.
         for other in [[own, upstream], [upstream, 15 - own]] {
             let words = |of: [u64; 2]| of.map(word).to_vec();
             let (above, below) = (words([upstream, other[0]]), words([own, other[1]]));
@@ -80,7 +81,7 @@ fn of_all_small_words_the_lesser_goes_on() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 32, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Words that mostly share their first bytes, in each mode, with gaps anywhere.
+    /// Tests each mode with words that mostly share their first bytes, and with gaps anywhere.
     #[test]
     fn each_mode_sends_what_it_says(
         (upstream, own) in (1..9usize, 1..7usize).prop_flat_map(|(pixels, bytes)| {

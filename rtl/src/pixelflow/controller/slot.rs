@@ -1,4 +1,4 @@
-//! A slot: the place of an instruction while its bytes are sent.
+//! A slot: the registers of an instruction while its bytes are sent.
 
 use super::super::instruction::{COEFFICIENT, Instruction, LONGEST, Sync};
 use super::super::pixel::{Begin, Condition, Control, Enabling, Flagging, Function, Mask, PixelProcessor, Source};
@@ -26,7 +26,7 @@ record! {
     }
 
     /// The work for a slot.
-    pub struct Order {
+    pub struct Work {
         action: Action,
         skip: below(LONGEST),
         length: up_to(LONGEST),
@@ -35,12 +35,12 @@ record! {
         constant: bits(COEFFICIENT).signed(),
     }
 
-    /// A slot's copy of its work.
+    /// The part of the work that a slot keeps unchanged.
     struct Held { action: Action, length: up_to(LONGEST) }
 }
 
-impl Order {
-    pub fn of(i: &Instruction, on_memory: Signal, by_sign: Signal) -> Order {
+impl Work {
+    pub fn of(i: &Instruction, on_memory: Signal, by_sign: Signal) -> Work {
         let action = Action {
             source: i.source,
             function: i.function,
@@ -58,16 +58,16 @@ impl Order {
             bank: bank(i.c),
             starts: i.sync.is(Sync::StartTexture),
         };
-        Order { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
+        Work { action, skip: i.skip, length: i.length, read: i.read, write: i.write, constant: i.c }
     }
 
-    /// The number of clocks it takes, in enough bits for two words.
+    /// A number of clocks, in enough bits for two words.
     pub fn clocks(number: Signal) -> Signal {
         number.zext(up_to(2 * LONGEST))
     }
 }
 
-/// The bank with that number, one bit each.
+/// The bank with this number, as one bit of two.
 pub fn bank(number: Signal) -> Signal {
     let second = number.bit(0);
     cat![second, !second]
@@ -76,9 +76,9 @@ pub fn bank(number: Signal) -> Signal {
 /// The progress of an instruction, byte by byte.
 pub struct Slot {
     held: Reg<Held>,
-    /// There are bytes to send, including this one.
+    /// The number of bytes to send, including this one.
     pub left: Reg,
-    /// There is none to send, or this is the last.
+    /// No byte is left to send, or this is the last one.
     pub ends: Signal,
     /// This byte is part of the word.
     pub is_word: Signal,
@@ -91,11 +91,11 @@ pub struct Slot {
 
 impl Slot {
     pub fn new(m: Module, name: &str) -> Slot {
-        let widths = Order::widths();
+        let widths = Work::widths();
         let held = m.reg(name, Held::widths()).reset(0);
         m.within(name, || {
             def!(left = m.reg(up_to(2 * LONGEST)).reset(0));
-            def!(is_word = left.ne(0) & left.le(Order::clocks(held.length)));
+            def!(is_word = left.ne(0) & left.le(Work::clocks(held.length)));
             def!(bytes = m.reg(widths.constant));
             def!(ends = left.le(1));
             def!(read = m.reg(widths.read));
@@ -105,18 +105,18 @@ impl Slot {
     }
 
     /// Takes new work at an edge where `begins` is high; otherwise continues.
-    pub fn begin(&self, begins: Signal, order: Order) {
-        self.held.when(begins, Held { action: order.action, length: order.length });
-        let clocks = Order::clocks(order.skip) + Order::clocks(order.length);
+    pub fn begin(&self, begins: Signal, work: Work) {
+        self.held.when(begins, Held { action: work.action, length: work.length });
+        let clocks = Work::clocks(work.skip) + Work::clocks(work.length);
         self.left.when(begins, clocks).when(self.left.ne(0), self.left - 1);
         let descends = self.held.action.descends;
         let following = |address: Reg| mux(descends, address - 1, address + 1);
-        self.read.when(begins, order.read).when(self.is_word, following(self.read));
-        self.write.when(begins, order.write).when(self.is_word, following(self.write));
-        self.bytes.when(begins, order.constant).otherwise(self.bytes >> 8);
+        self.read.when(begins, work.read).when(self.is_word, following(self.read));
+        self.write.when(begins, work.write).when(self.is_word, following(self.write));
+        self.bytes.when(begins, work.constant).otherwise(self.bytes >> 8);
     }
 
-    /// It needs ALU or memory now, or will need it.
+    /// The instruction needs ALU or memory now, or will need it.
     pub fn on_memory(&self) -> Signal {
         self.left.ne(0) & self.held.action.on_memory
     }
@@ -128,11 +128,11 @@ impl Slot {
     /// The control of the pixels.
     pub fn control(&self) -> Control {
         let action = self.held.action;
-        let is_first = self.left.eq(Order::clocks(self.held.length));
+        let is_first = self.left.eq(Work::clocks(self.held.length));
         Control {
             source: action.source,
             constant: self.constant,
-            // Otherwise the carry would not stay.
+            // Before the word, the function must not change the carry.
             function: mux(self.is_word, action.function, Function::Operand),
             begin: mux(is_first, action.begin, Begin::Kept),
             mask: mux(self.is_word, action.mask, Mask::Nobody),
@@ -147,14 +147,14 @@ impl Slot {
         }
     }
 
-    /// What the ports get, with the last byte.
+    /// The hand-over to the ports, with the last byte.
     pub fn given(&self) -> Given {
         let action = self.held.action;
         Given { banks: mux(self.is_last() & action.gives, action.bank, 0), texture: self.is_last() & action.starts }
     }
 }
 
-/// Sends the number that comes with `begins` byte by byte, from the least significant on, and then its sign for ever.
+/// Sends the number that comes with `begins` byte by byte, the least significant first, and then bytes of its sign.
 pub fn byte_by_byte(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
     let bytes = m.reg(name, bits(number.width()).signed());
     bytes.when(begins, number).otherwise(bytes >> 8);

@@ -29,7 +29,7 @@ fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> 
     watched(sim, instructions, clocks, |_| {})
 }
 
-/// The same; each clock's control is inspected.
+/// Runs as [`run`], and shows the outputs of each clock to `look`.
 fn watched(
     sim: &mut Controller,
     instructions: &[Instruction<u64>],
@@ -49,13 +49,13 @@ fn watched(
     taken
 }
 
-/// All write the sum of a constant and a word.
+/// All pixels write the sum of a constant and a word.
 fn fill(length: u64, write: u64) -> Instruction<u64> {
     let (function, begin, mask) = (Function::Add.code(), Begin::Zero.code(), Mask::Everybody.code());
     Instruction { function, begin, mask, stores: 1, length, write, c: 0x0403_0201, ..Instruction::NOTHING }
 }
 
-/// A copy of what a flag chose.
+/// A copy of a word where the flag is set.
 fn copy(length: u64) -> Instruction<u64> {
     let (function, mask) = (Function::Word.code(), Mask::Flagged.code());
     Instruction { function, mask, stores: 1, length, read: 100, write: 200, ..Instruction::NOTHING }
@@ -125,15 +125,15 @@ fn the_control_of_pixels_comes_with_the_expression() {
 }
 
 #[test]
-fn one_at_a_time_each_begins_with_the_last_byte_of_the_one_before() {
+fn one_at_a_time_each_is_taken_with_the_last_byte_of_its_predecessor() {
     let program = [test(4), fill(3, 30), evaluate(5, 2), copy(8), in_step(Sync::GiveBank, 1), evaluate(7, 8), test(1)];
     assert_eq!(run(&mut started(0), &program, 60), [0, 4, 7, 14, 22, 23, 38]);
 }
 
 #[test]
-fn side_by_side_only_what_meets_waits() {
+fn side_by_side_an_instruction_waits_only_for_what_it_needs() {
     let taken = |program: &[Instruction<u64>]| run(&mut started(1), program, 40);
-    // An edge does not wait. An instruction with a word in the ALU starts so that its word follows the copy.
+    // An edge does not wait. An instruction that needs the ALU starts so that its word follows the copy.
     assert_eq!(taken(&[copy(8), test(4), test(4)]), [0, 1, 5]);
     assert_eq!(taken(&[copy(8), evaluate(2, 3)]), [0, 6]);
     assert_eq!(taken(&[copy(8), evaluate(0, 3)]), [0, 8]);
@@ -142,17 +142,17 @@ fn side_by_side_only_what_meets_waits() {
     // A test that looks at the carry needs the ALU.
     let by_carry = Instruction { condition: Condition::Carry.code(), ..test(1) };
     assert_eq!(taken(&[copy(8), by_carry]), [0, 8]);
-    // An edge that also sets the flag does, too.
+    // An edge that also sets the flag needs the ALU, too.
     let captures = Instruction { flagging: Flagging::EnabledCondition.code(), ..test(4) };
     assert_eq!(taken(&[copy(8), captures]), [0, 5]);
-    // An instruction behind a word that is on its way to the memory waits for that word's end, but not behind an edge.
+    // A copy waits for the end of a word that will be written, but does not wait for an edge.
     assert_eq!(taken(&[evaluate(2, 3), copy(8)]), [0, 5]);
     assert_eq!(taken(&[test(4), copy(8)]), [0, 1]);
-    // One more waits for the memory.
+    // One more copy may wait for the memory.
     assert_eq!(taken(&[copy(8), copy(8), test(4), copy(8), test(4)]), [0, 1, 2, 8, 9]);
 }
 
-/// Node and network work like this: a bank is given, drained while the other one is filled, and given again.
+/// A bank is given, then read by the network while the other one is filled, and given again.
 #[test]
 fn a_bank_is_awaited_until_the_network_has_done_with_it() {
     let mut sim = started(1);
@@ -189,8 +189,8 @@ fn the_texture_unit_is_awaited_until_it_has_done() {
     let mut starts = Vec::new();
     let taken = watched(&mut sim, &[wait, start], 8, |out| starts.push(out.given.texture));
     assert_eq!(taken, [0, 1]);
-    // It is taken in clock 1, and its byte is sent to the pixels in clock 2. They get it 3 clocks later, as an
-    // expression would.
+    // The start is taken in clock 1, and its byte is sent in clock 2. The pixels get the byte 3 clocks later, as they
+    // would get an expression.
     assert_eq!(starts, [0, 0, 0, 0, 0, 1, 0, 0]);
 }
 
@@ -201,7 +201,7 @@ fn what_is_given_is_given_with_the_last_byte() {
         watched(&mut started(1), &[next], 8, |out| given.push([out.given.banks, out.given.texture]));
         given
     };
-    // One on the memory, and one on the evaluator: the pixels have their bytes in clocks 4 to 6.
+    // One word is on the memory, and one on the evaluator. The pixels get the bytes in clocks 4 to 6.
     for word in [fill(3, 288), evaluate(0, 3)] {
         for (sync, last) in [(Sync::GiveBank, [2, 0]), (Sync::StartTexture, [0, 1])] {
             let expected = [0, 1, 2, 3, 4, 5, 6, 7].map(|clock| if clock == 6 { last } else { [0, 0] });
@@ -210,7 +210,7 @@ fn what_is_given_is_given_with_the_last_byte() {
     }
 }
 
-/// Clocks from the first instruction of a primitive to that of the next, for many equal primitives.
+/// The clocks from the first instruction of a primitive to that of the next, for many equal primitives.
 fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
     let mut sim = started(side_by_side);
@@ -218,12 +218,12 @@ fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     assert_eq!(taken.len(), MANY * program.len());
     let begins: Vec<u64> = taken.iter().step_by(program.len()).copied().collect();
     let [.., before, last] = begins[..] else { unreachable!("many") };
-    assert_eq!(last - before, before - begins[MANY - 3], "it has settled");
+    assert_eq!(last - before, before - begins[MANY - 3], "the time of a primitive is constant");
     last - before
 }
 
-/// Facts E4: 12 bytes of edges, 5 of depth, 9 of colours and 6 written take 0.32 us. Side by side, the 6 are written
-/// under the edges, and cost only the clock in which their instruction is taken.
+/// Facts E4: 12 bytes of edges, 5 of depth, 9 of colours and 6 of the copy take 0.32 us. Side by side, the copy runs
+/// during the edges, and costs only the clock in which its instruction is taken.
 #[test]
 fn a_gouraud_triangle_takes_32_clocks_and_27_side_by_side() {
     let program = triangle([[1, 2, 3]; 3], 4, [[1, 2, 3]; 4]);
@@ -233,7 +233,7 @@ fn a_gouraud_triangle_takes_32_clocks_and_27_side_by_side() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each byte of each instruction in its clock, and nothing in all other clocks.
+    /// Each byte of each instruction comes in its clock, and no byte in any other clock.
     #[test]
     fn every_byte_comes_in_its_clock(
         program in prop::collection::vec(instructions(), 1..40),
@@ -295,12 +295,12 @@ fn an_empty_word_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "only of an expression bytes are skipped")]
+#[should_panic(expected = "only bytes of an expression are skipped")]
 fn what_skips_without_an_expression_is_an_error() {
     taken_wrongly(Instruction { skip: 1, ..fill(1, 0) });
 }
 
-/// Each of them is refused with that message.
+/// Checks that each of the instructions is refused with this message.
 fn expect_refused(wrong: &[Instruction<u64>], message: &str) {
     for wrong in wrong {
         let mut sim = started(1);
@@ -314,11 +314,11 @@ fn expect_refused(wrong: &[Instruction<u64>], message: &str) {
 fn a_word_that_reaches_beyond_the_memory_is_an_error() {
     let reads = |length, read| Instruction { read, ..fill(length, 0) };
     let wrong = [fill(5, 380), fill(1, 511), reads(5, 380), reads(1, 511)];
-    expect_refused(&wrong, "a word is within the memory of 384 bytes");
+    expect_refused(&wrong, "a word is within the 384 bytes of a pixel");
 }
 
 #[test]
-#[should_panic(expected = "a word is within the memory of 384 bytes")]
+#[should_panic(expected = "a word is within the 384 bytes of a pixel")]
 fn a_word_that_goes_down_below_the_memory_is_an_error() {
     taken_wrongly(Instruction { descends: 1, read: 7, ..fill(5, 3) });
 }
@@ -340,17 +340,17 @@ fn a_code_that_does_not_exist_is_an_error() {
         Instruction { flagging: 3, ..word },
         Instruction { sync: 5, ..word },
     ];
-    expect_refused(&wrong, "each field has a code that there is");
+    expect_refused(&wrong, "each field has a valid code");
 }
 
 #[test]
-#[should_panic(expected = "a bank is given when the network has done with it")]
+#[should_panic(expected = "a bank is given only when the network is done with it")]
 fn a_bank_that_is_given_twice_is_an_error() {
     run(&mut started(1), &[in_step(Sync::GiveBank, 1), in_step(Sync::GiveBank, 0), in_step(Sync::GiveBank, 1)], 9);
 }
 
 #[test]
-#[should_panic(expected = "the texture unit begins when it has done")]
+#[should_panic(expected = "the texture unit begins only when it is done")]
 fn a_texture_unit_that_begins_twice_is_an_error() {
     run(&mut started(1), &[in_step(Sync::StartTexture, 0), in_step(Sync::StartTexture, 0)], 9);
 }

@@ -1,4 +1,4 @@
-//! Regions that are loaded, and frames that are shown.
+//! Loading of regions and display of frames.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation};
@@ -27,7 +27,7 @@ fn expected(samples: u32, frame: u64, x: u32, y: u32) -> u64 {
     mean(16) << 16 | mean(8) << 8 | mean(0)
 }
 
-/// The registers of a node, as the port sees them: a region of a frame.
+/// The registers of a node as the port reads them: a region of a frame.
 struct Registers<'a> {
     buffer: &'a FrameBuffer,
     frame: u64,
@@ -53,11 +53,11 @@ impl Registers<'_> {
     }
 }
 
-/// A frame buffer that is loaded without end, frame after frame.
+/// A frame buffer, and the node that loads it, frame after frame.
 struct Loaded<'a> {
     sim: Sim,
     registers: Registers<'a>,
-    /// The clock in which the region began, and the durations of those that are done.
+    /// The clock in which the region began, and the durations of the regions that are done.
     began: u64,
     took: Vec<u64>,
     clock: u64,
@@ -73,7 +73,7 @@ impl<'a> Loaded<'a> {
         Loaded { sim, registers, began: 0, took: Vec::new(), clock: 0 }
     }
 
-    /// A clock; returns the pixel that is taken, if there is one.
+    /// Runs a clock; returns the pixel taken, if there is one.
     fn clock(&mut self, starts: bool, takes: bool) -> Option<(u64, bool, bool)> {
         let sim = &mut self.sim;
         let (i, o) = (sim.i, sim.o);
@@ -108,7 +108,7 @@ impl<'a> Loaded<'a> {
     }
 }
 
-/// PFL-LOAD: the paper has 52 us.
+/// PFL-LOAD: the paper says 52 us.
 #[test]
 fn a_region_of_8192_pixels_takes_41_12_us() {
     let buffer = FrameBuffer::new([128, 64], Screen { width: 640, height: 512 }).unwrap();
@@ -195,10 +195,10 @@ fn a_pixel_is_shown_every_clock() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Whatever the pauses of both sides, whole frames are shown in sequence, and none older than the last complete
+    /// Under any pauses of both sides, whole frames are shown in sequence, and none is older than the last complete
     /// one.
     #[test]
-    fn whole_frames_are_shown_in_their_order(
+    fn whole_frames_are_shown_in_sequence(
         width in 1..=3_u32,
         height in 2..=4_u32,
         screen in [1..12_u32, 1..20_u32],
@@ -233,8 +233,8 @@ proptest! {
     }
 }
 
-/// The frames shown, each with the frame that was being loaded. Frame 0 comes at least once, each later one any number
-/// of times.
+/// Checks the pixels shown, each with the number of the frame that was loaded meanwhile. Frame 0 is shown at least
+/// once, and each later one any number of times.
 fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Result<(), TestCaseError> {
     let FrameBuffer { screen: Screen { width, height }, samples, .. } = *buffer;
     let pixels = (width * height) as usize;
@@ -251,7 +251,7 @@ fn expect_frames(buffer: &FrameBuffer, shown: &[((u64, bool, bool), u64)]) -> Re
             number += 1;
         }
         prop_assert!(whole(number), "scan {}", scan);
-        // It was complete before it was shown, and at most one frame old.
+        // The frame was complete before it was shown, and at most one newer frame was complete.
         prop_assert!(chunk[0].1 > number && chunk[0].1 <= number + 2);
         for (at, ((_, first, last), _)) in chunk.iter().enumerate() {
             prop_assert_eq!((*first, *last), (at == 0, ((at + 1) as u32).is_multiple_of(width)));

@@ -5,12 +5,12 @@ use tilewright_sim::Simulation;
 
 use super::*;
 
-/// An expression, and how many of its bytes are sent.
+/// An expression, and the number of its bytes that are sent.
 #[derive(Debug, Clone, Copy)]
 struct Sent {
     coefficients: [u64; 3],
     bytes: u32,
-    /// Clocks in which something is sent that belongs to no expression.
+    /// The clocks in which bytes are sent that belong to no expression.
     pause: u32,
 }
 
@@ -49,7 +49,7 @@ fn each_level_takes_a_clock() {
     sim.reset();
     let wave =
         sim.record(["first", "sends", "coefficients_a", "coefficients_c", "value[0][0]", "value[0][3]", "value[0][7]"]);
-    // 0x00c0 x + 0x0010 y + 0x0105, and right behind it -x - 1; and then nothing.
+    // 0x00c0 x + 0x0010 y + 0x0105, then -x - 1 without a gap, and then nothing.
     for (a, b, c, sends) in [(0x00c0, 0x0010, 0x0105, 1), (0xffff, 0, 0xffff, 1), (0, 0, 0, 0)] {
         for byte in 0..2 {
             let [a, b, c] = [a, b, c].map(|number: u64| number >> (8 * byte) & 0xff);
@@ -91,7 +91,7 @@ fn a_reset_ends_what_is_under_way() {
     }
 }
 
-/// All shifts of a coefficient's bits, and all carries between its two bytes.
+/// Covers all shifts of a coefficient's bits, and all carries between its two bytes.
 #[test]
 fn it_gives_all_sums_of_two_bytes_whose_border_is_crossed() {
     let numbers = [0x0000, 0x0001, 0x007f, 0x0080, 0x00c0, 0x00ff, 0x0100, 0x7fff, 0x8000, 0xff80, 0xffff];
@@ -102,7 +102,7 @@ fn it_gives_all_sums_of_two_bytes_whose_border_is_crossed() {
     }
 }
 
-/// All bytes of both coefficients, with constants that cause carries and constants that do not.
+/// Covers all bytes of both coefficients, with a constant that causes carries and one that does not.
 #[test]
 fn it_gives_all_sums_of_a_byte_on_2x2_pixels() {
     for c in [0, 0xff] {
@@ -115,7 +115,7 @@ fn it_gives_all_sums_of_a_byte_on_2x2_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Expressions of any length, without a gap or with pauses.
+    /// Tests expressions of any length, with and without pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         levels in prop::array::uniform2(1..6u32),

@@ -1,5 +1,5 @@
-//! Whole machines: words that go forth and back, and their clocks. Their times are those of the transaction model, and
-//! are compared there (`tilewright-machines`).
+//! Whole machines: words that go forth and back, and their clocks. `tilewright-machines` compares the times with those
+//! of its transaction-level model.
 
 use std::collections::VecDeque;
 
@@ -69,7 +69,7 @@ impl Host {
         sim.step();
     }
 
-    /// Until all nodes have finished everything.
+    /// Runs until all nodes have finished everything.
     fn run(&mut self) {
         let all = (1 << self.jobs.len()) - 1;
         loop {
@@ -78,10 +78,10 @@ impl Host {
             if is_done && self.jobs.iter().flatten().all(VecDeque::is_empty) {
                 break;
             }
-            assert!(self.sim.time() < 1_000_000_000, "it hangs");
+            assert!(self.sim.time() < 1_000_000_000, "the machine hangs");
             self.step();
         }
-        // Instructions end in the pixels.
+        // The last instructions end in the pixels.
         (0..40).for_each(|_| self.step());
     }
 }
@@ -100,7 +100,7 @@ fn copy(from: u64, to: u64, bytes: u64) -> Instruction<u64> {
     Instruction { function, mask, stores: 1, length: bytes, read: from, write: to, ..Instruction::NOTHING }
 }
 
-/// A word in a bank, whose value at a pixel is that of an expression.
+/// A program that writes a word into a bank: at each pixel, the value of an expression.
 fn drawn(number: u64, bytes: u64, [a, b, c]: [u64; 3]) -> Program {
     let (source, mask) = (Source::Expression.code(), Mask::Everybody.code());
     let word =
@@ -113,8 +113,8 @@ fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u64) -> u64 {
     value & (u64::MAX >> (64 - 8 * bytes))
 }
 
-/// The work of a machine whose first node collects the frame. The last nodes shade: they send back what came. One word
-/// of each rasterizer, for each region.
+/// The programs and jobs of a machine whose first node collects the frame. Each rasterizer draws one word for each
+/// region. The last nodes are shaders, which send back what they receive.
 fn works(words: &[Vec<[u64; 3]>], shaders: usize, bytes: u64) -> (Vec<Program>, Vec<Jobs>) {
     let (rasterizers, regions) = (words.len(), words[0].len());
     let nodes = 1 + rasterizers + shaders;
@@ -156,7 +156,7 @@ fn works(words: &[Vec<[u64; 3]>], shaders: usize, bytes: u64) -> (Vec<Program>, 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Words go forth to shaders in round robin, and back to the first node.
+    /// Words go forth to the shaders, round robin, and back to the first node.
     #[test]
     fn the_first_node_has_the_least_word_of_each_region(
         levels in prop::array::uniform2(1..3u32),
@@ -187,14 +187,14 @@ proptest! {
     }
 }
 
-/// Times begin when the last node becomes ready. The first byte comes one clock later, and takes a clock from node to
-/// node. Then the next job follows.
+/// Times count from the clock in which the last node becomes ready. The first byte leaves one clock later, and takes a
+/// clock per node. Then the next job follows.
 #[test]
 fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
     const SETUP: u64 = 3;
     let (programs, mut jobs) = works(&[vec![[1, 0, 0]], vec![[0, 1, 0]]], 1, 1);
     let machine = PixelFlow::new(4, Node::new(2, 2, 16, SETUP as u32).unwrap()).unwrap();
-    // A second word that no node has a bank for: all else is set up.
+    // The bank of a second word is never given, so the word never starts.
     jobs[1][0].push_back(Job { mode: Mode::Load.code(), bank: 1, bytes: 1 });
     let mut host = Host::new(&machine, &programs, jobs);
     let (mut go, mut off, mut without) = (Vec::new(), Vec::new(), Vec::new());
@@ -210,11 +210,12 @@ fn a_byte_of_each_chip_passes_a_node_in_a_clock() {
         host.step();
     }
     let [go] = go[..] else { panic!("all are ready in one clock: {go:?}") };
-    // Four nodes. The word is a byte of four pixels. It does not pass the first node, which is not on its path.
+    // There are four nodes, and the word is one byte of four pixels. It does not pass the first node, which is before
+    // the loading one.
     assert_eq!(off, [4, 5, 6, 7].map(|clock| go + clock));
     let is_done = |node: u32, clock: u64| without[clock as usize] >> node & 1 == 1;
     assert!(!is_done(0, go) && is_done(0, go + 1), "a job of no bytes");
-    // The last byte passes in the clock 4 behind `go`; the loading node's next job is there at once.
+    // The loading node sends the last byte 4 clocks after `go`, and has its next job at once.
     assert!((go..200).all(|clock| !is_done(1, clock)));
     assert!(!is_done(2, go + 5) && is_done(2, go + 6) && !is_done(3, go + 6) && is_done(3, go + 7));
 }

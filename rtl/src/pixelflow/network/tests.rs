@@ -1,4 +1,4 @@
-//! What the nodes get, and when.
+//! The bytes that nodes unload, and when.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -12,8 +12,8 @@ const CHIPS: usize = 2;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// The first node loads, a node behind it unloads the composition up to there, and another one loads for those
-    /// behind that.
+    /// The first node loads, and the following ones composite. A later node unloads the composition, and those behind
+    /// it forward the bytes.
     #[test]
     fn a_node_gets_the_least_word_of_those_before_it(
         (words, last) in (2..6usize, 1..4usize).prop_flat_map(|(nodes, bytes)| {
@@ -39,14 +39,14 @@ proptest! {
         let mut unloaded: Vec<Vec<u64>> = Vec::new();
         for clock in 0..bytes * PIXELS + last {
             for (number, (node, words)) in sim.i.nodes.clone().into_iter().zip(&words).enumerate() {
-                // A clock later than the previous node.
-                let turn = clock.checked_sub(number).filter(|turn| *turn < bytes * PIXELS);
-                if let Some(turn) = turn {
-                    let (byte, pixel) = (turn / PIXELS, turn % PIXELS);
+                // Each node is one clock behind the previous one.
+                let at = clock.checked_sub(number).filter(|at| *at < bytes * PIXELS);
+                if let Some(at) = at {
+                    let (byte, pixel) = (at / PIXELS, at % PIXELS);
                     sim.set_lanes(node.own, words.iter().map(|chip| chip[pixel][byte]));
                     sim.set(node.first, byte == 0);
                 }
-                sim.set(node.sends, number == 0 && turn.is_some());
+                sim.set(node.sends, number == 0 && at.is_some());
             }
             let out = sim.o.nodes[last];
             prop_assert_eq!(sim.get_u64(out.unloaded), u64::from(clock >= last), "clock {}", clock);

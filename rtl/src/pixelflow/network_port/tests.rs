@@ -1,4 +1,4 @@
-//! Chains of ports: what the last node gets, and when.
+//! Chains of ports: the words that the last node unloads, and when.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -9,21 +9,20 @@ use super::*;
 /// The words of a node: for each chip and each pixel, its bytes.
 type Words = Vec<Vec<Vec<u64>>>;
 
-/// Ports one behind the other: the first loads, the last unloads, and the others composite. All but the last have
-/// words.
+/// A chain of ports: the first loads, the last unloads, and the others composite. All but the last have words.
 struct Chain {
     ports: Vec<Simulation<NetworkPortIn, NetworkPortOut>>,
     words: Vec<Words>,
     /// The number of bytes that each node has sent or passed on.
     passed: Vec<usize>,
     unloaded: Words,
-    /// The clocks of the first and of the last byte that is unloaded.
+    /// The clocks in which the first and the last byte are unloaded.
     unloaded_at: Option<[u64; 2]>,
     clock: u64,
 }
 
 impl Chain {
-    /// A chain with this many nodes that have words.
+    /// A chain of `nodes` nodes with words, and one that unloads.
     fn new(port: &NetworkPort, nodes: usize) -> Chain {
         let ports = (0..=nodes).map(|node| Simulation::at(port, TRANSFER).unwrap().seeded(node as u64)).collect();
         let unloaded = vec![vec![Vec::new(); port.pixels as usize]; port.chips as usize];
@@ -43,7 +42,7 @@ impl Chain {
                 Mode::Unload
             };
             sim.set(sim.i.mode, mode.code());
-            // The inputs in between are zero.
+            // A reset has to clear the ports while bytes arrive.
             sim.set(sim.i.upstream.valid, node > 0);
             sim.set(sim.i.sends, node == 0);
             sim.reset();
@@ -59,7 +58,7 @@ impl Chain {
         (self.unloaded.clone(), self.unloaded_at.expect("something was unloaded"))
     }
 
-    /// A clock, in which the first node sends a byte of each chip, or does not.
+    /// Runs a clock, in which the first node sends a byte of each chip if `sends` is true.
     fn step(&mut self, sends: bool) {
         let pixels = self.unloaded[0].len();
         let mut upstream = None;
@@ -73,7 +72,7 @@ impl Chain {
             sim.set_lanes(i.upstream.bytes, bytes.clone());
             let byte = self.passed[node] / pixels;
             sim.set(i.sends, sends & (node == 0));
-            // Only a node that loads says which byte is the first.
+            // Only a node that loads uses `first`; the others get its inverse.
             sim.set(i.first, (byte == 0) == (node == 0));
             let pixel = sim.get_u64(o.pixel) as usize;
             if let Some(words) = self.words.get(node) {
@@ -81,7 +80,7 @@ impl Chain {
                 sim.set_lanes(i.own, own);
             }
             let still = [sim.get_u64(o.downstream.valid), sim.get_u64(o.downstream.first)];
-            assert_eq!(still, downstream, "a register is between the ports");
+            assert_eq!(still, downstream, "the outputs do not depend on the inputs of the same clock");
             self.passed[node] += sim.get_u64(o.advances) as usize;
             if sim.get_u64(o.unloaded) == 1 {
                 self.unloaded.iter_mut().zip(bytes).for_each(|(chip, byte)| chip[pixel].push(byte));
@@ -110,7 +109,7 @@ fn a_byte_of_a_region_takes_1_28_us() {
         let words: Vec<Words> =
             (0..2).map(|node| vec![(0..PIXELS as usize).map(|pixel| word(node, pixel)).collect()]).collect();
         let (_, [first, last]) = Chain::new(&port, 2).compose(&words, |_| true);
-        // A clock from node to node.
+        // A byte takes one clock per node.
         assert_eq!(first, 2);
         ((last - first + 1) * TRANSFER.picoseconds()) as f64 / 1e6
     };
@@ -120,7 +119,7 @@ fn a_byte_of_a_region_takes_1_28_us() {
     assert_eq!(microseconds(7 * 40), 358.4);
 }
 
-/// Words of two bytes of one bit in each of three nodes, with every way to send four bytes in six clocks.
+/// Three nodes have words of two bytes of one bit. The four bytes are sent in every pattern of six clocks.
 #[test]
 fn no_pixel_is_lost_however_it_arrives() {
     let port = NetworkPort { chips: 1, pixels: 2, width: 1 };

@@ -1,4 +1,4 @@
-//! The sequencer clock by clock, with the bytes of its port, and the jobs that it refuses.
+//! The sequencer clock by clock, with the transfers of its port, and the jobs that it refuses.
 
 use tilewright_sim::Simulation;
 
@@ -12,7 +12,7 @@ fn started(pixels: u32, setup: u32) -> Sequencer {
     sim
 }
 
-/// While no job is offered, the job's fields need not be valid.
+/// Inputs without a job; the fields of the job need not be valid.
 const NONE: NetworkSequencerIn<u64> = NetworkSequencerIn {
     jobs: Stream { valid: 0, ready: 0, payload: Job { mode: Mode::Load as u64, bank: 0, bytes: 0 } },
     given: 0,
@@ -25,7 +25,7 @@ fn job(mode: Mode, bank: u64, bytes: u64) -> NetworkSequencerIn<u64> {
     NetworkSequencerIn { jobs: Stream::of(1, Job { mode: mode.code(), bank, bytes }), ..NONE }
 }
 
-/// A bank comes late, and then all nodes are late; the word has two bytes of two pixels.
+/// The bank comes late, and then `go` comes late. The word has two bytes of two pixels.
 #[test]
 fn a_word_is_sent_when_the_bank_and_all_nodes_are_ready() {
     let mut sim = started(2, 1);
@@ -100,8 +100,8 @@ fn each_mode_follows_the_bytes_that_come() {
 }
 
 #[test]
-#[should_panic(expected = "a word comes when the node is ready for it")]
-fn a_word_that_nobody_is_set_for_is_an_error() {
+#[should_panic(expected = "a word comes only when the node is ready for it")]
+fn a_word_that_the_node_is_not_ready_for_is_an_error() {
     let mut sim = started(2, 3);
     sim.drive(job(Mode::Composite, 0, 1));
     sim.step();
@@ -109,7 +109,7 @@ fn a_word_that_nobody_is_set_for_is_an_error() {
     sim.step();
 }
 
-/// It delays all others until its set-up is over, and ends when they are ready, too.
+/// The job delays all other nodes until its set-up is over. It ends when they are ready, too.
 #[test]
 fn a_job_of_no_bytes_ends_when_all_are_ready() {
     let mut sim = started(2, 2);

@@ -1,4 +1,4 @@
-//! Nodes in a chain, which compose regions in both directions.
+//! Chains of nodes that compose regions in both directions.
 
 use proptest::prelude::*;
 use std::collections::VecDeque;
@@ -10,12 +10,12 @@ use super::super::pixel::{Function, Mask, Source};
 use super::super::testing::{processor_time, triangle};
 use super::*;
 
-/// Nodes in a chain, with the jobs that they still have to do.
+/// A chain of nodes, with the jobs that are still to come.
 struct Line {
     node: Node,
     sims: Vec<Simulation<NodeIn, NodeOut>>,
     jobs: Vec<[VecDeque<Job<u64>>; 2]>,
-    /// For each direction, the clocks of the network in which bytes came to the last node.
+    /// For each direction, the clocks of the network in which bytes arrive at the last node.
     arrived: [Vec<u64>; 2],
     clock: u64,
 }
@@ -36,8 +36,8 @@ impl Line {
             for &number in &nodes {
                 let sim = &mut self.sims[number];
                 let (i, o) = (sim.i.network[direction], sim.o.network[direction]);
-                let marks = [sim.get_u64(o.downstream.valid), sim.get_u64(o.downstream.first)];
-                let ([valid, first], bytes) = std::mem::replace(&mut before, (marks, sim.lanes(o.downstream.bytes)));
+                let flags = [sim.get_u64(o.downstream.valid), sim.get_u64(o.downstream.first)];
+                let ([valid, first], bytes) = std::mem::replace(&mut before, (flags, sim.lanes(o.downstream.bytes)));
                 sim.set(i.upstream.valid, valid);
                 sim.set(i.upstream.first, first);
                 sim.set_lanes(i.upstream.bytes, bytes);
@@ -61,13 +61,13 @@ impl Line {
         self.clock += 1;
     }
 
-    /// Until all have finished; gives up after `limit` clocks.
+    /// Runs until all nodes have finished; fails after `limit` clocks.
     fn run(&mut self, limit: u64) {
         while !self.is_idle() {
-            assert!(self.clock < limit, "it is not done after {limit} clocks");
+            assert!(self.clock < limit, "the nodes are not done after {limit} clocks");
             self.step();
         }
-        // Instructions end in the pixels.
+        // The last instructions end in the pixels.
         (0..4 * self.node.array().latency()).for_each(|_| self.step());
     }
 
@@ -118,7 +118,7 @@ const fn bank(number: u64) -> u64 {
     256 + 32 * number
 }
 
-/// What a node has for the network: a word in a bank, whose value at a pixel is that of an expression.
+/// A program that writes a word into a bank for the network: at each pixel, the value of an expression.
 fn drawn(number: u64, bytes: u64, [a, b, c]: [u64; 3]) -> Vec<Instruction<u64>> {
     let (source, mask) = (Source::Expression.code(), Mask::Everybody.code());
     let word =
@@ -141,7 +141,7 @@ fn taken(number: u64, bytes: u64, address: u64) -> Vec<Instruction<u64>> {
     vec![in_step(Sync::GiveBank, number), in_step(Sync::AwaitBank, number), copy]
 }
 
-/// The value of an expression at a pixel, in this many bytes.
+/// The value of an expression at a pixel, in `bytes` bytes.
 fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u32) -> u64 {
     let value = a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into())).wrapping_add(c);
     value & (u64::MAX >> (64 - 8 * bytes))
@@ -150,8 +150,8 @@ fn at([a, b, c]: [u64; 3], [x, y]: [u32; 2], bytes: u32) -> u64 {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Regions one after another, in alternating banks, so that one is composed while the next is drawn; the last node
-    /// keeps them all.
+    /// Regions come one after another in alternating banks, so that one is composed while the next is drawn. The last
+    /// node keeps them all.
     #[test]
     fn the_last_node_has_the_least_word_of_each_region(
         direction in 0..2usize,
@@ -166,21 +166,21 @@ proptest! {
     ) {
         let [width, height] = levels.map(|level| 1 << level);
         let node = Node::new(width, height, 64, setup).unwrap();
-        let place = |order: usize| if direction == 0 { order } else { nodes - 1 - order };
+        let place = |number: usize| if direction == 0 { number } else { nodes - 1 - number };
         let mut programs = vec![Vec::new(); nodes];
         let mut jobs = vec![[VecDeque::new(), VecDeque::new()]; nodes];
         for region in 0..regions {
             let bank = region as u64 % 2;
-            for order in 0..nodes {
-                let (program, mode) = match words.get(order) {
+            for number in 0..nodes {
+                let (program, mode) = match words.get(number) {
                     Some(words) => {
-                        let mode = if order == 0 { Mode::Load } else { Mode::Composite };
+                        let mode = if number == 0 { Mode::Load } else { Mode::Composite };
                         (drawn(bank, bytes.into(), words[region]), mode)
                     }
                     None => (taken(bank, bytes.into(), 8 * region as u64), Mode::Unload),
                 };
-                programs[place(order)].extend(program);
-                jobs[place(order)][direction].push_back(Job { mode: mode.code(), bank, bytes: bytes.into() });
+                programs[place(number)].extend(program);
+                jobs[place(number)][direction].push_back(Job { mode: mode.code(), bank, bytes: bytes.into() });
             }
         }
         let mut line = Line::new(&node, &programs, jobs);
@@ -202,7 +202,7 @@ proptest! {
     }
 }
 
-/// While one word goes from the first node to the last, another one goes the other way, from the other bank.
+/// While one word goes from the first node to the last, another one goes back, from the other bank.
 #[test]
 fn words_go_both_ways_at_once() {
     let node = Node::new(4, 4, 16, 0).unwrap();
@@ -235,10 +235,10 @@ fn there_is_no_node_of_any_other_size() {
     let sentence = "a region of 12 x 4 pixels: both have to be powers of two from 2 to 256";
     assert_eq!(complaint(12, 4, 8, 0), sentence);
     assert_eq!(complaint(4, 4, 0, 0), "a memory of 0 instructions: it has to hold from 1 to 1048576");
-    assert_eq!(complaint(4, 4, 8, 65_537), "a set-up of 65537 clocks: 65536 are the most");
+    assert_eq!(complaint(4, 4, 8, 65_537), "a set-up of 65537 clocks: it has to be at most 65536");
 }
 
-/// Nanoseconds a clock of a whole node that draws one word while it sends another. Only printed:
+/// Prints the nanoseconds per clock of a whole node that draws one word while it sends another:
 /// `cargo test --release -p tilewright-rtl --lib -- --ignored --nocapture nanoseconds_of_the_machine_s_node`
 #[test]
 #[ignore = "it measures"]
@@ -271,7 +271,7 @@ fn nanoseconds_of_the_machine_s_node() {
             sim.run(1000);
             (processor_time() - begin) / 500
         });
-        println!("{what}: {nanoseconds:?} ns a clock of the array, with two of the network");
+        println!("{what}: {nanoseconds:?} ns per clock of the array, with two of the network");
         assert_eq!(sim.get_u64(sim.o.idle), 0);
     }
 }

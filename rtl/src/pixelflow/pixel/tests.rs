@@ -1,4 +1,4 @@
-//! The pixel processor clock by clock, and against the meaning of its control.
+//! The pixel processor clock by clock, and compared with the emulator.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -62,7 +62,7 @@ fn words_are_added_to_and_compared_from_their_lowest_byte_on() {
     );
 }
 
-/// A triangle's edges, if, else and end if: which processors are enabled, by incoming signs and a carry.
+/// The edges of a triangle, if, else and end if: the enable flags after given signs and carries.
 #[test]
 fn the_enable_flags_are_a_stack() {
     let mut sim = started(PixelProcessor::DEPTH);
@@ -73,25 +73,25 @@ fn the_enable_flags_are_a_stack() {
         ..Control::ZERO
     };
     let (positive, carry) = (Condition::Positive, Condition::Carry);
-    // The input expression, and the enable flags afterwards, below the ones that were never set.
+    // The change, the expression's byte, and the enable flags afterwards. Flags that were never set are left out.
     let steps = [
         (on(Enabling::Replace, 1, positive), 0x80, 0b0),
         (on(Enabling::Set, 0, positive), 0x80, 0b1),
         (on(Enabling::Restrict, 1, positive), 0x7f, 0b1),
-        // If: the constant 0 has no sign; the expression is not used.
+        // If: the constant 0 is not negative. The expression is not used.
         (on(Enabling::Push, 0, positive), 0x80, 0b11),
-        // If: true where there is a carry, and there is none.
+        // If: the condition is a carry, and there is none.
         (on(Enabling::Push, 0, carry), 0, 0b110),
         (on(Enabling::Invert, 0, positive), 0, 0b111),
         (on(Enabling::Invert, 0, positive), 0, 0b110),
         (on(Enabling::Pop, 0, positive), 0, 0b11),
         (on(Enabling::Pop, 0, positive), 0, 0b1),
         (on(Enabling::Restrict, 1, positive), 0x80, 0b0),
-        // No pixel below is enabled, so else enables none.
+        // The flag below is 0, so else does not enable the pixel.
         (on(Enabling::Push, 1, positive), 0, 0b00),
         (on(Enabling::Invert, 0, positive), 0, 0b00),
     ];
-    // A carry of 0 to begin with.
+    // The carry is 0 at first.
     let shift = Control { function: Function::ShiftLeft.code(), ..Control::ZERO };
     sim.drive(PixelProcessorIn { control: shift, expression: 0, register_byte: 0 });
     sim.step();
@@ -141,7 +141,7 @@ proptest! {
         let mut sim = started(depth);
         let mut pixel = Pixel::of_depth(depth);
         for (control, expression) in all {
-            // The registers are outside.
+            // The communication registers are outside the processor.
             let is_register = |address: u64| address >= PixelProcessor::REGISTERS.into();
             let word = u64::from(pixel.memory[control.read as usize]);
             let register = if is_register(control.read) { word } else { 0x5a };

@@ -20,23 +20,23 @@ impl Writer {
         self.0.extend(instructions);
     }
 
-    /// The zero that starts a product: 1 clock.
+    /// Writes the zero that starts a product: 1 clock.
     pub fn zero(&mut self) {
         self.push(set(Field::new(ZERO, 1), 0));
     }
 
-    /// Moves a multiplier's lowest digit to the flag, and the others to another byte.
+    /// Moves the lowest digit of a multiplier to the flag, and writes the other digits to `to`.
     pub fn digit(&mut self, from: u64, to: u64, begin: Begin) {
         self.push(carried(Function::ShiftRight, from).writes(to).begins(begin).flags(Condition::Carry));
     }
 
-    /// Writes to `to` half of what is at `from`, plus the accumulator where the flag is set.
+    /// Writes to `to` half of the byte at `from`, to which it first adds the accumulator if the flag is set.
     pub fn half(&mut self, from: u64, to: u64) {
         self.push(alu(Function::AddHalved, Source::Multiplicand).reads(from).writes(to).begins(Begin::Zero));
     }
 
     /// Multiplies the accumulator by `digits` digits of a multiplier, and adds the byte at `start`. The lower bits of
-    /// the result go to the top of `low`, and the others to `high`. 1 clock and 2 a digit.
+    /// the result go to the top of `low`, and the others to `high`. 1 clock, and 2 per digit.
     pub fn product(&mut self, start: u64, multiplier: u64, digits: u32, [high, low]: [u64; 2]) {
         self.digit(multiplier, low, Begin::Zero);
         for number in 0..digits {
@@ -45,7 +45,7 @@ impl Writer {
         }
     }
 
-    /// `floor(a (b + 1) / 2^8)` of the bytes at two addresses; the result may replace a. 17 clocks.
+    /// `floor(a (b + 1) / 2^8)` for the bytes at addresses `a` and `b`. The result may replace a. 17 clocks.
     pub fn scaled(&mut self, a: u64, b: u64, to: u64) {
         self.push(load(a));
         self.digit(b, DIGITS, Begin::Zero);
@@ -56,14 +56,14 @@ impl Writer {
         }
     }
 
-    /// Writes the last result only to the accumulator.
+    /// Changes the last instruction to write only the accumulator.
     pub fn last_to_accumulator(&mut self) {
         if let Some(last) = self.0.last_mut() {
             *last = Instruction { stores: 0, accumulates: 1, ..*last };
         }
     }
 
-    /// Combines a number with another one of two bytes into a third: 4 clocks.
+    /// Combines a number with one of two bytes into a third: 4 clocks.
     pub fn pair(&mut self, function: Function, from: Field, other: Field, to: Field) {
         let begin = if function == Function::Add { Begin::Zero } else { Begin::One };
         for byte in 0..other.bytes {
@@ -73,7 +73,7 @@ impl Writer {
         }
     }
 
-    /// Copies a number, negated where a number of two bytes is negative; `from` may be the same. The accumulator must
+    /// Copies a number of two bytes, and negates it if `sign` is negative; `from` may be `sign`. The accumulator must
     /// be 255. 5 clocks.
     pub fn with_sign(&mut self, sign: Field, from: Field, to: Field) {
         self.push(carried(Function::ShiftLeft, sign.top()).begins(Begin::Zero).flags(Condition::Carry));
@@ -81,15 +81,15 @@ impl Writer {
             let inverts = alu(Function::ExclusiveOr, Source::Multiplicand);
             self.push(inverts.reads(from.byte(byte)).writes(to.byte(byte)));
         }
-        // The carry adds one more.
+        // The carry, which is 1 for a negative sign, adds one.
         self.push(with_constant(Function::Add, to, 0).to(to));
     }
 
     /// A step of restoring division, for a remainder of 16 bits that is less than the divisor. It appends the digit in
-    /// the carry to the remainder, and subtracts the divisor where that is not the greater. The flag is set where it
-    /// subtracts. 8 clocks, or 6 without the remainder.
+    /// the carry to the remainder, and subtracts the divisor unless that is greater. The flag is set if it does not
+    /// subtract. 8 clocks, or 6 if the remainder is not restored.
     ///
-    /// `from` has the addresses of the remainder's bytes before. It uses the top enable flag.
+    /// `from` has the addresses of the previous remainder's bytes. The step may change the top enable flag.
     pub fn divided(&mut self, from: [u64; 2], remainder: Field, divisor: Field, step: Division) {
         let doubled = Field::new(DOUBLED.address, 2);
         let begin = if step.comes_in { Begin::Kept } else { Begin::Zero };
@@ -107,7 +107,7 @@ impl Writer {
         }
     }
 
-    /// Sets the quotient's digit where the flag is set: 1 clock.
+    /// Clears the quotient's digit if the flag is set: 1 clock.
     pub fn quotient_digit(&mut self, quotient: Field, digit: u64) {
         let byte = Field::new(quotient.byte(digit / 8), 1);
         self.push(with_constant(Function::And, byte, !(1 << (digit % 8))).to(byte).only(Mask::Flagged));

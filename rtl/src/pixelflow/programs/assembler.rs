@@ -1,4 +1,4 @@
-//! A small assembler: instructions by their function.
+//! A small assembler: functions that make instructions.
 
 use super::super::fields::Field;
 use super::super::instruction::{COEFFICIENT, Instruction, Sync};
@@ -6,7 +6,7 @@ use super::super::pixel::{Begin, Condition, Enabling, Flagging, Function, Mask, 
 use super::Expression;
 use crate::prelude::Codes;
 
-/// An instruction of one byte with only an ALU function yet.
+/// An instruction of one byte that only selects an ALU function and its operand.
 pub(super) fn alu(function: Function, source: Source) -> Instruction<u64> {
     Instruction { function: function.code(), source: source.code(), ..Instruction::NOTHING }
 }
@@ -16,7 +16,7 @@ pub(super) fn set(to: Field, constant: i64) -> Instruction<u64> {
     alu(Function::Operand, Source::Constant).constant(constant).to(to)
 }
 
-/// Copies a number to another.
+/// Copies a number to another field.
 pub(super) fn copy(from: Field, to: Field) -> Instruction<u64> {
     alu(Function::Word, Source::Constant).from(from).to(to)
 }
@@ -41,7 +41,7 @@ pub(super) fn with_constant(function: Function, from: Field, constant: i64) -> I
     alu(function, Source::Constant).from(from).constant(constant)
 }
 
-/// Combines a byte with only the carry.
+/// Combines a byte with the carry and the constant 0.
 pub(super) fn carried(function: Function, from: u64) -> Instruction<u64> {
     alu(function, Source::Constant).reads(from)
 }
@@ -56,7 +56,7 @@ pub(super) fn enable(enabling: Enabling) -> Instruction<u64> {
     Instruction { enabling: enabling.code(), ..Instruction::NOTHING }
 }
 
-/// Numbers with the bits of coefficients.
+/// A number modulo 2 to the width of a coefficient.
 fn modular(number: i64) -> u64 {
     number as u64 & ((1 << COEFFICIENT) - 1)
 }
@@ -82,7 +82,7 @@ impl Instruction<u64> {
         Instruction { write, stores: 1, mask: Mask::Everybody.code(), ..self }
     }
 
-    /// Writes the accumulator at every pixel.
+    /// Writes the accumulator of every pixel.
     pub(super) fn loads(self) -> Self {
         Instruction { accumulates: 1, mask: Mask::Everybody.code(), ..self }
     }
@@ -92,12 +92,12 @@ impl Instruction<u64> {
         Instruction { mask: mask.code(), ..self }
     }
 
-    /// Sets the carry that comes in; otherwise it is the previous carry.
+    /// Sets the carry into the first byte, which is otherwise the previous carry.
     pub(super) fn begins(self, begin: Begin) -> Self {
         Instruction { begin: begin.code(), ..self }
     }
 
-    /// Sets the flag where the condition is true.
+    /// Sets the flag to the condition.
     pub(super) fn flags(self, condition: Condition) -> Self {
         Instruction { flagging: Flagging::Condition.code(), condition: condition.code(), ..self }
     }
@@ -107,12 +107,12 @@ impl Instruction<u64> {
         Instruction { enabling: enabling.code(), condition: condition.code(), ..self }
     }
 
-    /// Uses that constant.
+    /// Uses this constant.
     pub(super) fn constant(self, constant: i64) -> Self {
         Instruction { c: modular(constant), ..self }
     }
 
-    /// Uses the bytes of an expression, starting at the byte with that number.
+    /// Uses the bytes of an expression from byte `skip` on.
     pub(super) fn expression(self, skip: u64, &Expression { a, b, c }: &Expression) -> Self {
         let [a, b, c] = [a, b, c].map(modular);
         Instruction { source: Source::Expression.code(), skip, a, b, c, ..self }

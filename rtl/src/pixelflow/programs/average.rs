@@ -1,4 +1,4 @@
-//! Samples that come one after another: sums of eight colours, and their mean.
+//! Samples that come one after another: the sums of eight colours, and the mean.
 //!
 //! Colours and sums are laid out as in a word: blue, green, red, from the lowest address up. Source: PFL-NT, facts E0
 //! (`floor((sum + 4) / 8)`).
@@ -8,28 +8,28 @@ use super::super::instruction::Instruction;
 use super::super::pixel::{Begin, Function};
 use super::assembler::{carried, load, set, with_accumulator};
 
-/// The bytes of a colour's channel sums: 2 each.
+/// The number of bytes of the sums of a colour: 2 for each channel.
 pub const SUM_BYTES: u64 = 6;
 
-/// Half of the divisor of sums, so that their floor is the nearest integer.
+/// Half of the divisor of sums. Sums start with it, so that the quotient is rounded to nearest.
 const HALF: i64 = 4;
 
-/// The sum of a channel, in the sums at an address.
+/// The sum of a channel, for sums at this address.
 fn channel(sums: u64, number: u64) -> Field {
     Field::new(sums + 2 * number, 2)
 }
 
-/// The instructions that start sums without a colour: 6 clocks.
+/// The instructions that start the sums: 6 clocks.
 pub fn begin_sums(sums: u64) -> Vec<Instruction<u64>> {
     (0..3).map(|number| set(channel(sums, number), HALF)).collect()
 }
 
-/// The instructions that add a colour to sums: 9 clocks.
+/// The instructions that add a colour to the sums: 9 clocks.
 pub fn add_sample(colour: u64, sums: u64) -> Vec<Instruction<u64>> {
     (0..3).flat_map(|number| add(Field::new(colour + number, 1), channel(sums, number))).collect()
 }
 
-/// Adds a number to a longer one: 2 clocks for each byte of the first, 1 for the rest.
+/// Adds a number to a longer one: 2 clocks for each byte of the number, and 1 for each byte more in the sum.
 pub(super) fn add(number: Field, sum: Field) -> Vec<Instruction<u64>> {
     let mut program = Vec::new();
     for byte in 0..number.bytes {
@@ -62,7 +62,7 @@ pub fn average(sums: u64, colour: u64) -> Vec<Instruction<u64>> {
     (0..3).flat_map(|number| eighth(channel(sums, number), Field::new(colour + number, 1))).collect()
 }
 
-/// The floor of an eighth of a number, whose lower bytes go to another one: 3 clocks a byte.
+/// Writes the floor of an eighth of a number to a shorter one: 3 clocks per byte. It destroys the number.
 pub(super) fn eighth(number: Field, to: Field) -> Vec<Instruction<u64>> {
     let mut program = Vec::new();
     for shift in 0..3 {

@@ -1,10 +1,10 @@
-//! Empties the words of a region: sets all bytes to 255, which is farther than anything.
+//! Empties the words of a region: sets all bytes to 255, so that the depth is the greatest.
 
 use super::super::fields::{Field, gouraud};
 use super::super::instruction::{Instruction, LONGEST};
 use super::assembler::set;
 
-/// The instructions that fill `bytes` bytes from an address on with 255: a clock a byte.
+/// The instructions that fill `bytes` bytes from an address on with 255, in one clock per byte.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::fields::{appearance, bank};
@@ -17,7 +17,7 @@ pub fn clear(word: u64, bytes: u64) -> Vec<Instruction<u64>> {
     (0..bytes).step_by(LONGEST as usize).map(part).collect()
 }
 
-/// The instructions that empty words z || rgb: the greatest depth and the background's colour, red above green above blue. 7 clocks.
+/// The instructions that set words z || rgb to the greatest depth and the background's colour, in 7 clocks.
 pub fn clear_to(word: u64, background: [u8; 3]) -> Vec<Instruction<u64>> {
     let [red, green, blue] = background.map(i64::from);
     let colour = Field::new(gouraud::RGB[2].of(word).address, gouraud::ZERO.address + 1);

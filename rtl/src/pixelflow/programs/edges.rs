@@ -1,4 +1,4 @@
-//! Edges of a primitive: which are sent, in which form, and in how many bytes.
+//! The edges of a primitive: which ones are sent, in which form, and in how many bytes.
 //!
 //! Source: facts E0 (widths), E3 (reduced edges), E4 (an edge in 4 bytes, or in 2).
 
@@ -7,13 +7,13 @@ use super::{Expression, Instruction};
 use crate::pixel_planes::programs::{Edges, half_plane};
 use crate::pixelflow::pixel::{Condition, Enabling, Function, Source};
 
-/// The bytes of any edge: |a| and |b| are below 2^16, so in a region of up to 128 x 128 values have 25 bits with their
-/// sign.
+/// The number of bytes that any edge fits in: |a| and |b| are below 2^16, so in a region of up to 128 x 128 pixels
+/// values have 25 bits with their sign.
 const FIXED: u64 = 4;
 
-/// The instructions that enable the pixels of a region inside all edges; `None` if one edge has the whole region
-/// outside. An edge with the whole region inside is left out; there is always one instruction. None uses ALU or memory,
-/// so the previous primitive's result may still be written.
+/// The instructions that enable the pixels of a region inside all edges; `None` if the whole region is outside one of
+/// them. An edge with the whole region inside is left out. There is at least one instruction. No instruction uses ALU
+/// or memory, so the previous primitive's result may still be written.
 pub(super) fn tests(region: [u32; 2], form: Edges, edges: &[Expression]) -> Option<Vec<Instruction<u64>>> {
     let mut program = Vec::new();
     for edge in edges {
@@ -43,12 +43,12 @@ fn sent(region: [u32; 2], form: Edges, edge: &Expression) -> (Expression, u64) {
     match form {
         Edges::Fixed => (*edge, FIXED),
         Edges::Own => own(*edge),
-        // In the square that contains the region.
+        // The least half-plane is that in the square that contains the region.
         Edges::Least => own(half_plane::least(region[0].max(region[1]), edge)),
     }
 }
 
-/// The bytes of a number in two's complement.
+/// The number of bytes of a number in two's complement.
 fn bytes(number: i64) -> u64 {
     u64::from(65 - number.max(!number).leading_zeros()).div_ceil(8)
 }

@@ -2,7 +2,7 @@
 //!
 //! Interpolation between a and b with a weight of 8 bits is `floor((a (256 - weight) + b weight) / 2^8)`. It starts
 //! with a. For each bit of the weight, from the lowest, the value becomes half of its sum with a or b. All channels
-//! that share a weight are processed side by side.
+//! that share a weight use each bit together.
 
 use super::super::fields::shading::*;
 use super::super::fields::{Field, texture};
@@ -11,14 +11,15 @@ use super::super::pixel::{Begin, Condition, Function, Mask};
 use super::arithmetic::Writer;
 use super::assembler::{carried, copy, load, set, with_accumulator, with_constant};
 
-/// Writes to `to` the interpolation between `a` and `b`.
+/// An interpolation between the bytes at `a` and `b`, written to `to`.
 struct Between {
     a: u64,
     b: u64,
     to: u64,
 }
 
-/// The instructions that find the weights along u and v, on the level and the next finer one, of textures up to a level.
+/// The instructions that find the weights along u and v, on the level and the next finer one. No texture has a level
+/// above `finest`.
 pub(super) fn weights(finest: u8) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     for (from, texels) in texture::UV.iter().zip(TEXELS) {
@@ -45,7 +46,7 @@ pub(super) fn weights(finest: u8) -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// Shifts two bytes to the left where the flag is set.
+/// Shifts a number of two bytes to the left if the flag is set.
 fn shift_left(w: &mut Writer, field: Field, distance: u32) {
     if distance == 8 {
         w.push(copy(Field::new(field.byte(0), 1), Field::new(field.byte(1), 1)).only(Mask::Flagged));
@@ -58,7 +59,7 @@ fn shift_left(w: &mut Writer, field: Field, distance: u32) {
     }
 }
 
-/// The instructions that filter: the colour goes to the lower three bytes of [`TRIAL`].
+/// The instructions that interpolate between eight texels. The colour goes to the lower three bytes of [`TRIAL`].
 pub(super) fn trilinear() -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     for level in 0..2 {
@@ -73,7 +74,7 @@ pub(super) fn trilinear() -> Vec<Instruction<u64>> {
         let columns = [0, 1, 2].map(|c| Between { a: row(0, c), b: row(1, c), to: LEVELS[level] + c });
         between(&mut w, up, 8, &columns);
     }
-    // The lower four bits of this weight are zero: they leave a.
+    // The lower four bits of this weight are zero, and do not change the initial value a.
     let weight = DETAIL.byte(0);
     for _ in 0..4 {
         w.push(carried(Function::ShiftRight, weight).writes(weight).begins(Begin::Zero));
@@ -83,8 +84,8 @@ pub(super) fn trilinear() -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// Interpolates all of them by the upper bits of one weight, which it uses up: for each bit, 1 clock and 3 for each
-/// value.
+/// Interpolates all values with the lowest `bits` bits of one weight, which it shifts out. Each bit takes 1 clock, and
+/// 3 for each value.
 fn between(w: &mut Writer, weight: u64, bits: u32, all: &[Between]) {
     for bit in 0..bits {
         w.digit(weight, weight, Begin::Zero);
@@ -97,7 +98,7 @@ fn between(w: &mut Writer, weight: u64, bits: u32, all: &[Between]) {
     }
 }
 
-/// The instructions that make the result the surface's own colour; without a texture, that is the word's colour.
+/// The instructions that find the surface's colour: the word's colour times that of the texture, if there is one.
 pub(super) fn base(word: u64) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     let texel = Field::new(TRIAL.address, 3);

@@ -1,8 +1,8 @@
-//! Primitives whose least word each pixel keeps, whatever the drawing sequence (DES-MIN).
+//! Drawing of primitives: each pixel keeps the least word, whatever the drawing sequence (DES-MIN).
 //!
-//! A word's bytes are computed from the least significant on. They are stored as the new word and compared with the
-//! stored one. After the whole word, the carry tells whether the new one is not the greater. Then it is copied where
-//! the pixel is covered.
+//! A word's bytes are computed from the least significant on. They are written as the new word and compared with the
+//! stored one. After the whole word, the carry is 1 unless the new word is greater. Then the new word is copied, if the
+//! pixel is covered.
 
 use super::super::fields::{Field, appearance, gouraud};
 use super::super::instruction::{Instruction, LONGEST};
@@ -18,7 +18,7 @@ use crate::prelude::Codes;
 pub struct Words {
     /// The stored word.
     pub kept: u64,
-    /// Room for the new one.
+    /// The new word.
     pub new: u64,
 }
 
@@ -27,7 +27,7 @@ pub struct Words {
 pub struct Region {
     /// Pixels along x and y.
     pub size: [u32; 2],
-    /// The form of edges.
+    /// The form in which edges are sent.
     pub edges: Edges,
 }
 
@@ -42,14 +42,14 @@ pub struct Appearance {
     pub uv: [Expression; 2],
     /// 1/w.
     pub scale: Expression,
-    /// Index of the material.
+    /// The index of the material.
     pub material: u8,
-    /// Level of detail at the greatest scale, in 1/8.
+    /// The level of detail at the greatest scale, in 1/8.
     pub level: u8,
 }
 
-/// The instructions that draw a primitive with planes of colour: the edges' bytes, 5 + 3 x 3 for the planes, 6 for the
-/// copy. There are none if an edge has the whole region outside.
+/// The instructions that draw a primitive with planes of colour. They take the edges' bytes, 5 + 3 x 3 clocks for the
+/// planes, and 6 for the copy. There are none if the whole region is outside an edge.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Edges, Expression, Surface};
@@ -76,10 +76,10 @@ pub fn gouraud(region: Region, words: Words, edges: &[Expression], surface: &Sur
     program
 }
 
-/// The instructions that draw a primitive's appearance. They take the edges' bytes, 5 + 6 x 4 + 3 x 3 for planes, 2 for
-/// constants, and 20 for the copy. There are none if an edge has the whole region outside.
+/// The instructions that draw a primitive's appearance. They take the edges' bytes, 5 + 6 x 4 + 3 x 3 clocks for the
+/// planes, 2 for constants, and 20 for the copy. There are none if the whole region is outside an edge.
 ///
-/// [`covered`] writes the zero, because depth alone decides between a word and the empty one.
+/// [`covered`] writes the zero later, because the depth alone decides between a word and the empty one.
 pub fn appearance(
     region: Region,
     words: Words,
@@ -107,20 +107,20 @@ pub fn appearance(
     program
 }
 
-/// The instructions that distinguish covered pixels from empty ones after a region is drawn. The byte of an appearance
-/// word that is 255 becomes zero where the depth is not the greatest. 4 clocks.
+/// The instructions that distinguish covered pixels from empty ones after a region is drawn. They set the byte
+/// [`appearance::ZERO`] to 0 unless the depth is the greatest. They take 4 clocks.
 pub fn covered(word: u64) -> Vec<Instruction<u64>> {
     let is_greatest = with_constant(Function::Compare, appearance::DEPTH.of(word), -1).begins(Begin::One);
     vec![is_greatest.flags(Condition::NoCarry), set(appearance::ZERO.of(word), 0).only(Mask::Flagged)]
 }
 
-/// The whole part of a plane, compared with the stored value.
+/// Computes the integer part of a plane, and compares it with the stored value.
 fn planned(words: Words, field: Field, plane: &Expression) -> Instruction<u64> {
     let compared = alu(Function::Compare, Source::Expression).from(field.of(words.kept)).to(field.of(words.new));
     compared.expression(FRACTION / 8, plane)
 }
 
-/// A part of a word; the first begins the comparison, and the last ends it.
+/// The parts of a word's comparison: the first begins it, and the last sets the flag.
 fn compared(mut parts: Vec<Instruction<u64>>) -> Vec<Instruction<u64>> {
     if let Some(first) = parts.first_mut() {
         *first = first.begins(Begin::One);
@@ -132,8 +132,8 @@ fn compared(mut parts: Vec<Instruction<u64>>) -> Vec<Instruction<u64>> {
     parts
 }
 
-/// Copies the new word's bytes from one address to before another, where it is to be kept. The shortest part comes
-/// first: when the last one is taken, the next primitive's edges may begin.
+/// Copies the new word's bytes from address `from` to before `to`, if the flag is set. The shortest part comes first,
+/// because the next primitive's edges may begin when the last part is taken.
 fn kept(words: Words, from: u64, to: u64) -> impl Iterator<Item = Instruction<u64>> {
     let longest = u64::from(LONGEST);
     let first = (to - from) % longest;

@@ -1,9 +1,9 @@
-//! The light reflected by a surface whose normal has length 1.
+//! The light that a surface with a unit normal reflects.
 //!
-//! A cosine is the floor of `n . d / 2^8`. The direction d is constant. So in 8 steps its bits decide which of the
-//! normal's components are added, subtracted or neither. The sums of components that occur are made once. With the
-//! lowest bits first, each step halves its result. So no value exceeds 16 bits, and floors of floors are the floor of
-//! all. All sums have an offset of 2^14, so that none is negative.
+//! A cosine is the floor of `n . d / 2^8`. The direction d is constant. So in each of 8 steps bits of d decide which of
+//! the normal's components are added or subtracted. Each sum of components that occurs is made once. The lowest bits
+//! come first, and each step halves the result. So no value exceeds 16 bits, and the floors of all steps together are
+//! the floor of the quotient. All sums have an offset of 2^14, so none is negative.
 
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ pub(super) struct Combinations {
 }
 
 impl Combinations {
-    /// The address of the sum of the components with these signs: -1, 0 or 1 each, and not all 0.
+    /// The address of the sum of the components with these signs: each is -1, 0 or 1, and not all are 0.
     fn of(&mut self, w: &mut Writer, signs: [i16; 3]) -> Field {
         if let Some(field) = self.made.get(&signs) {
             return *field;
@@ -87,7 +87,7 @@ impl Combinations {
             with_constant(Function::Subtract, upper, BIAS_BYTE).to(upper).begins(Begin::One).flags(Condition::NoCarry),
         );
         w.push(set(to, 0).only(Mask::Flagged));
-        // A unit normal is shorter than 2^12; only a direction longer than 2^8 exceeds that.
+        // A unit normal is shorter than 2^12, so only a direction longer than 2^8 may give 2^12 or more.
         if direction.iter().map(|part| i32::from(*part).pow(2)).sum::<i32>() > 1 << 16 {
             w.push(with_constant(Function::Compare, upper, 0x10).begins(Begin::One).flags(Condition::Carry));
             w.push(set(to, 0xfff).only(Mask::Flagged));
@@ -95,16 +95,16 @@ impl Combinations {
     }
 }
 
-/// Half of a sum, with the offset unchanged.
+/// Halves a sum, but not its offset.
 fn halve(w: &mut Writer, from: Field, to: Field) {
     let upper = with_constant(Function::AddHalved, Field::new(from.byte(1), 1), BIAS_BYTE);
     w.push(upper.writes(to.byte(1)).begins(Begin::Zero));
     w.push(carried(Function::ShiftRight, from.byte(0)).writes(to.byte(0)));
 }
 
-/// Replaces a cosine by `floor(c^2 / 2^12)`, in pixels of that mask: 40 clocks.
+/// Replaces a cosine by `floor(c^2 / 2^12)`, in the pixels of the mask: 40 clocks.
 ///
-/// With c's bits split into h || l, 4 and 8 of them, that is `16 h^2 + floor((h l + floor(floor(l^2 / 2^8) / 2)) / 8)`.
+/// With c split into h || l, of 4 and 8 bits, that is `16 h^2 + floor((h l + floor(floor(l^2 / 2^8) / 2)) / 8)`.
 pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
     let (l, h) = (cosine.byte(0), cosine.byte(1));
     w.push(load(h));
@@ -117,7 +117,7 @@ pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
         w.half(PARTIAL, PARTIAL);
     }
     w.push(carried(Function::ShiftRight, PARTIAL).writes(PARTIAL).begins(Begin::Zero));
-    // Three digits of h, each of which halves; then the fourth, which does not.
+    // Three digits of h, each of which halves the sum, and the fourth, which does not.
     w.digit(h, DIGITS, Begin::Zero);
     for _ in 0..3 {
         w.half(PARTIAL, PARTIAL);
@@ -130,7 +130,7 @@ pub(super) fn squared(w: &mut Writer, cosine: Field, mask: Mask) {
     w.push(carried(Function::Add, HIGH).writes(h).only(mask));
 }
 
-/// Adds `floor(brightness (c + 1) / 2^12)` of a cosine, which it uses up, to a byte, up to 255: 27 clocks.
+/// Adds `floor(brightness (c + 1) / 2^12)` to a byte, limited to 255, and destroys the cosine c: 27 clocks.
 fn shine(w: &mut Writer, brightness: u8, cosine: Field, to: u64) {
     let start = set(Field::new(PARTIAL, 1), brightness.into());
     w.push(super::Instruction { accumulates: 1, ..start });
@@ -144,8 +144,8 @@ fn shine(w: &mut Writer, brightness: u8, cosine: Field, to: u64) {
     w.push(set(Field::new(to, 1), 255).only(Mask::Flagged));
 }
 
-/// The contribution of a light. `squarings` is the range of squarings over all materials that have highlights; it is
-/// none if no material has any.
+/// Adds the contribution of a light. `squarings` is the range of squarings over all materials that have highlights, or
+/// `None` if no material has any.
 pub(super) fn light(w: &mut Writer, sums: &mut Combinations, light: &Light, squarings: Option<[u8; 2]>) {
     if light.brightness == 0 {
         return;
@@ -153,7 +153,7 @@ pub(super) fn light(w: &mut Writer, sums: &mut Combinations, light: &Light, squa
     sums.cosine(w, light.direction, LIT);
     if let Some([least, most]) = squarings {
         sums.cosine(w, light.half, HIGHLIGHT);
-        // A light behind the surface has no highlight, as a cosine of 0 has none.
+        // A light behind the surface, whose cosine is 0, has no highlight.
         w.push(with_constant(Function::Compare, LIT, 1).begins(Begin::One).flags(Condition::NoCarry));
         w.push(set(HIGHLIGHT, 0).only(Mask::Flagged));
         for number in 0..most {

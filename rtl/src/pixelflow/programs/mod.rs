@@ -1,18 +1,18 @@
 //! The programs of a node: rasterization and shading (facts E0, E4).
 //!
-//! Each program is in a file of its own, and makes the instructions of one primitive or one region, as the node's
+//! Each program has a file of its own. It makes the instructions for one primitive or one region, as the node's
 //! processors would.
 //!
 //! A rasterizer [clears](clear()) the words of a region, draws triangles, and gives the words to the network. A pixel
 //! keeps the least word, whatever the drawing sequence. [`gouraud`] draws words z || rgb. [`appearance`] draws
 //! appearance words, and [`covered`] flags their empty pixels. Words are in the network's registers from the start
-//! ([`fields`](super::fields)), so nothing is copied. A copy of 21 bytes would take 21 clocks a region.
+//! ([`fields`](super::fields)), so nothing is copied. A copy of 21 bytes would take 21 clocks per region.
 //!
 //! If the samples of a pixel come one after another, the node of the frame buffer adds them up ([`add_sample`]). At the
-//! end it makes colours of the sums ([`average`](average())).
+//! end it divides the sums to get colours ([`average`](average())).
 //!
-//! A shader makes a colour from each appearance word ([`Shading`]), or from eight that come one after another
-//! ([`ShadingOnce`]). It matches the golden shader bit for bit, as all steps are exact floors.
+//! A shader makes a colour from each appearance word ([`Shading`]), or from eight words that come one after another
+//! ([`ShadingOnce`]). It matches the golden shader bit for bit, because all steps are exact floors.
 //!
 //! | file | program |
 //! |---|---|
@@ -20,20 +20,21 @@
 //! | `edges`, `least_word` | triangles |
 //! | `ports` | synchronization with the network; copies of words |
 //! | `arithmetic` | digits of products and quotients |
-//! | `normalize` | unit normal |
+//! | `normalize` | the unit normal |
 //! | `light` | cosines, highlights and their sums |
 //! | `perspective` | texture coordinates and level |
 //! | `filter` | interpolation between texels |
 //! | `shade` | complete shading |
-//! | `shade_once` | equal samples of eight, shaded once |
-//! | `average` | samples one after another: sums and their mean |
+//! | `shade_once` | shading of eight samples at once |
+//! | `average` | sums of samples, and their mean |
 //!
 //! # Clocks
 //!
 //! The table is for regions of 128 x 64 and triangles with three edges; lights have highlights of power 32. "One at a
-//! time" adds up all instructions. "Side by side" is the time from a program's beginning to the next one's, for many
-//! equal programs. The paper's figures are its times at 100 MHz (PFL-LAT1, PFL-NT, PFL-SHADE); it does not print the
-//! programs. Shading takes as long for one pixel as for a whole region. This command prints the table:
+//! time" is the sum over all instructions. "Side by side" is the time from the beginning of a program to that of the
+//! next one, in a long sequence of equal programs. The paper's figures are its times at 100 MHz (PFL-LAT1, PFL-NT,
+//! PFL-SHADE); it does not print the programs. Shading takes the same time for one pixel and for a whole region. This
+//! command prints the table:
 //! `cargo test -p tilewright-rtl the_table_of_pixelflow -- --nocapture`.
 //!
 //! | program | one at a time | side by side | to compare |
@@ -61,14 +62,14 @@
 //! | combine eight samples | 499 | 499 |  |
 //! | all, once for eight samples | 4356 | 4356 |  |
 //!
-//! - An appearance takes 2 clocks more than in facts E4: the comparison of material and level.
+//! - An appearance takes 2 clocks more than in facts E4, for the comparison of material and level.
 //! - Side by side, the copy of a word overlaps the next primitive's edges and the fraction of its first plane. So the
-//!   form of the edges does not matter: 58 is everything but these 12 and 2.
-//! - The paper's 1540 are addresses alone, in 15.4 us, and its 9500 the worst look-up, in 95 us. The computation while
-//!   the texture unit works is hidden behind that.
-//! - Four lights from any directions take at most 1476 clocks; the exact number depends on the ones in a direction's
-//!   components.
-//! - A digit of a product takes 2 clocks, as the ALU halves a sum in one
+//!   form of the edges does not matter: 58 is 72 without the 12 clocks of the edges and the 2 of the fraction.
+//! - The paper's 1540 clocks, 15.4 us, are for addresses alone. Its 9500, 95 us, are for the slowest look-up; they hide
+//!   the computation while the texture unit works.
+//! - Four lights from any directions take at most 1476 clocks. The exact number depends on the ones in the binary
+//!   components of their directions.
+//! - A digit of a product takes 2 clocks, because the ALU adds and halves in one
 //!   ([`Function::AddHalved`](super::pixel::Function::AddHalved)). A digit of a quotient takes 9.
 
 use super::instruction::Instruction;

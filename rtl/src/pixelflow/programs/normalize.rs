@@ -1,5 +1,5 @@
-//! Normalization of the normal: three squares, their sum, its root digit by digit, and three divisions by the root plus
-//! one.
+//! Normalization of the normal: three squares, their sum, the square root digit by digit, and three divisions by the
+//! root plus one.
 //!
 //! Each component becomes `sign(n) floor(|n| 2^12 / (s + 1))` with `s = floor(sqrt(x^2 + y^2 + z^2))`. Source: facts E4.
 
@@ -11,7 +11,7 @@ use super::super::pixel::{Begin, Condition, Function, Mask};
 use super::arithmetic::{Division, Writer};
 use super::assembler::{carried, copy, load, load_constant, set, with_accumulator, with_constant};
 
-/// Digits of a component of a unit normal.
+/// The number of digits of a component of a unit normal.
 const DIGITS_OF_UNIT: u64 = 12;
 
 /// The instructions that normalize the normal of an appearance word.
@@ -41,7 +41,7 @@ pub(super) fn normalize(word: u64) -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// The square of 16 bits h || l: `h^2 2^16 + 2 h l 2^8 + l^2`. Where 2 h has more than 8 bits, l is 0.
+/// The square of 16 bits h || l: `h^2 2^16 + 2 h l 2^8 + l^2`. If 2 h has more than 8 bits, l is 0.
 fn square(w: &mut Writer, of: Field, to: Field) {
     let (l, h) = (of.byte(0), of.byte(1));
     w.push(carried(Function::ShiftLeft, h).loads().begins(Begin::Zero));
@@ -56,10 +56,10 @@ fn square(w: &mut Writer, of: Field, to: Field) {
     w.push(with_constant(Function::Add, above, 0).to(above));
 }
 
-/// The root of [`SUM`] in the lower half of [`ROOT`].
+/// Writes the square root of [`SUM`] to the lower half of [`ROOT`].
 ///
-/// Before digit j, ROOT is the root so far times 2^(j + 1), in bits 2 j + 2 to 16 + j. The remainder of the sum is
-/// below 2^(18 + j).
+/// Before digit j, ROOT is the root found so far times 2^(j + 1), in bits 2 j + 2 to 16 + j. The remainder of the sum
+/// is below 2^(18 + j).
 fn root(w: &mut Writer) {
     let top = ROOT.byte(3);
     w.extend([
@@ -96,10 +96,10 @@ fn root(w: &mut Writer) {
     }
 }
 
-/// A byte of the trial subtraction for a digit: the sum's byte less the root's, with this digit's bit set.
+/// A byte of the trial subtraction for a digit: the sum's byte minus the root's byte with this digit's bit set.
 fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
     let begin = if byte == digit / 4 { Begin::One } else { Begin::Kept };
-    // Whether the root has bits there.
+    // Whether the root has no bits in this byte.
     let is_empty = 8 * byte + 8 <= 2 * digit + 2 || 8 * byte > 16 + digit;
     let sum = Field::new(SUM.byte(byte), 1);
     let difference = if is_empty {
@@ -114,7 +114,7 @@ fn subtract(w: &mut Writer, byte: u64, digit: u64, bit: i64) {
 
 /// `floor(remainder 2^12 / divisor)`, where the remainder is less than the divisor.
 fn quotient(w: &mut Writer, remainder: Field, divisor: Field, to: Field) {
-    // All digits start as set.
+    // All digits are set at first.
     w.push(set(to, (1 << DIGITS_OF_UNIT) - 1));
     for digit in (0..DIGITS_OF_UNIT).rev() {
         let step = Division { comes_in: false, may_leave: true, is_last: digit == 0 };

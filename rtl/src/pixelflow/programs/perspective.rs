@@ -1,8 +1,8 @@
 //! A pixel's position on its texture: two divisions, and the level of detail.
 //!
-//! u is the fraction of `floor((u/w) 2^16 / (1/w))`, in 24 steps; the first 8 give whole repeats. The level, in 1/16,
-//! is `2 level - (511 - L)`, but at least 0. L is a piecewise linear logarithm of 1/w: 32 times the position of its
-//! leading one, plus the 5 bits behind that.
+//! u is the lower 16 bits of `floor((u/w) 2^16 / (1/w))`, in 24 steps. The first 8 steps give whole repeats of the
+//! texture. The level, in 1/16, is `2 level - (511 - L)`, but at least 0. L is a piecewise linear logarithm of 1/w: 32
+//! times the position of its leading one, plus the 5 bits below that.
 
 use super::super::fields::appearance::{LEVEL as NEAREST, SCALE, UV, ZERO as EMPTY};
 use super::super::fields::shading::*;
@@ -22,17 +22,17 @@ pub(super) fn coordinates(word: u64) -> Vec<Instruction<u64>> {
 }
 
 fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
-    // All digits start as set.
+    // All digits are set at first.
     w.push(set(to, -1));
     for digit in (0..24_u64).rev() {
-        // The remainder starts as the upper byte.
+        // The first remainder is the upper byte.
         let from = if digit == 23 { [part.byte(1), ZERO] } else { [REMAINDER.byte(0), REMAINDER.byte(1)] };
         let comes_in = digit >= 16;
         if comes_in {
             let rest = if digit == 23 { part.byte(0) } else { REST };
             w.push(carried(Function::ShiftLeft, rest).writes(REST).begins(Begin::Zero));
         }
-        // So it has fewer than 16 bits as long as there is a rest.
+        // While digits come in, the remainder has fewer than 16 bits, so no bit can leave it.
         w.divided(from, REMAINDER, scale, Division { comes_in, may_leave: !comes_in, is_last: digit == 0 });
         if !comes_in {
             w.quotient_digit(to, digit);
@@ -41,19 +41,19 @@ fn coordinate(w: &mut Writer, part: Field, scale: Field, to: Field) {
 }
 
 /// The instructions that find the level for the texture unit, and the weight between levels. The level is at most the
-/// finest one, which the material gives.
+/// finest level of the material's texture.
 pub(super) fn level(word: u64) -> Vec<Instruction<u64>> {
     let mut w = Writer::default();
     leading_one(&mut w, SCALE.of(word));
     let [weight, whole] = [DETAIL.byte(0), DETAIL.byte(1)];
     w.extend([
-        // The leading one is dropped; so are the four lowest bits of its position's fraction in 16 L.
+        // The leading one is dropped. Of the bits below it, only those that belong to L stay.
         carried(Function::ShiftLeft, LEADING.byte(1)).writes(weight).begins(Begin::Zero),
         carried(Function::ShiftLeft, weight).writes(weight).begins(Begin::Zero),
         carried(Function::ShiftLeft, PLACE).writes(whole),
         with_constant(Function::And, Field::new(weight, 1), 0xf0).writes(weight),
     ]);
-    // 32 times the nearest level is it times 2^8, three bits to the right.
+    // 32 times the nearest level: the level times 2^8, shifted to the right by three bits.
     let nearest = Field::new(LEADING.address, 2);
     for number in 0..3 {
         let from = if number == 0 { [ZERO, NEAREST.of(word).address] } else { [nearest.byte(0), nearest.byte(1)] };
@@ -76,8 +76,8 @@ pub(super) fn level(word: u64) -> Vec<Instruction<u64>> {
     w.0
 }
 
-/// Shifts 1/w until its leading one is the top bit, and finds the position it had. The steps are 8, 4, 2 and 1, where
-/// there is no one above.
+/// Shifts 1/w until its leading one is the top bit, and finds the original position of that one. The steps shift by 8,
+/// 4, 2 and 1 bits, each only if that number of top bits is 0.
 fn leading_one(w: &mut Writer, scale: Field) {
     let upper = Field::new(LEADING.byte(1), 1);
     w.push(copy(scale, LEADING));

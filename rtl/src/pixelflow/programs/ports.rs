@@ -1,4 +1,4 @@
-//! Synchronization with the ports, and copies of words for them.
+//! Synchronization with the ports, and copies of words.
 
 use super::super::fields::Field;
 use super::super::instruction::{Instruction, LONGEST, Sync};
@@ -19,12 +19,12 @@ pub fn give_bank(bank: u64) -> Instruction<u64> {
     port(Sync::GiveBank, bank)
 }
 
-/// Starts the texture unit, or whatever else is at its port.
+/// Starts the texture unit, or the frame buffer at the same port.
 pub fn start_texture() -> Instruction<u64> {
     port(Sync::StartTexture, 0)
 }
 
-/// Waits until it has finished.
+/// Waits until the texture unit has finished.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::instruction::Sync;
@@ -35,7 +35,7 @@ pub fn await_texture() -> Instruction<u64> {
     port(Sync::AwaitTexture, 0)
 }
 
-/// Copies `bytes` bytes: a clock each.
+/// Copies `bytes` bytes, in one clock each.
 ///
 /// ```
 /// use tilewright_rtl::pixelflow::{programs::move_word, schedule::one_at_a_time};

@@ -5,9 +5,9 @@
 //!                                              '──> unit normal ──> lights ──> product with <──────────'──> colour
 //! ```
 //!
-//! Lights and materials are constants of the instructions; pixels differ only by their words. The lights are computed
-//! while the texture unit finds texels. Source: facts E4; the arithmetic is exact floors, so every way of computing
-//! them gives the same bits.
+//! Lights and materials are constants of the instructions; pixels differ only by their words. The light is computed
+//! while the texture unit looks up texels. Source: facts E4. All arithmetic is exact floors, so any way to compute them
+//! gives the same bits.
 
 use super::super::fields::shading::*;
 use super::super::fields::{Field, appearance, texture};
@@ -21,23 +21,24 @@ use super::normalize::normalize;
 use super::perspective;
 use super::ports::{await_texture, start_texture};
 
-/// A light far away. Directions are 2^8 times a unit vector (right, down, forward of the eye), each a sign and 8 bits.
+/// A distant light. A direction is 2^8 times a unit vector (right, down, forward from the eye); each component has a
+/// sign and 8 bits.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Light {
-    /// The direction towards the light; -255 to 255 each.
+    /// The direction towards the light; each component is from -255 to 255.
     pub direction: [i16; 3],
     /// The direction halfway between the light and the eye.
     pub half: [i16; 3],
-    /// 255 for the brightness 1.
+    /// The brightness, 255 for 1.
     pub brightness: u8,
 }
 
 /// A material.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Material {
-    /// Whether light falls on it.
+    /// Whether light falls on the material.
     pub is_lit: bool,
-    /// Its texture, if it has one.
+    /// The texture, if there is one.
     pub texture: Option<Texture>,
     /// The brightness of highlights, 255 for 1.
     pub specular: u8,
@@ -48,9 +49,9 @@ pub struct Material {
 /// A texture, as a material refers to it.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Texture {
-    /// Its number, below 255.
+    /// The number of the texture, below 255.
     pub number: u8,
-    /// Its finest level, with sides of 2^level texels; at most 10.
+    /// The finest level, with sides of 2^level texels; at most 10.
     pub finest: u8,
 }
 
@@ -59,7 +60,7 @@ pub struct Texture {
 pub struct Shader {
     /// Red, green and blue of a pixel that nothing covers.
     pub background: [u8; 3],
-    /// Light from everywhere, 255 for 1.
+    /// The ambient light, 255 for 1.
     pub ambient: u8,
     /// The lights.
     pub lights: Vec<Light>,
@@ -70,17 +71,17 @@ pub struct Shader {
 /// The number that stands for no texture.
 pub const NO_TEXTURE: i64 = 255;
 
-/// A value of `squarings`: no light falls on the material.
+/// The value of `squarings` if no light falls on the material.
 const UNLIT: u8 = 0xff;
 
 /// The programs that shade a region whose appearance words begin at an address.
 #[derive(Debug, Clone, Copy)]
 pub struct Shading<'a> {
-    /// The constants.
+    /// The lights, the materials and the background.
     pub shader: &'a Shader,
-    /// The words.
+    /// The address of the words.
     pub word: u64,
-    /// The address of the colour: blue, green and red, so that red is sent first.
+    /// The address of the colour: blue, green, red, so that red is sent first.
     pub colour: u64,
 }
 
@@ -97,7 +98,7 @@ impl Shading<'_> {
     /// let shader = Shader { background: [0, 0, 90], ambient: 55, lights: vec![overhead], materials: vec![plain] };
     /// let program = Shading { shader: &shader, word: bank(0), colour: bank(1) }.program();
     ///
-    /// // A white surface that is turned to the light.
+    /// // A white surface that faces the light.
     /// let mut pixel = Pixel::new();
     /// let mut put = |field: tilewright_rtl::pixelflow::fields::Field, value: i16| {
     ///     let at = field.of(bank(0)).address as usize;
@@ -113,7 +114,7 @@ impl Shading<'_> {
         [self.before_texture(), self.under_texture(), self.after_texture()].concat()
     }
 
-    /// The part up to the start of the texture unit: materials, coordinates and levels.
+    /// The part up to the start of the texture unit: materials, coordinates and level of detail.
     pub fn before_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
         w.zero();
@@ -150,7 +151,7 @@ impl Shading<'_> {
         w.0
     }
 
-    /// The part after the texture unit: filter, products, and the background where nothing covers the pixel.
+    /// The part after the texture unit: filter, products, and the background if nothing covers the pixel.
     pub fn after_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer::default();
         if let Some(finest) = self.finest() {
@@ -181,8 +182,8 @@ impl Shading<'_> {
         w.0
     }
 
-    /// Writes the materials' values to the pixels: material after material, each to all pixels with this material or a
-    /// later one.
+    /// Writes the materials' values to the pixels. Each material is written to all pixels with this material or a later
+    /// one, so the last write to a pixel is that of its own material.
     fn materials(self, w: &mut Writer) {
         let mut last = None;
         for (number, material) in self.shader.materials.iter().enumerate() {

@@ -1,12 +1,12 @@
-//! Deferred shading of a region of eight samples a pixel: shades their common surface once.
+//! Deferred shading of a region with eight samples per pixel: shades the mean of their surfaces once.
 //!
 //! ```text
-//! word of a sample ──> take: surface and material kept; the least word ── eight times ──> combine: mean surface ──> shading ──> and the background
+//! word of a sample ──> take: keep surface, material, least word ── eight times ──> combine: mean surface ──> shading ──> add background
 //! ```
 //!
-//! The words come one after another to the same bank. For each, the shader keeps colour, normal and material; of all,
-//! it keeps the least word. It then shades this word, with the mean colour and normal in it. Source: facts E4; the
-//! golden `Shader::shade_once`, bit for bit.
+//! The words come one after another to the same bank. The shader keeps colour, normal and material of each word, and
+//! the least word of all. It then shades that word with the mean colour and normal. Source: facts E4. The result equals
+//! that of the golden `Shader::shade_once`, bit for bit.
 
 use super::super::fields::appearance::{BYTES, MATERIAL, NORMAL, RGB, ZERO as EMPTY};
 use super::super::fields::samples::{self, BEHIND, COUNT};
@@ -20,21 +20,21 @@ use super::average::{add, eighth};
 use super::ports::move_word;
 use super::shade::Shading;
 
-/// The samples of a pixel.
+/// The number of samples of a pixel.
 const SAMPLES: u64 = 8;
-/// The top byte of a component's sign.
+/// The sign bit in the top byte of a component.
 const SIGN: i64 = 0x80;
 
 /// The programs that shade a region of eight samples once.
 #[derive(Debug, Clone, Copy)]
 pub struct ShadingOnce<'a> {
-    /// Shades the least word, which is kept there.
+    /// The programs that shade the least word, which is kept at their address of words.
     pub shading: Shading<'a>,
 }
 
 impl ShadingOnce<'_> {
-    /// Takes the word of the sample with that number, 0 to 7, from an address. It takes 32 clocks, and 74 from the
-    /// second one on.
+    /// Keeps the word of the sample with this number, 0 to 7, from an address. That takes 32 clocks for sample 0, and 74
+    /// for each later one.
     ///
     /// ```
     /// use tilewright_rtl::pixelflow::emulator::Pixel;
@@ -78,7 +78,7 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// Makes the word that is shaded from the eight samples: 499 clocks.
+    /// Combines the eight samples in the word that is shaded: 499 clocks.
     pub fn combine(self) -> Vec<Instruction<u64>> {
         let (mut w, word) = (Writer::default(), self.shading.word);
         w.push(set(Field::new(COUNT, 1), SAMPLES as i64));
@@ -90,7 +90,7 @@ impl ShadingOnce<'_> {
                 w.extend(add(samples::of(*channel, number), sum));
             }
             for (part, sum) in NORMAL.iter().zip(samples::NORMAL) {
-                // From 0 to 2^16 - 1, so that no sum is negative.
+                // The offset makes components 0 to 2^16 - 1, so no sum is negative.
                 let part = samples::of(*part, number);
                 let top = Field::new(part.top(), 1);
                 w.push(with_constant(Function::ExclusiveOr, top, SIGN).to(top));
@@ -110,23 +110,24 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// All instructions that shade the common surface of the samples.
+    /// All instructions that shade the combined word.
     pub fn program(self) -> Vec<Instruction<u64>> {
         [self.before_texture(), self.under_texture(), self.after_texture()].concat()
     }
 
-    /// As [`Shading::before_texture`].
+    /// The part up to the start of the texture unit, as [`Shading::before_texture`].
     pub fn before_texture(self) -> Vec<Instruction<u64>> {
         self.shading.before_texture()
     }
 
-    /// As [`Shading::under_texture`]; highlights are weighted by the number of covered samples.
+    /// The part that needs no texture, as [`Shading::under_texture`]. It weights highlights by the number of covered
+    /// samples.
     pub fn under_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer(self.shading.under_texture());
         if w.0.is_empty() {
             return w.0;
         }
-        // An eighth of the product, whose four lowest bits are on top of the lower byte.
+        // One shift to the left gives an eighth, because the product's four lowest bits are on top of the lower byte.
         w.push(load(REFLECTED));
         w.product(ZERO, COUNT, 4, [HIGH, LOW]);
         w.push(carried(Function::ShiftLeft, LOW).begins(Begin::Zero));
@@ -134,7 +135,7 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// As [`Shading::after_texture`]; then adds the visible share of the background.
+    /// The part after the texture unit, as [`Shading::after_texture`]. It then adds the background's share.
     pub fn after_texture(self) -> Vec<Instruction<u64>> {
         let mut w = Writer(self.shading.after_texture());
         for channel in 0..3 {
@@ -147,8 +148,8 @@ impl ShadingOnce<'_> {
         w.0
     }
 
-    /// A sample's colour and normal. They are those of the least word if the material is another one, and 0 if nothing
-    /// covers the sample, which is counted.
+    /// Prepares a sample's colour and normal for the sums. They become those of the least word if the material differs,
+    /// and 0 if nothing covers the sample. Such a sample is subtracted from the count.
     fn surface(self, w: &mut Writer, number: u64) {
         let material = samples::of(MATERIAL, number);
         let surface = Field::new(samples::FIRST, samples::SURFACE);
@@ -166,8 +167,8 @@ impl ShadingOnce<'_> {
         w.push(with_constant(Function::Subtract, count, 1).to(count).begins(Begin::One).only(Mask::Flagged));
     }
 
-    /// The background's share, `floor((background (8 - m) + 4) / 8)` for m covered samples. For m = 0 it is nothing, as
-    /// shading gives the background itself.
+    /// Writes the background's share, `floor((background (8 - m) + 4) / 8)` for m covered samples. For m = 0 it is 0,
+    /// because shading already gives the background.
     fn behind(self, w: &mut Writer) {
         w.push(set(BEHIND, 0));
         for covered in 1..=SAMPLES as i64 {
@@ -180,5 +181,5 @@ impl ShadingOnce<'_> {
     }
 }
 
-// The least word, and the values that shading leaves alone.
+// The least word fits into addresses 160 to 183, and the samples fit below.
 const _: () = assert!(appearance::BYTES <= 24 && SAMPLES * samples::BYTES <= 160);

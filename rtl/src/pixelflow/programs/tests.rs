@@ -21,7 +21,7 @@ const LIGHTS: [Light; 4] = [
     Light { direction: [-240, 77, 44], half: [-197, 63, -151], brightness: 119 },
 ];
 
-/// With a texture of 1024 x 1024 texels, and highlights of power 32.
+/// A material with a texture of 1024 x 1024 texels, and highlights of power 32.
 const SHINY: Material =
     Material { is_lit: true, texture: Some(Texture { number: 0, finest: 10 }), specular: 180, squarings: 5 };
 
@@ -127,7 +127,7 @@ fn littered() -> Pixel {
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1000) })]
 
-    /// In all forms the sign that is tested is that of the edge, in at most 4 bytes, and in 2 for the least half-plane.
+    /// The tested sign is that of the edge in all forms. It takes at most 4 bytes, or 2 for the least half-plane.
     #[test]
     fn edges_keep_their_signs(edge in edges(), x in 0..128_u32, y in 0..64_u32) {
         let value = edge.a * i64::from(x) + edge.b * i64::from(y) + edge.c;
@@ -165,7 +165,7 @@ proptest! {
         prop_assert_eq!([byte(&pixel, 103), byte(&pixel, 100)], [(a * (b + 1)) >> 8; 2]);
     }
 
-    /// Each step is that of long division, for remainders up to the last below a divisor of 16 bits.
+    /// Each step is a step of long division, for all remainders below a divisor of up to 16 bits.
     #[test]
     fn remainders_are_exact(divisor in 1..=u16::MAX, dividend: u32, shift in 0..16_u32) {
         let divisor = u32::from(divisor >> shift).max(1);
@@ -184,7 +184,7 @@ proptest! {
         }
     }
 
-    /// Its constants are cut off, and floors go downwards.
+    /// Cosines are floors of the exact quotients, limited to 0 to 4095.
     #[test]
     fn cosines_are_floors(unit in [component(), component(), component()], direction in [part(), part(), part()]) {
         let mut pixel = littered();

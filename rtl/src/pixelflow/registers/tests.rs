@@ -1,4 +1,4 @@
-//! Both sides of the registers against an array of bytes, with one clock and with two.
+//! Both sides of the registers, compared with an array of bytes, with one clock and with two.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -11,7 +11,7 @@ use super::*;
 struct Step {
     read: u64,
     write: u64,
-    /// Which pixels write, and what.
+    /// The pixels that write, and the byte of each.
     writes: Vec<u64>,
     result: Vec<u64>,
     pixel: u64,
@@ -27,7 +27,7 @@ fn steps(width: u32, height: u32) -> impl Strategy<Value = Vec<Step>> {
     let array = (address(), address(), prop::collection::vec(0..2u64, pixels), bytes(pixels));
     let port = (0..u64::from(2 * width), address(), 0..2u64, bytes(chips));
     let step = (array, port).prop_map(|((read, write, writes, result), (pixel, address, port_writes, bytes))| {
-        // Both never write the same byte: the result would be undefined.
+        // The sides never write the same byte, because the result would be undefined.
         let write = if write == address { address ^ 1 } else { write };
         Step { read, write, writes, result, pixel, address, port_writes, bytes }
     });
@@ -49,7 +49,7 @@ proptest! {
         sim.reset();
         let (i, o) = (sim.i, sim.o);
         let mut held = vec![[0; 64]; (width * height) as usize];
-        // A chip is two lines: its pixels follow one another.
+        // A chip is two lines, so its pixels follow one another.
         let place = |chip: usize, pixel: u64| chip * 2 * width as usize + pixel as usize;
         for step in steps {
             let numbers = [(i.read, step.read), (i.write, step.write), (i.port.pixel, step.pixel)];

@@ -1,4 +1,4 @@
-//! Texels clock by clock, and around random places of random textures.
+//! Texels clock by clock, and around random points of random textures.
 
 use proptest::prelude::*;
 use tilewright_sim::Simulation;
@@ -18,7 +18,7 @@ pub fn texel(texture: u64, level: u32, i: u64, j: u64) -> u64 {
     (texture * 0x35_0113 + u64::from(level) * 0x9_0461 + i * 0x1_0301 + j * 0x2_1007) & 0xff_ffff
 }
 
-/// The write of a texel of a texture with that base.
+/// The write of a texel of a texture with this base.
 fn written(texture: u64, base: u64, (level, i, j): (u32, u64, u64)) -> TextureMemoryIn<u64> {
     let TexelAddress { bank, address } = TextureMemory::place(base, level, i, j);
     let write = TexelWrite { valid: 1, bank, address, texel: texel(texture, level, i, j) };
@@ -41,8 +41,8 @@ pub fn contents(finest: &[u32]) -> (Vec<TextureMemoryIn<u64>>, u64) {
     (writes, base)
 }
 
-/// By definition: the place on a level is u times its side less half a texel, and textures repeat. Returns levels,
-/// columns and rows.
+/// The texels around a point, by definition: the coordinate on a level is u times its side minus half a texel, and
+/// textures repeat. Returns levels, columns and rows.
 fn places_around(finest: u32, [u, v]: [u64; 2], level: u64) -> impl Iterator<Item = (u32, u64, u64)> {
     (0..8u64).map(move |number| {
         let level = (level + (number >> 2)).min(finest.into()) as u32;
@@ -55,7 +55,7 @@ fn places_around(finest: u32, [u, v]: [u64; 2], level: u64) -> impl Iterator<Ite
     })
 }
 
-/// The texels around a place.
+/// The texels around a point.
 pub fn around(texture: u64, finest: u32, place: [u64; 2], level: u64) -> Vec<u64> {
     places_around(finest, place, level).map(|(level, i, j)| texel(texture, level, i, j)).collect()
 }
@@ -121,7 +121,7 @@ proptest! {
     }
 }
 
-/// Only the texels around a few places of a texture of 1024 x 1024 are written.
+/// Only the texels around a few points of a texture of 1024 x 1024 are written.
 #[test]
 fn it_has_the_texels_of_the_finest_levels() {
     const FINEST: u32 = TextureMemory::FINEST;
@@ -142,7 +142,7 @@ fn it_has_the_texels_of_the_finest_levels() {
     }
 }
 
-/// No two texels of a texture, nor of two textures stored one behind the other, share an address.
+/// No two texels share an address, neither of one texture nor of two that are stored one after the other.
 #[test]
 fn every_texel_has_a_place_of_its_own() {
     for finest in 0..6 {

@@ -25,10 +25,10 @@ fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
     sim.step();
     sim.set(i.start, 0);
     for clock in 1.. {
-        assert!(clock <= unit.clocks(), "it is not done in time");
+        assert!(clock <= unit.clocks(), "the unit is not done in time");
         let port = sim.o.port;
         let [pixel, address, writes] = [port.pixel, port.address, port.writes].map(|port| sim.get_u64(port));
-        // In the rounds that only write, the port may select anything.
+        // In rounds that only write, the read address may be any value.
         let byte = |chip: &Vec<[u64; 64]>| chip.get(pixel as usize).map_or(0, |pixel| pixel[address as usize]);
         let seen: Vec<u64> = registers.iter().map(byte).collect();
         sim.set_lanes(i.seen, seen);
@@ -42,10 +42,10 @@ fn serve(unit: &TextureUnit, finest: &[u32], registers: &mut Registers) -> u64 {
             return clock;
         }
     }
-    unreachable!("it ends or is too late")
+    unreachable!("the unit ends or is too late")
 }
 
-/// The request of a pixel: texture, place and level.
+/// The request of a pixel: texture, point and level.
 type Asked = (u64, [u64; 2], u64);
 
 fn expect_texels(chips: u32, pixels: u32, finest: &[u32], asked: impl Fn(usize) -> Asked) -> u64 {
@@ -89,7 +89,7 @@ proptest! {
     }
 }
 
-/// PFL-SHADE: 95 us are the paper's worst case.
+/// PFL-SHADE: the paper's worst case is 95 us.
 #[test]
 fn a_region_of_8192_pixels_takes_82_56_us() {
     let clocks = expect_texels(32, 256, &[4, 2], |number| {
@@ -101,7 +101,7 @@ fn a_region_of_8192_pixels_takes_82_56_us() {
 }
 
 #[test]
-#[should_panic(expected = "the texture unit begins when it has done")]
+#[should_panic(expected = "the texture unit begins only when it is done")]
 fn a_second_start_is_an_error() {
     let memory = TextureMemory { texels: contents(&[0]).1 as u32, textures: 1 };
     let mut sim = Simulation::of(&TextureUnit { chips: 1, pixels: 1, memory }).unwrap();
