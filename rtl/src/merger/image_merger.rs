@@ -8,13 +8,13 @@
 //! ```
 //!
 //! Latency: 4 n clocks; a pixel every clock. While `enable` is low, all registers keep their values. Unit `i` must get
-//! its sample 4 i clocks after the left sample of the same pixel; the scan counters' lead ensures this (VC1-SCAN).
+//! its sample 4 i clocks after the left sample of the same pixel. The scan counters' lead ensures this (VC1-SCAN).
 
 use super::unit::{MergingUnit, MergingUnitIn, STAGES};
 use crate::prelude::*;
 
 block! {
-    /// Merges the images of the local frame buffers: keeps the nearest sample of each pixel.
+    /// Merges the images of the local frame buffers: passes on the nearest sample of each pixel.
     pub struct ImageMerger {
         /// The number of merging units.
         pub units: u32,
@@ -31,7 +31,7 @@ block! {
         enable: bit(),
     }
     out ImageMergerOut {
-        /// The nearest pixel of those that met in the chain.
+        /// The nearest of the samples that met in the chain.
         merged: bits(WORD),
     }
 }
@@ -58,7 +58,7 @@ mod tests {
 
     const EMPTY: u64 = (1 << 48) - 1;
 
-    /// A flagged pixel at the left end comes out after 4 n clocks, 64 for the VC-1's 16 units.
+    /// A pixel at the left end comes out after 4 n clocks, which is 64 for the VC-1's 16 units.
     #[test]
     fn a_marked_pixel_takes_4_clocks_a_unit() {
         for units in [1, 2, 3, 16] {
@@ -83,8 +83,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Streams in step with the chain, each unit's 4 pixels behind its predecessor's, merge to their minimum, even
-        /// where the chain pauses.
+        /// The stream of each unit runs 4 pixels behind that of its predecessor. The streams merge to their minimum,
+        /// even when the chain pauses.
         #[test]
         fn the_nearest_of_all_comes_out(
             units in 1..6_usize,

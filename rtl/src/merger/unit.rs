@@ -1,4 +1,4 @@
-//! The merging unit: sends on the nearer of two pixels (VC1-MU).
+//! The merging unit: passes on the nearer of two pixels (VC1-MU).
 //!
 //! ```text
 //!            stage 1     stage 2     stage 3     stage 4
@@ -14,7 +14,7 @@
 //!
 //! A pixel is a word of depth above colour, so the nearer pixel is the smaller word. If depths are equal the colour
 //! decides, so the result does not depend on the sequence of merging (facts E0). A stage compares 12 bits of the words,
-//! the highest first, because a comparison of all 48 would not fit into a clock.
+//! from the top down, because a comparison of all 48 bits does not fit into a clock.
 
 use crate::prelude::*;
 
@@ -24,7 +24,7 @@ pub const STAGES: u32 = 4;
 const PART: u32 = WORD / STAGES;
 
 block! {
-    /// Sends on the nearer of two pixels, each a word of depth above colour: the smaller word.
+    /// Passes on the nearer of two pixels, each a word of depth above colour: the smaller word.
     pub struct MergingUnit;
     source = "VC-1, section 3.3, pipelined image merger (VC1-MU)";
     in MergingUnitIn {
@@ -46,9 +46,9 @@ bundle! {
     struct Race<T> {
         left: T,
         right: T,
-        /// They differ in the bits compared so far.
+        /// The words differ in the bits compared so far.
         decided: T,
-        /// If they differ, whether the right one is the smaller word.
+        /// Whether the right word is the smaller one, if they differ.
         right_is_nearer: T,
     }
 }
@@ -65,7 +65,7 @@ impl MergingUnit {
             }
         };
         let start = Race { left: i.left, right: i.right, decided: lit(1, 0), right_is_nearer: lit(1, 0) };
-        // The last stage keeps what it chooses, not what it chooses from.
+        // The last stage registers only the chosen word, so it is not one of `stages`.
         let race = m.stages(STAGES - 1, i.enable, start, compare);
         let Race { left, right, right_is_nearer, .. } = compare(STAGES, race);
         def!(nearer = m.pipe_when(i.enable, mux(right_is_nearer, right, left)));
@@ -101,7 +101,7 @@ mod tests {
         );
     }
 
-    /// Pairs that often agree in their high parts.
+    /// Words that often agree in their high parts.
     fn words() -> impl Strategy<Value = u64> {
         let part = || prop_oneof![Just(0), Just(0xfff), 0..0x1000u64];
         [part(), part(), part(), part()].prop_map(|parts| parts.into_iter().fold(0, |word, part| word << 12 | part))
@@ -110,7 +110,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Compared with `min`, with random pauses of the pipeline.
+        /// Compares with `min` under random pauses of the pipeline.
         #[test]
         fn it_is_the_minimum(steps in prop::collection::vec((words(), words(), prop::bool::weighted(0.8)), 1..60)) {
             let mut sim = Simulation::of(&MergingUnit).unwrap();

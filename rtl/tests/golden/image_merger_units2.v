@@ -1,6 +1,6 @@
 // image_merger_units2
 //
-// Merges the images of the local frame buffers: keeps the nearest sample of each pixel.
+// Merges the images of the local frame buffers: passes on the nearest sample of each pixel.
 //
 // Parameters  ImageMerger { units: 2 }
 // Latency     8 clocks with `enable`
@@ -15,7 +15,7 @@ module image_merger_units2 (
     input  wire [47:0] samples_0,
     input  wire [47:0] samples_1,
     input  wire        enable,    // The chain advances.
-    output wire [47:0] merged     // The nearest pixel of those that met in the chain.
+    output wire [47:0] merged     // The nearest of the samples that met in the chain.
 );
 
     genvar i;

@@ -1,6 +1,6 @@
 // merging_unit
 //
-// Sends on the nearer of two pixels, each a word of depth above colour: the smaller word.
+// Passes on the nearer of two pixels, each a word of depth above colour: the smaller word.
 //
 // Parameters  MergingUnit
 // Latency     4 clocks with `enable`
