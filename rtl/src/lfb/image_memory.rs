@@ -1,5 +1,5 @@
-//! The image memory, with the second stage of the access pipeline on its front side, and read-and-clear on its back
-//! side (VC1-ACC, VC1-CLR1).
+//! The image memory: the second stage of the access pipeline draws into the front buffer, and the scan reads and clears
+//! the back buffer (VC1-ACC, VC1-CLR1).
 //!
 //! ```text
 //! draw --> address --------.   .--------------.                  .------.
@@ -11,8 +11,8 @@
 //! ```
 //!
 //! Latency and throughput: a drawn pixel takes 3 clocks (read, compare, write), and the next one may come in the last
-//! of them. The first stage takes at least as long to find a page, so no handshake is needed. The scan gets a word one
-//! clock after its address, a word a clock.
+//! of them. The first stage takes at least as long to find a page, so no handshake is needed. The scan gets a
+//! word every clock, one clock after its address.
 //!
 //! The memory keeps the smaller word, which is the nearer one. A word read by the scan is cleared at once. So after a
 //! whole scan the buffer is empty and ready for the processor.
@@ -40,7 +40,7 @@ block! {
     latency = "3 clocks of the processor to draw, 1 clock of the merger to send";
     source = "VC-1, section 3.3, image memory (VC1-ACC, VC1-CLR1)";
     in(self) ImageMemoryIn {
-        /// A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
+        /// A pixel to draw, from the first stage, at least 3 clocks after the previous one.
         draw: pub struct Draw {
             /// There is a pixel to draw.
             valid: bit(),
@@ -55,9 +55,9 @@ block! {
         front: bit().on(PE),
         /// A pixel to send to the merger, from the scan counter by way of the patch table.
         send: pub struct SendPixel {
-            /// The scan advances; where it is low the word sent stays.
+            /// The scan advances; while it is low, the word sent does not change.
             enable: bit(),
-            /// The pixel has a page; if not, [`empty`] is sent.
+            /// The pixel has a page; if not, the empty word is sent, which is all ones.
             resident: bit(),
             /// The page of the pixel's patch.
             page: below(self.pages),
@@ -90,7 +90,10 @@ impl ImageMemory {
             Write => when(i.draw.valid, Read).or_else(Idle),
         });
         def!(begins = moves.enters(Read));
-        pe.assume(i.draw.valid.implies(begins), "the second stage ends before the first has a page again");
+        pe.assume(
+            i.draw.valid.implies(begins),
+            "a pixel comes only when the second stage is idle or in its last clock",
+        );
 
         def!(drawn_address = pe.pipe_when(begins, cat![i.draw.page, i.draw.offset, i.front]));
         def!(drawn_word = pe.pipe_when(begins, i.draw.word));

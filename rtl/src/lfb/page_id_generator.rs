@@ -7,10 +7,10 @@
 //!                          '--> exhausted   used = pages
 //! ```
 //!
-//! Latency: 1 clock from `take` to the next page; a page a clock.
+//! Latency: 1 clock from `take` to the next page; a page every clock.
 //!
-//! Its value is the ID of the next free page; the first access to a patch takes it. It restarts when the buffers are
-//! swapped.
+//! The counter's value is the ID of the next free page, which the first access to a patch takes. The counter restarts
+//! when the buffers are swapped.
 
 use crate::prelude::*;
 
@@ -24,9 +24,9 @@ block! {
     latency = "1 clock";
     source = "VC-1, section 3.3, page ID generator (VC1-PIG)";
     in PageIdGeneratorIn {
-        /// All pages are free again; wins over `take`.
+        /// Frees all pages, with priority over `take`.
         restart: bit(),
-        /// The next free page is taken.
+        /// Takes the next free page.
         take: bit(),
     }
     out(self) PageIdGeneratorOut {
@@ -93,8 +93,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Compared with a list of the free pages (VC1-PIG): a take removes its first page, and a restart makes it
-        /// whole again.
+        /// Compares with a list of the free pages (VC1-PIG): `take` removes the first page, and `restart` restores
+        /// the whole list.
         #[test]
         fn it_is_the_first_of_the_free_pages(
             pages in 2..20u32,

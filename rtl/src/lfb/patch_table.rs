@@ -28,7 +28,7 @@ use crate::prelude::*;
 const CLEAR_CLOCKS: u64 = 3;
 
 codes! {
-    /// The clocks of a look-up.
+    /// The states of a look-up.
     enum Stage1 { Idle, Read, Examine, Allocate, Found, Overflow }
 }
 
@@ -53,13 +53,13 @@ block! {
         front: bit().on(PE),
         /// The scan has left the front buffer.
         settled: bit().on(PE),
-        /// All pages are free again.
+        /// Frees all pages.
         restart: bit().on(PE),
-        /// The waiting look-up is tried again.
+        /// Retries the waiting look-up.
         resume: bit().on(PE),
         /// A patch whose page the scan needs.
         scan: pub struct ScanLookUp {
-            /// The scan advances; where it is low the entry stays.
+            /// The scan advances; while it is low, the entry does not change.
             enable: bit(),
             /// The number of the patch.
             patch: below(self.patches),
@@ -72,13 +72,13 @@ block! {
         overflow: bit(),
         /// No look-up is under way.
         idle: bit(),
-        /// How many pages are taken.
+        /// The number of pages taken.
         pages_used: up_to(self.pages),
-        /// The look-up ends with this clock.
+        /// The look-up ends in this clock.
         found: bit(),
         /// The page that the look-up found.
         page: below(self.pages),
-        /// The entry that the scan asked for one clock before.
+        /// The entry that the scan looked up one clock earlier.
         scan_entry: pub struct Entry {
             /// The page existence flag: the patch has a page.
             resident: bit(),
@@ -89,7 +89,7 @@ block! {
 }
 
 record! {
-    /// A patch in a processor's request: for its page, or to clear its entry.
+    /// The patch of a processor's request for a page, or to clear an entry.
     pub struct Wanted(patches: u32) {
         /// The number of the patch.
         patch: below(patches),
@@ -112,7 +112,7 @@ impl PatchTable {
         clearing.when(clear.taken, CLEAR_CLOCKS - 1).when(!cleared, clearing - 1);
         def!(patch = m.pipe_when(look_up.taken, look_up.patch));
 
-        // The two ports are never in the same buffer.
+        // The two ports never access the same buffer.
         let layout = Entry { resident: bit(), page: below(self.pages) };
         def!(entries = m.memory(2 * self.patches, layout, ReadUnderWrite::Any).fill(0));
         def!(address = cat![mux(clear.taken, clear.patch, patch), i.front]);

@@ -88,7 +88,7 @@ impl Patches {
         below(self.pixels())
     }
 
-    /// The position of the pixel, as hardware.
+    /// The position of the pixel, in signals.
     pub fn locate(&self, pixel: Position) -> Place {
         let shift = self.edge.ilog2();
         let high = |signal: Signal| signal.slice(shift..signal.width());

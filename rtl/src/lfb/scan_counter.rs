@@ -1,4 +1,4 @@
-//! The scan counter: which pixel a local frame buffer sends next to the image merger (VC1-SCAN).
+//! The scan counter: selects the pixel that a local frame buffer sends next to the image merger (VC1-SCAN).
 //!
 //! ```text
 //!                .---.          .---.
@@ -13,8 +13,8 @@
 //! In the chain each counter runs 4 pixels ahead of the succeeding one. This is the latency of a merging unit, so all
 //! samples of a pixel meet. A restart therefore sets every counter but the first near the end of a frame. The pixels up
 //! to that end would be sent and cleared in vain: they meet pixels that entered the chain before the restart. `armed`
-//! rises with the first whole frame and stays high. From then on, any run of as many pixels as a frame has includes
-//! each pixel exactly once.
+//! rises with the first whole frame and stays high. From then on, any run of as many pixels as the screen has
+//! includes each pixel exactly once.
 
 use crate::prelude::*;
 
@@ -22,7 +22,7 @@ use crate::prelude::*;
 const LEAD: u32 = crate::merger::STAGES;
 
 block! {
-    /// Counts the pixels of the screen in raster order, freely, from a preset on.
+    /// Counts the pixels of the screen in raster order from a preset on, frame after frame.
     pub struct ScanCounter {
         /// The screen.
         pub screen: Screen,
@@ -30,9 +30,9 @@ block! {
     latency = "1 clock";
     source = "VC-1, section 3.3, scan counter (VC1-SCAN)";
     in(self) ScanCounterIn {
-        /// From the global frame buffer.
+        /// The control of the scan, from the global frame buffer.
         scan: ScanControl,
-        /// Where a restart puts the counter; a constant.
+        /// The pixel to which a restart sets the counter; a constant.
         preset: Position::widths(self.screen),
     }
     out(self) ScanCounterOut {
@@ -47,7 +47,7 @@ impl ScanCounter {
     /// The preset of the counter at a position of the chain. Position 0 is the first, fed by the global frame buffer.
     /// The chain has at most a quarter as many positions as the screen has pixels.
     pub fn preset(screen: Screen, position: u32) -> Position<u64> {
-        // This many pixels before the first one, at the end of the previous frame.
+        // The counter starts this many pixels before the first one, at the end of the previous frame.
         let pixel = (-i64::from(LEAD * position)).rem_euclid(screen.pixels().into()) as u64;
         Position { x: pixel % u64::from(screen.width), y: pixel / u64::from(screen.width) }
     }
@@ -166,9 +166,9 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Compared with division (VC1-SCAN). The counter at a position of the chain starts 4 times its position before
-        /// the frame's end, and advances from there. It is armed from its first whole frame on. A restart takes the
-        /// preset of its own clock.
+        /// Compares with division (VC1-SCAN). The counter at position p of the chain starts 4 p pixels before the end
+        /// of a frame. It is armed from its first whole frame on. A restart takes the preset that is there in the same
+        /// clock.
         #[test]
         fn it_counts_a_frame_from_its_preset_on(
             (width, height) in (1..9u32, 1..7u32),
@@ -187,7 +187,7 @@ mod tests {
                 let ScanCounterOut { pixel, armed } = sim.read_u64();
                 let number = (frame - until_first + advanced) % frame;
                 prop_assert_eq!((pixel.x, pixel.y), (number % u64::from(width), number / u64::from(width)));
-                // Without a restart the counter begins anywhere, and is armed when it reaches the first pixel.
+                // Without a restart the counter begins at the first pixel, and is armed when it returns there.
                 let is_armed = if restarted { advanced >= until_first } else { advanced >= frame };
                 prop_assert_eq!(armed == 1, is_armed);
                 frames += u64::from(is_armed && enable && number == frame - 1);

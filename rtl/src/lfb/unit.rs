@@ -16,17 +16,17 @@
 //! ```
 //!
 //! Latency and throughput: an access every 3 clocks if its patch has a page, and otherwise every 4 (VC1-ACC). The
-//! merger gets a word for every enabled clock, 2 of them after the scan counter shows the pixel.
+//! merger gets a word in every clock with `enable`, 2 such clocks after the scan counter shows the pixel.
 //!
 //! The unit has two buffers: the processor draws into the front one while the back one is sent to the merger. Each
-//! contains the whole screen virtually, in pages that are given to the patches drawn into. A patch without a page is
-//! sent as empty pixels, with the greatest depth (VC1-MU).
+//! contains the whole screen virtually: a patch gets a page when it is first drawn into. A patch without a page is sent
+//! as empty pixels, with the greatest depth (VC1-MU).
 //!
 //! # Swapping
 //!
 //! `swap` exchanges the buffers at once for the processor, and two merger clocks later for the merger. The processor
-//! learns of that two of its own clocks later. Until then its look-ups and clears wait, so the two are never in the
-//! same buffer. The swap control has to ensure that the back buffer has been sent completely (VC1-SW3). After the swap
+//! learns of that two of its own clocks later. Until then its look-ups and clears wait, so the two never access
+//! the same buffer. The swap control has to ensure that the whole back buffer has been sent (VC1-SW3). After the swap
 //! the patch table has to be cleared.
 
 use super::*;
@@ -34,9 +34,9 @@ use crate::gfb::SCAN_LATENCY;
 use crate::prelude::*;
 
 block! {
-    /// A virtual local frame buffer: a full screen in the pages of a part of its memory.
+    /// A virtual local frame buffer: a full screen, of which only the patches drawn into take memory.
     pub struct LfbUnit {
-        /// The patches of its screen.
+        /// The patches of the screen.
         pub patches: Patches,
         /// The number of pages in each of the two buffers.
         pub pages: u32,
@@ -56,15 +56,15 @@ block! {
         swap: bit().on(PE),
         /// For one clock: try the waiting request again.
         resume: bit().on(PE),
-        /// From the global frame buffer unit.
+        /// The control of the scan, from the global frame buffer unit.
         scan: ScanControl.on(MERGE),
-        /// Where a restart puts the scan counter; a constant, [`ScanCounter::preset`].
+        /// The pixel to which a restart sets the scan counter; a constant, [`ScanCounter::preset`].
         preset: Position::widths(self.patches.screen()).on(MERGE),
     }
     out(self) LfbUnitOut {
         /// A request waits, because its patch has no page and all pages are taken.
         overflow: bit(),
-        /// How many pages of the front buffer are taken.
+        /// The number of pages taken in the front buffer.
         pages_used: up_to(self.pages),
         /// No request is under way.
         idle: bit(),
@@ -74,9 +74,9 @@ block! {
         clears: bit(),
         /// The pixel sent to the merging unit.
         word: bits(WORD),
-        /// A part of the back buffer is not sent yet since the last swap.
+        /// A part of the back buffer has not been sent since the last swap.
         sending: bit(),
-        /// The pixel that the scan counter shows, of which the word is sent 2 clocks later.
+        /// The pixel that the scan counter shows; the pixel's word is sent 2 clocks later.
         scanned: Position::widths(self.patches.screen()),
     }
 }
@@ -113,8 +113,8 @@ impl LfbUnit {
         def!(sought_offset = merge.pipe_when(enable, sought.offset));
         def!(sought_buffer = merge.pipe_when(enable, back));
 
-        // Any run of as many pixels as a frame has sends each pixel of the back buffer once. The last is sent 2 clocks
-        // after the scan.
+        // Any run of as many pixels as a frame has sends each pixel of the back buffer once. The last word is sent
+        // 2 clocks after the scan.
         let pixels = self.patches.screen().pixels() + SCAN_LATENCY;
         def!(was_front = merge.reg(bit()).reset(0));
         was_front.next(merge_front);
@@ -128,11 +128,12 @@ impl LfbUnit {
         // A register, because the signal crosses to the processor's clock.
         def!(sending = merge.reg(bit()).reset(0));
         sending.next(!all_sent | swapped);
-        merge.assert(swapped.implies(all_sent), "the buffers are swapped when the back buffer has been sent");
-        merge.assume(i.scan.restart.implies(all_sent & !swapped), "the scan restarts when nothing is left to send");
+        merge.assert(swapped.implies(all_sent), "the buffers are swapped only when the back buffer has been sent");
+        merge
+            .assume(i.scan.restart.implies(all_sent & !swapped), "the scan restarts only when nothing is left to send");
         merge.cover("the buffers are swapped while the scan is within a frame", swapped & passes);
 
-        // The processor's request: its patch is looked up while the rest waits beside it.
+        // The processor's request: offset and word wait while the patch is looked up.
         let wanted = self.patches.locate(Position { x: i.request.x, y: i.request.y });
         let look_up = i.request.with(Wanted { patch: wanted.patch });
         def!(accept = i.request.valid & i.request.ready);
@@ -158,9 +159,9 @@ impl LfbUnit {
         def!(sought_again = merge.reg(bit()).reset(0).when(enable, again));
         def!(sent_again = merge.reg(bit()).reset(0).when(enable, sought_again));
         merge.assert(sent_again.implies(image_memory.sent.eq(empty())), "a back buffer that has been sent is cleared");
-        merge.cover("a pixel goes by once more", passes & again);
+        merge.cover("a pixel is scanned again after it was sent", passes & again);
         let idle = patch_table.idle & image_memory.idle;
-        pe.assume(i.swap.implies(patch_table.overflow | idle), "the buffers are swapped when idle or in overflow");
+        pe.assume(i.swap.implies(patch_table.overflow | idle), "the buffers are swapped only when idle or in overflow");
         pe.assume(i.swap.implies(settled), "the buffers are not swapped again before the merger has followed");
         LfbUnitOut {
             overflow: patch_table.overflow,

@@ -14,15 +14,15 @@ module image_memory_pages4_page_pixels16 (
     input  wire        pe_rst,
     input  wire        merge_clk,
     input  wire        merge_rst,
-    // A pixel to draw, from the first stage; it comes 3 clocks after the one before, or later.
+    // A pixel to draw, from the first stage, at least 3 clocks after the previous one.
     input  wire        draw_valid,    // There is a pixel to draw.
     input  wire [1:0]  draw_page,     // The page of the pixel's patch.
     input  wire [3:0]  draw_offset,   // The pixel's place in the page.
     input  wire [47:0] draw_word,     // The word of the pixel: depth above colour.
     input  wire        front,         // The buffer to draw into.
     // A pixel to send to the merger, from the scan counter by way of the patch table.
-    input  wire        send_enable,   // The scan advances; where it is low the word sent stays.
-    input  wire        send_resident, // The pixel has a page; if not, `empty` is sent.
+    input  wire        send_enable,   // The scan advances; while it is low, the word sent does not change.
+    input  wire        send_resident, // The pixel has a page; if not, the empty word is sent, which is all ones.
     input  wire [1:0]  send_page,     // The page of the pixel's patch.
     input  wire [3:0]  send_offset,   // The pixel's place in the page.
     input  wire        send_buffer,   // The buffer to read and clear.
@@ -36,16 +36,16 @@ module image_memory_pages4_page_pixels16 (
     localparam [1:0] STAGE2_WRITE   = 2'd3;
 
     reg [1:0] stage2;                                            // rtl/src/lfb/image_memory.rs:85
-    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:95
-    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:96
-    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:98
-    reg resident;                                                // rtl/src/lfb/image_memory.rs:105
+    reg [6:0] drawn_address;                                     // rtl/src/lfb/image_memory.rs:98
+    reg [47:0] drawn_word;                                       // rtl/src/lfb/image_memory.rs:99
+    reg nearer;                                                  // rtl/src/lfb/image_memory.rs:101
+    reg resident;                                                // rtl/src/lfb/image_memory.rs:108
 
     /* verilator lint_off MULTIDRIVEN */ // written by two clocks
     reg [47:0] words [0:127];                                    // rtl/src/lfb/image_memory.rs:83
     /* verilator lint_on MULTIDRIVEN */
-    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:97
-    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:103
+    reg [47:0] old_word;                                         // rtl/src/lfb/image_memory.rs:100
+    reg [47:0] taken_word;                                       // rtl/src/lfb/image_memory.rs:106
 
     initial begin : words_contents
         integer i;
@@ -53,10 +53,10 @@ module image_memory_pages4_page_pixels16 (
     end
 
     wire begins = ((stage2 == STAGE2_IDLE) & draw_valid) | ((stage2 == STAGE2_WRITE) & draw_valid); // rtl/src/lfb/image_memory.rs:92
-    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:101
-    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:102
-    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:106
-    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:106
+    wire [6:0] send_address = {send_page, send_offset, send_buffer}; // rtl/src/lfb/image_memory.rs:104
+    wire take = send_enable & send_resident;                     // rtl/src/lfb/image_memory.rs:105
+    assign idle = stage2 == STAGE2_IDLE;                         // rtl/src/lfb/image_memory.rs:109
+    assign sent = resident ? taken_word : 48'hffffffffffff;      // rtl/src/lfb/image_memory.rs:109
 
     always @(posedge pe_clk) begin
         if ((stage2 == STAGE2_WRITE) & nearer) words[drawn_address] <= drawn_word;
@@ -122,7 +122,7 @@ module image_memory_pages4_page_pixels16 (
 `else
     always @(posedge pe_clk) begin
         if (!pe_rst && !(!draw_valid | begins)) begin                // rtl/src/lfb/image_memory.rs:93
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the second stage ends before the first has a page again", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a pixel comes only when the second stage is idle or in its last clock", $time);
             stop;
         end
     end

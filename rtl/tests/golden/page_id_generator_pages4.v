@@ -11,8 +11,8 @@
 module page_id_generator_pages4 (
     input  wire       clk,
     input  wire       rst,
-    input  wire       restart,   // All pages are free again; wins over `take`.
-    input  wire       take,      // The next free page is taken.
+    input  wire       restart,   // Frees all pages, with priority over `take`.
+    input  wire       take,      // Takes the next free page.
     output wire [1:0] page,      // The next free page, unless all are taken.
     output reg  [2:0] used,      // The number of pages taken.
     output wire       exhausted  // All pages are taken.

@@ -21,18 +21,18 @@ module patch_table_patches8_pages4 (
     input  wire [2:0] clear_patch,         // The number of the patch.
     input  wire       front,               // The front buffer, 0 or 1.
     input  wire       settled,             // The scan has left the front buffer.
-    input  wire       restart,             // All pages are free again.
-    input  wire       resume,              // The waiting look-up is tried again.
+    input  wire       restart,             // Frees all pages.
+    input  wire       resume,              // Retries the waiting look-up.
     // A patch whose page the scan needs.
-    input  wire       scan_enable,         // The scan advances; where it is low the entry stays.
+    input  wire       scan_enable,         // The scan advances; while it is low, the entry does not change.
     input  wire [2:0] scan_patch,          // The number of the patch.
     input  wire       scan_buffer,         // The buffer to look into.
     output wire       overflow,            // A look-up waits, because all pages are taken.
     output wire       idle,                // No look-up is under way.
-    output wire [2:0] pages_used,          // How many pages are taken.
-    output wire       found,               // The look-up ends with this clock.
+    output wire [2:0] pages_used,          // The number of pages taken.
+    output wire       found,               // The look-up ends in this clock.
     output reg  [1:0] page,                // The page that the look-up found.
-    // The entry that the scan asked for one clock before.
+    // The entry that the scan looked up one clock earlier.
     output wire       scan_entry_resident, // The page existence flag: the patch has a page.
     output wire [1:0] scan_entry_page,     // The page ID: the page of the patch.
     output wire       look_up_ready,

@@ -26,7 +26,7 @@ fn draw(sim: &mut Sim, [page, offset, word]: [u64; 3]) -> Vec<&'static str> {
     let mut states = Vec::new();
     while !["Idle", "Write"].contains(&state(sim)) {
         states.extend(clocks(sim, 1));
-        assert!(states.len() < 9, "a pixel has no end: {states:?}");
+        assert!(states.len() < 9, "a pixel never ends: {states:?}");
     }
     sim.set(i.valid, 1);
     states.extend(clocks(sim, 1));
@@ -164,7 +164,7 @@ fn the_word_sent_stays_while_the_scan_does_not_advance() {
     assert_eq!(sim.get_u64(sim.o.sent), EMPTY, "a pixel without a page is empty");
 }
 
-/// The third clock writes, and the next pixel may come in it.
+/// The third clock writes, and the next pixel may already come in it.
 #[test]
 fn a_pixel_less_than_3_clocks_after_another_is_an_error() {
     for (clock, is_error) in [(1, true), (2, true), (3, false)] {
@@ -174,7 +174,7 @@ fn a_pixel_less_than_3_clocks_after_another_is_an_error() {
         sim.set(sim.i.draw.valid, 1);
         let problem = sim.try_run_to(sim.time() + PE.period.picoseconds()).err().map(|problem| problem.to_string());
         assert_eq!(problem.is_some(), is_error, "clock {clock}: {problem:?}");
-        let sentence = "the second stage ends before the first has a page again";
+        let sentence = "a pixel comes only when the second stage is idle or in its last clock";
         assert!(problem.is_none_or(|problem| problem.contains(sentence)), "clock {clock}");
     }
 }

@@ -40,7 +40,7 @@ fn offer(sim: &mut Sim, [valid, number]: [Port; 2], patch: u64, ready: Port) -> 
             return states;
         }
     }
-    panic!("it is never accepted: {states:?}");
+    panic!("the request is never accepted: {states:?}");
 }
 
 /// Lets clocks pass; returns the states in them.
@@ -70,7 +70,7 @@ fn a_look_up_takes_4_clocks_at_first_and_3_from_then_on() {
     assert_eq!((sim.get_u64(sim.o.page), sim.get_u64(sim.o.pages_used)), (0, 2));
 }
 
-/// A look-up that waits for a clear, and what it keeps until the next one.
+/// A look-up that waits for a clear, and the values that it keeps until the next one.
 #[test]
 fn a_clear_and_a_look_up_clock_by_clock() {
     let mut sim = Simulation::of(&PatchTable { patches: 6, pages: 4 }).unwrap().seeded(1);

@@ -39,14 +39,14 @@ struct Bench {
     sent: BTreeMap<(u64, u64), u64>,
     /// The unit's place in the chain.
     position: u32,
-    /// How many pixels the scan has advanced since its restart.
+    /// The number of pixels that the scan has advanced since its restart.
     advanced: u64,
-    /// How many pixels were sent since the last swap.
+    /// The number of pixels sent since the last swap.
     since_swap: u64,
     /// Clocks in which the scan advanced with nothing left to send.
     again: u64,
     overflows: u64,
-    /// The first clock in which the first stage ends its last look-up, and the first in which it can read the table
+    /// The clock in which the first stage ends its last look-up, and the first clock in which it can read the table
     /// again.
     found: u64,
     table_free: u64,
@@ -98,7 +98,7 @@ impl Bench {
         let (request, clear, says) = (i.request, i.clear, [o.draws, o.clears]);
         let goes = [[request.valid, request.ready], [clear.valid, clear.ready]];
         let goes = goes.map(|both| both.iter().all(|port| self.sim.get_u64(*port) == 1));
-        assert_eq!(says.map(|port| self.sim.get_u64(port) == 1), goes, "what is accepted is said");
+        assert_eq!(says.map(|port| self.sim.get_u64(port) == 1), goes, "`draws` and `clears` report what is accepted");
         while self.now() == now {
             let word = self.sim.get_u64(self.sim.o.word);
             let merged = self.sim.cycles(MERGE).unwrap();
@@ -115,7 +115,7 @@ impl Bench {
         if self.sim.get_u64(scan.enable) == 1 {
             self.advanced += 1;
             self.again += u64::from(self.sim.get_u64(self.sim.o.sending) == 0);
-            // The word of a pixel is there 2 clocks after the counter shows it: 3 edges have passed.
+            // The word of a pixel comes 2 clocks after the counter shows the pixel: 3 edges have passed.
             let first = 3 + 4 * u64::from(self.position);
             match self.advanced.checked_sub(first) {
                 Some(number) => self.merge_pixel(number % self.frame(), word),
@@ -131,7 +131,7 @@ impl Bench {
         self.sim.set(scan.enable, merged % 11 > 1);
         // The merger learns of a swap some clocks later.
         let is_sent = self.since_swap <= 4 || self.since_swap >= self.frame();
-        assert!(is_sent || self.sim.get_u64(self.sim.o.sending) == 1, "all is said to be sent");
+        assert!(is_sent || self.sim.get_u64(self.sim.o.sending) == 1, "`sending` is low too early");
     }
 
     fn merge_pixel(&mut self, number: u64, word: u64) {
@@ -224,7 +224,7 @@ impl Bench {
     /// follows a swap after 2 clocks, and a word comes 2 clocks after its pixel is counted.
     fn finish_scan(&mut self) {
         while self.sim.get_u64(self.sim.o.sending) == 1 || self.since_swap < self.frame() {
-            assert!(self.since_swap <= self.frame() + 5, "it does not say that all is sent");
+            assert!(self.since_swap <= self.frame() + 5, "`sending` is high too long");
             self.clock();
         }
         assert_eq!(std::mem::take(&mut self.sent), std::mem::take(&mut self.expected));
@@ -295,8 +295,8 @@ fn after_a_whole_scan_the_back_buffer_is_empty() {
     bench.finish_scan();
     assert_eq!(bench.words_held(), [0, 1]);
     (0..2000).for_each(|_| bench.clock());
-    assert!(bench.again > bench.frame(), "whole frames go by once more");
-    assert_eq!(bench.sim.covered("a pixel goes by once more").unwrap(), bench.again);
+    assert!(bench.again > bench.frame(), "whole frames are scanned again");
+    assert_eq!(bench.sim.covered("a pixel is scanned again after it was sent").unwrap(), bench.again);
 }
 
 #[test]
@@ -311,7 +311,7 @@ fn of_the_words_drawn_on_a_pixel_the_smallest_is_sent() {
 }
 
 #[test]
-#[should_panic(expected = "the buffers are swapped when idle or in overflow")]
+#[should_panic(expected = "the buffers are swapped only when idle or in overflow")]
 fn swapping_while_a_request_is_under_way_is_an_error() {
     let mut bench = Bench::new(SMALL, 4, 30, 0);
     bench.draw((0, 0), 1);
@@ -319,7 +319,7 @@ fn swapping_while_a_request_is_under_way_is_an_error() {
     bench.clock();
 }
 
-/// A look-up, and 3 clocks in the image memory.
+/// A request takes a look-up, and 3 clocks in the image memory.
 #[test]
 fn a_request_is_under_way_until_its_word_is_written() {
     let mut bench = Bench::new(SMALL, 4, 30, 0);

@@ -13,7 +13,7 @@ type Place = [u64; 3];
 struct Drawn {
     place: Place,
     word: u64,
-    /// The clocks that it still takes.
+    /// The clocks that the pixel still takes.
     left: u32,
 }
 

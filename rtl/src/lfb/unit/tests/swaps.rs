@@ -1,4 +1,4 @@
-//! When the buffers are swapped and the scan restarted, and what happens to the pixel that the scan is looking up.
+//! Swaps of the buffers and restarts of the scan, and their effect on the pixel that the scan is looking up.
 
 use super::*;
 
@@ -11,7 +11,7 @@ fn swapping_again_before_the_merger_has_followed_is_an_error() {
     assert!(problem.contains("the buffers are not swapped again before the merger has followed"), "{problem}");
 }
 
-/// Two clocks of the merger after a swap, and then two of the processor, in every phase of the two clocks.
+/// This takes two clocks of the merger after a swap, and then two of the processor, in every phase of the two clocks.
 #[test]
 fn the_table_is_free_when_the_merger_has_followed_a_swap() {
     let [pe, merge] = [PE, MERGE].map(|clock| clock.period.picoseconds());
@@ -32,7 +32,7 @@ fn after_a_reset_the_table_is_free_and_stays_free() {
     for wait in 0..16 {
         let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
         let mut sim = Simulation::of(&unit).unwrap().seeded(wait);
-        // At the start, and at any time after a swap.
+        // A reset at the start, and one at any time after a swap.
         for swap in [1, 0] {
             sim.reset();
             for clock in 0..16 {
@@ -47,7 +47,7 @@ fn after_a_reset_the_table_is_free_and_stays_free() {
     }
 }
 
-/// In each phase of the scan, which pauses now and then: no entry of the old back buffer is taken for one of the new.
+/// In each phase of the scan, with its pauses, no entry of the old back buffer is taken for one of the new.
 #[test]
 fn a_swap_while_the_scan_is_among_pages_sends_no_word_twice() {
     for wait in 0..40 {
@@ -89,7 +89,8 @@ fn a_restart_is_followed_by_whole_frames() {
     }
 }
 
-/// At the third edge of the merger after a swap, and then until 2 pixels more have passed than the screen has.
+/// `sending` rises at the third edge of the merger after a swap. It stays high until 2 pixels more than the screen has
+/// have passed.
 #[test]
 fn something_is_left_to_send_until_each_pixel_has_passed() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
@@ -129,7 +130,7 @@ fn something_is_left_to_send_until_each_pixel_has_passed() {
     }
 }
 
-/// From the clock in which the merger learns of a swap, its third, until everything is sent.
+/// It is one from the third clock after a swap, in which the merger learns of it, until everything is sent.
 #[test]
 fn a_restart_while_something_is_left_to_send_is_an_error() {
     for (edges, is_error) in [(1, false), (2, true), (3, true), (40, true)] {
@@ -144,12 +145,12 @@ fn a_restart_while_something_is_left_to_send_is_an_error() {
         while bench.sim.cycles(MERGE).unwrap() < end && problem.is_none() {
             problem = bench.sim.try_step().err().map(|problem| problem.to_string());
         }
-        let says = problem.map(|problem| problem.contains("the scan restarts when nothing is left to send"));
-        assert_eq!(says, is_error.then_some(true), "{edges} edges behind a swap");
+        let says = problem.map(|problem| problem.contains("the scan restarts only when nothing is left to send"));
+        assert_eq!(says, is_error.then_some(true), "{edges} edges after a swap");
     }
 }
 
-/// Neither what is left to send, nor the pixel that the scan has looked up and not sent.
+/// A reset clears what is left to send, and the pixel that the scan has looked up but not sent.
 #[test]
 fn a_reset_forgets_what_was_to_be_sent() {
     let unit = LfbUnit { patches: Patches::new(SMALL, 4).unwrap(), pages: 30 };
@@ -161,7 +162,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
         sim.step_clock(MERGE, 1);
         sim.set(i.scan.restart, 0);
         sim.set(i.scan.enable, 1);
-        // After two swaps the buffers are where they were after a reset.
+        // After two swaps the front buffer is the same as after a reset.
         for word in 0..swaps {
             for x in 8..12 {
                 sim.set(i.request.x, x);
@@ -181,7 +182,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
             sim.step_clock(PE, 1);
             sim.set(i.swap, 0);
         }
-        // Until the scan has reached them.
+        // The scan reaches the pixels drawn.
         while sim.get_u64(sim.o.scanned.x) != 8 || sim.get_u64(sim.o.scanned.y) != 0 {
             sim.step();
         }
@@ -197,7 +198,7 @@ fn a_reset_forgets_what_was_to_be_sent() {
         for _ in 0..4 {
             assert_eq!(sim.get_u64(sim.o.sending), 0);
             sim.step_clock(MERGE, 1);
-            assert_eq!(sim.get_u64(sim.o.word), EMPTY, "of a scan {phase} steps on");
+            assert_eq!(sim.get_u64(sim.o.word), EMPTY, "a reset {phase} steps after the scan has reached the pixels");
         }
     }
 }
