@@ -1,5 +1,5 @@
-//! The whole swap control: that of each local frame buffer, the sync line between them, and that of the global frame
-//! buffer (Figure 6).
+//! The whole swap control (Figure 6): the controls of all local frame buffers, the sync line between them, and the
+//! control of the global frame buffer.
 //!
 //! ```text
 //!  done, idle    .--------.-- ready --.           .--------.
@@ -11,56 +11,56 @@
 //!                '--------'<------------- shown --'--------'
 //! ```
 //!
-//! Latency is that of its parts.
+//! Latency: that of the parts; the block adds no register.
 //!
 //! # The events of Figure 6
 //!
 //! | event | signals |
 //! |---|---|
-//! | 1: all are done, and swap | the line is high; `swap` in the clock behind it |
-//! | 2: the table is cleared, the next frame is drawn | states `Clear` and `Draw` |
+//! | 1: all are done, and swap | the line is high; `swap` in the next clock |
+//! | 2: the table is cleared, and the next frame is drawn | states `Clear` and `Draw` |
 //! | 3: the back buffers are merged | `sending`, until T_m has passed |
 //! | 4: the global frame buffer swaps in a blanking | `gfb_swap` |
 //! | 5: an early frame waits for the previous frame's swap | state `Due` |
 //! | 6: a buffer overflows | state `Overflow` |
 //! | 7: an extra swap of that buffer | `swap` of one lane |
-//! | 8: the table is cleared, drawing continues | `resume` |
+//! | 8: the table is cleared, and drawing continues | `resume` |
 
 use super::{GfbSwap, GfbSwapIn, LfbSwap, LfbSwapIn, SwapState, SyncLine, SyncLineIn};
 use crate::prelude::*;
 
 block! {
-    /// Decides when each local frame buffer, and when the global one, exchange their buffers.
+    /// Decides when each local frame buffer swaps its buffers, and when the global one does.
     pub struct SwapControl {
         /// The swap control of each local frame buffer.
         pub local: LfbSwap,
-        /// The swap control of the global frame buffer, which has the number of processing elements.
+        /// The swap control of the global frame buffer. It defines the number of processing elements.
         pub global: GfbSwap,
     }
     latency = "0 clocks from the last guard to a swap";
     source = "VC-1, section 3.3 and Figure 6, buffer swap control (VC1-SW1 to SW4)";
     in(self) SwapControlIn {
-        /// For each processing element, as all inputs here: the program has drawn its frame, see [`LfbSwapIn`].
+        /// For each processing element: the program has drawn its frame.
         done: bit().of(self.lanes()).on(PE),
-        /// No pixel is under way, and no word waits in the receive queue.
+        /// For each processing element: no pixel is under way, and no word waits in the receive queue.
         idle: bit().of(self.lanes()).on(PE),
-        /// A pixel waits, because all pages are taken.
+        /// For each processing element: a pixel waits, because all pages are taken.
         overflow: bit().of(self.lanes()).on(PE),
-        /// A pixel is accepted.
+        /// For each processing element: a pixel is accepted.
         draws: bit().of(self.lanes()).on(PE),
-        /// An entry of the patch table is cleared.
+        /// For each processing element: an entry of the patch table is cleared.
         clears: bit().of(self.lanes()).on(PE),
-        /// The patch whose entry is cleared.
+        /// For each processing element: the patch whose entry is cleared.
         patch: below(self.local.patches).of(self.lanes()).on(PE),
         /// The broadcast bus is idle.
         bus: bit().on(PE),
         /// The host releases the sync line.
         host: bit().on(PE),
-        /// For each local frame buffer: a part of its back buffer is not sent yet.
+        /// For each local frame buffer: a part of the back buffer is not sent yet.
         sending: bit().of(self.lanes()).on(MERGE),
         /// The chain advances.
         enable: bit().on(MERGE),
-        /// The banks may change.
+        /// The display is in the part of its vertical blanking in which the banks may change.
         blanking: bit().on(MERGE),
     }
     out(self) SwapControlOut {
@@ -70,7 +70,7 @@ block! {
         swap: bit().of(self.lanes()),
         /// For each local frame buffer, for one clock: try the waiting request again.
         resume: bit().of(self.lanes()),
-        /// What the program of each processing element may do.
+        /// For each processing element: what the program may do.
         state: one_of::<SwapState>().of(self.lanes()),
         /// For one clock: swap the banks of the global frame buffer.
         gfb_swap: bit(),

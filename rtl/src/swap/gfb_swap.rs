@@ -11,7 +11,7 @@
 //! - all local frame buffers have swapped at the end of the frame;
 //! - T_m has passed since the last of these swaps (VC1-SW2);
 //! - the chain has since advanced by all pixels of the screen and its own length, so that the global frame buffer has
-//!   stored everything. The paper does not name this condition. T_m is too short where the chain stops for overheads
+//!   stored everything. The paper does not name this condition. T_m is too short when the chain stops for overheads
 //!   while the last pixels are in it;
 //! - the display is in the part of its vertical blanking in which the banks may change.
 
@@ -24,22 +24,22 @@ block! {
         pub processors: u32,
         /// T_m in clocks of the merger (VC1-TM).
         pub merge_clocks: u64,
-        /// The clocks with `enable` from the last of these swaps until all pixels have passed the chain and are stored.
+        /// The clocks with `enable` from the last swap of a local frame buffer until all pixels are stored.
         pub way: u32,
-        /// The clocks after T_m within which everything is stored, at most.
+        /// The greatest number of clocks after T_m until all pixels are stored.
         pub late: u64,
     }
     ranges { processors: 1.., merge_clocks: 1.., way: 1.., late: 1.. }
-    latency = "0 clocks, if all guards are open";
+    latency = "0 clocks, if all guards are true";
     source = "VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)";
     in(self) GfbSwapIn {
-        /// For each processing element: toggles with its swap at the end of a frame.
+        /// For each processing element: toggles with the swap at the end of a frame.
         frames: [bit(); self.processors],
-        /// For each processing element: a part of its back buffer is not sent yet.
+        /// For each processing element: a part of the back buffer is not sent yet.
         sending: [bit(); self.processors],
         /// The chain advances.
         enable: bit(),
-        /// The banks may change.
+        /// The display is in the part of its vertical blanking in which the banks may change.
         blanking: bit(),
     }
     out GfbSwapOut {
@@ -73,11 +73,11 @@ impl GfbSwap {
             swap.implies(i.blanking & stored & !stack(i.sending).or_all()),
             "the banks change in a blanking, with all of the frame sent and stored",
         );
-        m.assert(since.eq(longest).implies(stored), "all is stored soon after T_m");
-        m.assert(merged.implies(all_swapped), "a merged frame is one that all have ended");
+        m.assert(since.eq(longest).implies(stored), "the frame is stored soon after T_m");
+        m.assert(merged.implies(all_swapped), "a frame is merged only after all have ended it");
         m.assume(
             frames.ne(m.past(frames)).implies(frames.ne(shown)).and_all(),
-            "a frame ends when the one before is on display",
+            "a frame ends only when the previous one is on display",
         );
         m.cover("the banks change", *swap);
         m.cover("a merged frame waits for the blanking", merged & !i.blanking);

@@ -7,41 +7,41 @@
 //!              '---- all pages are taken --> Overflow -- swap: in a frame -------^
 //! ```
 //!
-//! Latency: a swap comes in the first clock in which all of its guards are open. That is at least one clock after the
-//! line or the overflow. These are the guards of every swap, at a frame's end and in an overflow:
+//! Latency: a swap comes in the first clock in which all of its guards are true. That is at least one clock after the
+//! line or the overflow. A swap at the end of a frame and a swap in an overflow have the same guards:
 //!
-//! - the global frame buffer has swapped for each earlier frame that ended (`shown`, VC1-SW3);
+//! - the global frame buffer has swapped for every frame that ended earlier (`shown`, VC1-SW3);
 //! - T_m has passed since the last swap of this local frame buffer (VC1-SW3);
 //! - the merger has sent the whole back buffer (`sending` is low). The paper does not name this guard. T_m alone may
-//!   be too short, by the crossing into the merger's clock and by overheads in which the chain stops.
+//!   be too short, because of the crossing into the merger's clock and the overheads in which the chain stops.
 //!
 //! After a swap the program clears the patch table, entry by entry. The control observes this, and then retries the
 //! waiting request by itself (`resume`).
 //!
-//! It asserts `ready` only in `Draw`. A fast processing element may have drawn its next frame while a slow one still
-//! waits to swap. Otherwise it would take the line of the old frame for that of the new one.
+//! The control asserts `ready` only in `Draw`. A fast processing element may have drawn its next frame while a slow one
+//! still waits to swap. If `ready` were high in `Due`, the line would rise, and end the next frame at once.
 //!
-//! A frame's swap toggles `frame`. It crosses to the merger one clock behind the buffers' exchange.
+//! The swap at the end of a frame toggles `frame`, which reaches the merger one clock after the buffers' exchange does.
 //!
 //! # How long an overflow waits
 //!
 //! Another processing element may have overflowed late, which delays its swap at the end of the previous frame by T_m.
 //! The merger takes T_m more, and the banks wait for a blanking. So the swap of an overflow comes within 2 T_m and a
-//! refresh (VC1-SW4). When an average of several passes is shown, it comes within 2 refreshes more.
+//! refresh (VC1-SW4). It may take 2 refreshes more when an average of several passes is shown.
 //!
-//! A refresh is measured in the display's clock. So `overflow_clocks` is computed where all periods are known:
-//! [`Vc1::lfb_swap`](crate::vc1::Vc1::lfb_swap). Its T_m includes crossings and overheads.
+//! A refresh is measured in the display's clock. So [`Vc1::lfb_swap`](crate::vc1::Vc1::lfb_swap), which knows all
+//! periods, computes `overflow_clocks`. The T_m in this bound includes crossings and overheads.
 
 use crate::prelude::*;
 
 codes! {
-    /// The state of a local frame buffer: its use, or the reason why it waits.
+    /// The state of a local frame buffer: how it is used, or why it waits.
     pub enum SwapState {
         /// The program clears the patch table.
         Clear,
         /// The program draws.
         Draw,
-        /// All have drawn the frame; the swap waits for its guards.
+        /// All processing elements have drawn the frame; the swap waits for its guards.
         Due,
         /// All pages are taken; the swap waits for its guards.
         Overflow,
@@ -53,29 +53,29 @@ impl SwapState {
     ///
     /// # Panics
     ///
-    /// No state has it.
+    /// No state has this code.
     pub fn of_code(code: u64) -> SwapState {
         SwapState::ALL[code as usize]
     }
 }
 
 block! {
-    /// Swaps a local frame buffer at the end of a frame and in an overflow, as soon as that is safe.
+    /// Swaps a local frame buffer at the end of a frame and in an overflow, as soon as all guards are true.
     pub struct LfbSwap {
         /// The number of patches, and so of table entries to clear.
         pub patches: u32,
         /// T_m in clocks of the processing element (VC1-TM).
         pub merge_clocks: u64,
-        /// The clocks of the processing element after a swap within which the whole back buffer is sent, at most.
+        /// The greatest number of processing element clocks from a swap until the whole back buffer is sent.
         pub sent_clocks: u64,
-        /// The clocks of the processing element within which the swap of an overflow comes, at most.
+        /// The greatest number of processing element clocks from an overflow to its swap.
         pub overflow_clocks: u64,
     }
     ranges { patches: 2.., merge_clocks: 1.., sent_clocks: 1.., overflow_clocks: 1.. }
-    latency = "1 clock from the line to the swap, if all guards are open";
+    latency = "1 clock from the line to the swap, if all guards are true";
     source = "VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)";
     in(self) LfbSwapIn {
-        /// The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the table.
+        /// The program has drawn its frame: high until the swap is due, and low before the program clears the table.
         done: bit().on(PE),
         /// No pixel is under way in the local frame buffer, and no word waits in the receive queue.
         idle: bit().on(PE),
@@ -101,9 +101,9 @@ block! {
         swap: bit(),
         /// For one clock: try the waiting request again.
         resume: bit(),
-        /// The program's permissions.
+        /// What the program may do.
         state: one_of::<SwapState>(),
-        /// Toggles with each swap at the end of a frame, as the merger knows it.
+        /// Toggles with each swap at the end of a frame, in the merger's clock.
         frame: bit(),
     }
 }
@@ -148,19 +148,19 @@ impl LfbSwap {
             "after a swap the entries are cleared in sequence, each once",
         );
         pe.assume(i.draws.implies(draw), "no pixel is drawn between a swap and the last entry cleared");
-        pe.assume(i.line.implies(ready), "the line is high only while this processing element lets it go");
-        pe.assume(i.done.implies(!clear), "the end of a frame is taken back when its swap is due");
-        pe.assert(swap.implies(shown_here.eq(parity)), "the global frame buffer has swapped for the frame before");
+        pe.assume(i.line.implies(ready), "the line is high only while this processing element releases it");
+        pe.assume(i.done.implies(!clear), "`done` is low while the program clears the table");
+        pe.assert(swap.implies(shown_here.eq(parity)), "the global frame buffer has swapped for the previous frame");
         pe.assert(swap.implies(since.ge(self.merge_clocks)), "T_m has passed since the last swap");
         pe.assert(
             since.eq(self.sent_clocks).implies(is_sent),
-            "the back buffer is sent within a period and its overhead",
+            "the back buffer is sent within T_m, the crossings and the overheads",
         );
         def!(overflow_clocks = pe.reg(up_to(self.overflow_clocks)).reset(0));
         overflow_clocks.when(!overflow | *swap, 0).when(overflow_clocks.ne(self.overflow_clocks), overflow_clocks + 1);
         pe.assert(
             overflow_clocks.ne(self.overflow_clocks),
-            "the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for",
+            "the swap of an overflow comes within 2 T_m and the refreshes that the banks wait for",
         );
         pe.cover("a frame ends", frame_end);
         pe.cover("an overflow ends with a swap", overflow & *swap);

@@ -1,5 +1,5 @@
-//! The VC-1's swap control: decides when a local frame buffer, and when the global one, exchange their buffers (VC1-SW1
-//! to SW4).
+//! The VC-1's swap control: decides when each local frame buffer swaps its buffers, and when the global one does
+//! (VC1-SW1 to SW4).
 //!
 //! ```text
 //!            done                 line                            frames, sending
@@ -10,12 +10,12 @@
 //!                                            '-- ready of the other processing elements
 //! ```
 //!
-//! A frame ends when every program has ended it. All processing elements see the line at the same edge, and each swaps
-//! as soon as its own guards are open. The banks of the global frame buffer change in a vertical blanking, after the
-//! last has swapped and everything sent is stored.
+//! A frame ends when every program has drawn it. All processing elements see the line at the same edge, and each swaps
+//! as soon as its own guards are true. The banks of the global frame buffer change in a vertical blanking, after the
+//! last processing element has swapped and everything sent is stored.
 //!
-//! [`SwapControl`] is all of this in one block. Each rule of the paper is an assertion that runs in every frame.
-//! `rtl/docs/mutants.md` lists the assertions, and a change that violates each.
+//! [`SwapControl`] is all of this in one block. Each rule of the paper is an assertion that is checked in every frame.
+//! `rtl/docs/mutants.md` lists each assertion with a change that violates it.
 
 mod control;
 mod gfb_swap;

@@ -1,4 +1,4 @@
-//! The sync line: one bit across all processing elements, the bus, and the host if it participates (VC1-NET, VC1-SW1).
+//! The sync line: one bit that all processing elements, the bus and any participating host share (VC1-NET, VC1-SW1).
 //!
 //! ```text
 //! ready[0] --.
@@ -13,7 +13,7 @@
 use crate::prelude::*;
 
 block! {
-    /// One bit that is high unless a processing element pulls it low.
+    /// One bit that is high unless a processing element, the bus or the host pulls it low.
     pub struct SyncLine {
         /// The number of processing elements.
         pub processors: u32,
@@ -22,7 +22,7 @@ block! {
     latency = "0 clocks";
     source = "VC-1, sections 3.1 and 4, sync line (VC1-NET, VC1-SW1)";
     in(self) SyncLineIn {
-        /// For each processing element: its frame is drawn, and its last swap is over.
+        /// For each processing element: the frame is drawn, and the last swap is over.
         ready: [bit(); self.processors],
         /// The broadcast bus is idle.
         bus: bit(),
@@ -38,7 +38,7 @@ block! {
 impl SyncLine {
     fn build(&self, m: Module, i: SyncLineIn) -> SyncLineOut {
         def!(line = stack(i.ready).and_all() & i.bus & i.host);
-        m.cover("a frame is drawn by all", m.rose(line));
+        m.cover("all have drawn a frame", m.rose(line));
         SyncLineOut { line }
     }
 }
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_is_high_when_nobody_holds_it_low() {
+    fn it_is_high_when_no_unit_pulls_it_low() {
         let mut sim = Simulation::of(&SyncLine { processors: 2 }).unwrap();
         let wave = sim.record([sim.i.ready[0], sim.i.ready[1], sim.i.bus, sim.i.host, sim.o.line]);
         sim.reset();
@@ -78,23 +78,23 @@ mod tests {
             line    |___________/~~~\_______/~~~\____
             ",
         );
-        assert_eq!(sim.covered("a frame is drawn by all").unwrap(), 2);
+        assert_eq!(sim.covered("all have drawn a frame").unwrap(), 2);
     }
 
     proptest! {
         #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
 
-        /// Compared with the number of units that pull it low (VC1-SW1).
+        /// Compares the line with the number of units that pull it low (VC1-SW1).
         #[test]
-        fn nobody_holds_it_low(
+        fn it_is_low_while_any_unit_pulls_it_low(
             ready in prop::collection::vec(prop::bool::weighted(0.9), 1..40),
             bus: bool,
             host: bool,
         ) {
             let mut sim = Simulation::of(&SyncLine { processors: ready.len() as u32 }).unwrap();
             sim.reset();
-            let lets_go = ready.iter().map(|it| u64::from(*it)).collect();
-            sim.drive(SyncLineIn { ready: lets_go, bus: bus.into(), host: host.into() });
+            let releases = ready.iter().map(|it| u64::from(*it)).collect();
+            sim.drive(SyncLineIn { ready: releases, bus: bus.into(), host: host.into() });
             let low = ready.iter().filter(|ready| !**ready).count() + usize::from(!bus) + usize::from(!host);
             prop_assert_eq!(sim.get_u64(sim.o.line) == 1, low == 0);
         }

@@ -3,7 +3,7 @@
 // Swaps the global frame buffer in a vertical blanking, when a frame is merged.
 //
 // Parameters  GfbSwap { processors: 2, merge_clocks: 12, way: 8, late: 8 }
-// Latency     0 clocks, if all guards are open
+// Latency     0 clocks, if all guards are true
 // Source      VC-1, section 3.3 and Figure 6, swap of the global frame buffer (VC1-SW2)
 // Described   rtl/src/swap/gfb_swap.rs:20
 `default_nettype none
@@ -11,14 +11,14 @@
 module gfb_swap_processors2_merge_clocks12_way8_late8 (
     input  wire clk,
     input  wire rst,
-    // For each processing element: toggles with its swap at the end of a frame.
+    // For each processing element: toggles with the swap at the end of a frame.
     input  wire frames_0,
     input  wire frames_1,
-    // For each processing element: a part of its back buffer is not sent yet.
+    // For each processing element: a part of the back buffer is not sent yet.
     input  wire sending_0,
     input  wire sending_1,
     input  wire enable,    // The chain advances.
-    input  wire blanking,  // The banks may change.
+    input  wire blanking,  // The display is in the part of its vertical blanking in which the banks may change.
     output wire swap,      // For one clock: swap the banks.
     output wire merged,    // A frame is stored, and waits for the blanking.
     output reg  shown      // Toggles with each swap of the global frame buffer.
@@ -123,15 +123,15 @@ module gfb_swap_processors2_merge_clocks12_way8_late8 (
             stop;
         end
         if (!rst && !((since != 5'd20) | stored)) begin              // rtl/src/swap/gfb_swap.rs:76
-            $display("FAIL: time %0t: %m: all is stored soon after T_m", $time);
+            $display("FAIL: time %0t: %m: the frame is stored soon after T_m", $time);
             stop;
         end
         if (!rst && !(!merged | all_swapped)) begin                  // rtl/src/swap/gfb_swap.rs:77
-            $display("FAIL: time %0t: %m: a merged frame is one that all have ended", $time);
+            $display("FAIL: time %0t: %m: a frame is merged only after all have ended it", $time);
             stop;
         end
         if (!rst && !(!has_past | assumed_all)) begin                // rtl/src/swap/gfb_swap.rs:78
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends when the one before is on display", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a frame ends only when the previous one is on display", $time);
             stop;
         end
         if (!rst && swap && !is_covered) begin                       // rtl/src/swap/gfb_swap.rs:82

@@ -1,10 +1,10 @@
 // lfb_swap_patches3_merge_clocks12_sent_clocks52_overflow_clocks116
 //
-// Swaps a local frame buffer at the end of a frame and in an overflow, as soon as that is
-// safe.
+// Swaps a local frame buffer at the end of a frame and in an overflow, as soon as all guards
+// are true.
 //
 // Parameters  LfbSwap { patches: 3, merge_clocks: 12, sent_clocks: 52, overflow_clocks: 116 }
-// Latency     1 clock from the line to the swap, if all guards are open
+// Latency     1 clock from the line to the swap, if all guards are true
 // Source      VC-1, section 3.3 and Figure 6, swap of a local frame buffer (VC1-SW1, VC1-SW3, VC1-SW4)
 // Described   rtl/src/swap/lfb_swap.rs:62
 `default_nettype none
@@ -14,8 +14,7 @@ module lfb_swap_patches3_merge_clocks12_sent_clocks52_overflow_clocks116 (
     input  wire       pe_rst,
     input  wire       merge_clk,
     input  wire       merge_rst,
-    // The program has drawn its frame. It says so until the swap is due, and takes it back before it has cleared the
-    // table.
+    // The program has drawn its frame: high until the swap is due, and low before the program clears the table.
     input  wire       done,
     // No pixel is under way in the local frame buffer, and no word waits in the receive queue.
     input  wire       idle,
@@ -29,8 +28,8 @@ module lfb_swap_patches3_merge_clocks12_sent_clocks52_overflow_clocks116 (
     output wire       ready,     // The processing element's contribution to the sync line.
     output wire       swap,      // For one clock: swap the buffers.
     output wire       resume,    // For one clock: try the waiting request again.
-    output reg  [1:0] state,     // The program's permissions.
-    output wire       frame      // Toggles with each swap at the end of a frame, as the merger knows it.
+    output reg  [1:0] state,     // What the program may do.
+    output wire       frame      // Toggles with each swap at the end of a frame, in the merger's clock.
 );
 
     localparam [1:0] SWAP_STATE_CLEAR    = 2'd0;
@@ -184,15 +183,15 @@ module lfb_swap_patches3_merge_clocks12_sent_clocks52_overflow_clocks116 (
             stop;
         end
         if (!pe_rst && !(!line | ready)) begin                       // rtl/src/swap/lfb_swap.rs:151
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the line is high only while this processing element lets it go", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the line is high only while this processing element releases it", $time);
             stop;
         end
         if (!pe_rst && !(!done | (state != SWAP_STATE_CLEAR))) begin // rtl/src/swap/lfb_swap.rs:152
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the end of a frame is taken back when its swap is due", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: `done` is low while the program clears the table", $time);
             stop;
         end
         if (!pe_rst && !(!swap | (shown_here == parity))) begin      // rtl/src/swap/lfb_swap.rs:153
-            $display("FAIL: time %0t: %m: the global frame buffer has swapped for the frame before", $time);
+            $display("FAIL: time %0t: %m: the global frame buffer has swapped for the previous frame", $time);
             stop;
         end
         if (!pe_rst && !(!swap | (since >= 6'd12))) begin            // rtl/src/swap/lfb_swap.rs:154
@@ -200,11 +199,11 @@ module lfb_swap_patches3_merge_clocks12_sent_clocks52_overflow_clocks116 (
             stop;
         end
         if (!pe_rst && !((since != 6'd52) | is_sent)) begin          // rtl/src/swap/lfb_swap.rs:155
-            $display("FAIL: time %0t: %m: the back buffer is sent within a period and its overhead", $time);
+            $display("FAIL: time %0t: %m: the back buffer is sent within T_m, the crossings and the overheads", $time);
             stop;
         end
         if (!pe_rst && !(overflow_clocks != 7'd116)) begin           // rtl/src/swap/lfb_swap.rs:161
-            $display("FAIL: time %0t: %m: the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for", $time);
+            $display("FAIL: time %0t: %m: the swap of an overflow comes within 2 T_m and the refreshes that the banks wait for", $time);
             stop;
         end
         if (!pe_rst && frame_end && !is_covered) begin               // rtl/src/swap/lfb_swap.rs:165

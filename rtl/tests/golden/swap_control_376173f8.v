@@ -1,6 +1,6 @@
 // swap_control_376173f8
 //
-// Decides when each local frame buffer, and when the global one, exchange their buffers.
+// Decides when each local frame buffer swaps its buffers, and when the global one does.
 //
 // Parameters  SwapControl { local: LfbSwap { patches: 8, merge_clocks: 948, sent_clocks: 1108, overflow_clocks: 5203 }, global: GfbSwap { processors: 2, merge_clocks: 296, way: 140, late: 45 } }
 // Latency     0 clocks from the last guard to a swap
@@ -13,22 +13,22 @@ module swap_control_376173f8 (
     input  wire       pe_rst,
     input  wire       merge_clk,
     input  wire       merge_rst,
-    // For each processing element, as all inputs here: the program has drawn its frame, see `LfbSwapIn`.
-    input  wire [1:0] done,
-    input  wire [1:0] idle,      // No pixel is under way, and no word waits in the receive queue.
-    input  wire [1:0] overflow,  // A pixel waits, because all pages are taken.
-    input  wire [1:0] draws,     // A pixel is accepted.
-    input  wire [1:0] clears,    // An entry of the patch table is cleared.
-    input  wire [5:0] patch,     // The patch whose entry is cleared.
+    input  wire [1:0] done,      // For each processing element: the program has drawn its frame.
+    // For each processing element: no pixel is under way, and no word waits in the receive queue.
+    input  wire [1:0] idle,
+    input  wire [1:0] overflow,  // For each processing element: a pixel waits, because all pages are taken.
+    input  wire [1:0] draws,     // For each processing element: a pixel is accepted.
+    input  wire [1:0] clears,    // For each processing element: an entry of the patch table is cleared.
+    input  wire [5:0] patch,     // For each processing element: the patch whose entry is cleared.
     input  wire       bus,       // The broadcast bus is idle.
     input  wire       host,      // The host releases the sync line.
-    input  wire [1:0] sending,   // For each local frame buffer: a part of its back buffer is not sent yet.
+    input  wire [1:0] sending,   // For each local frame buffer: a part of the back buffer is not sent yet.
     input  wire       enable,    // The chain advances.
-    input  wire       blanking,  // The banks may change.
+    input  wire       blanking,  // The display is in the part of its vertical blanking in which the banks may change.
     output wire       line,      // The sync line: all have drawn the frame.
     output wire [1:0] swap,      // For each local frame buffer, for one clock: swap the buffers.
     output wire [1:0] resume,    // For each local frame buffer, for one clock: try the waiting request again.
-    output wire [3:0] state,     // What the program of each processing element may do.
+    output wire [3:0] state,     // For each processing element: what the program may do.
     output wire       gfb_swap,  // For one clock: swap the banks of the global frame buffer.
     output wire       merged,    // A frame is stored, and waits for the blanking.
     output wire       shown      // Toggles with each swap of the global frame buffer.

@@ -1,6 +1,6 @@
 // sync_line_processors2
 //
-// One bit that is high unless a processing element pulls it low.
+// One bit that is high unless a processing element, the bus or the host pulls it low.
 //
 // Parameters  SyncLine { processors: 2 }
 // Latency     0 clocks; 0 clocks
@@ -11,7 +11,7 @@
 module sync_line_processors2 (
     input  wire clk,
     input  wire rst,
-    // For each processing element: its frame is drawn, and its last swap is over.
+    // For each processing element: the frame is drawn, and the last swap is over.
     input  wire ready_0,
     input  wire ready_1,
     input  wire bus,     // The broadcast bus is idle.
@@ -46,7 +46,7 @@ module sync_line_processors2 (
     always @(posedge clk) begin
         if (!rst && (has_past & (line & !line_past)) && !is_covered) begin // rtl/src/swap/sync_line.rs:41
             `ifdef TILEWRIGHT_COVERS
-            $display("COVER: time %0t: %m: a frame is drawn by all", $time);
+            $display("COVER: time %0t: %m: all have drawn a frame", $time);
             `endif
             is_covered <= 1'b1;
         end

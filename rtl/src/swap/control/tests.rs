@@ -1,4 +1,4 @@
-//! Frames of three processing elements, each at its own pace.
+//! Frames of up to three processing elements, each at its own pace.
 
 use tilewright_sim::Simulation;
 
@@ -32,7 +32,7 @@ fn running(processors: u32) -> Sim {
     sim
 }
 
-/// A clock of the processing elements with these inputs; returns its outputs.
+/// Runs a clock of the processing elements with these inputs; returns the outputs before its edge.
 fn clock(sim: &mut Sim, inputs: SwapControlIn<u64>) -> SwapControlOut<u64> {
     sim.drive(inputs);
     let seen = sim.read_u64();
@@ -40,10 +40,10 @@ fn clock(sim: &mut Sim, inputs: SwapControlIn<u64>) -> SwapControlOut<u64> {
     seen
 }
 
-/// These processing elements clear their tables, one after another.
-fn clear(sim: &mut Sim, who: u64, inputs: SwapControlIn<u64>) -> Vec<u64> {
+/// Clears the tables of these processing elements, one after another; returns `resume` in each clock.
+fn clear(sim: &mut Sim, elements: u64, inputs: SwapControlIn<u64>) -> Vec<u64> {
     let mut resumed = Vec::new();
-    for lane in (0..3).filter(|lane| who >> lane & 1 == 1) {
+    for lane in (0..3).filter(|lane| elements >> lane & 1 == 1) {
         let clears = 1 << lane;
         resumed.push(clock(sim, SwapControlIn { clears, ..inputs }).resume);
         resumed.push(clock(sim, SwapControlIn { clears, patch: clears, ..inputs }).resume);
@@ -51,13 +51,13 @@ fn clear(sim: &mut Sim, who: u64, inputs: SwapControlIn<u64>) -> Vec<u64> {
     resumed
 }
 
-/// The states of all, the last one's first.
+/// The states of all processing elements, from the last to the first.
 fn states(sim: &mut Sim) -> [SwapState; 3] {
     let state = sim.get_u64(sim.o.state);
     [4, 2, 0].map(|bit| SwapState::of_code(state >> bit & 3))
 }
 
-/// All draw, and end the frame.
+/// Ends the frame that all have drawn.
 fn end(sim: &mut Sim) {
     assert_eq!(clock(sim, SwapControlIn { done: ALL, ..IDLE }).line, 1);
     assert_eq!(states(sim), [SwapState::Due; 3]);
@@ -70,7 +70,7 @@ fn each_clears_and_draws_for_itself() {
     for (lane, expected) in [(0, [Clear, Clear, Draw]), (2, [Draw, Clear, Draw]), (1, [Draw, Draw, Draw])] {
         clear(&mut sim, 1 << lane, IDLE);
         assert_eq!(states(&mut sim), expected);
-        // No processing element says so while it may not.
+        // An assumption fails if a processing element draws before its table is cleared.
         clock(&mut sim, SwapControlIn { draws: 1 << lane, ..IDLE });
     }
 }
@@ -92,7 +92,7 @@ fn the_line_is_high_when_all_are_done_and_the_bus_and_the_host_let_it_go() {
     assert_eq!(states(&mut sim), [SwapState::Clear; 3]);
 }
 
-/// The chain advances only some clocks after all have swapped, so the frame is stored later than T_m.
+/// The chain does not advance until some clocks after all have swapped, so the frame is stored later than T_m.
 fn banks_swap(processors: u32) {
     let mut sim = running(processors);
     let all = (1 << processors) - 1;
@@ -120,7 +120,7 @@ fn banks_swap(processors: u32) {
         sim.step();
     }
     assert_eq!((sim.get_u64(sim.o.merged), sim.get_u64(sim.o.gfb_swap), sim.get_u64(sim.o.shown)), (0, 0, 1));
-    // It is known after two edges.
+    // The processing elements learn of it after two edges.
     let swaps = [(); 4].map(|()| clock(&mut sim, idle).swap);
     assert!(swaps.contains(&all), "{swaps:?}");
 }
@@ -148,11 +148,11 @@ fn an_overflow_swaps_alone_when_its_own_buffer_is_sent() {
     use SwapState::{Clear, Draw, Overflow};
     let mut sim = running(3);
     clear(&mut sim, ALL, IDLE);
-    // For a first swap all guards are open.
+    // All guards are true for the first swap.
     clock(&mut sim, SwapControlIn { overflow: ALL, idle: NONE, ..IDLE });
     assert_eq!(clock(&mut sim, IDLE).swap, ALL);
     clear(&mut sim, ALL, IDLE);
-    // Then the buffers of the others may still be sent.
+    // From then on, the buffers of the others may still be in transfer.
     for (lane, expected) in [
         (0b001, [[Draw, Draw, Overflow], [Draw, Draw, Clear]]),
         (0b010, [[Draw, Overflow, Draw], [Draw, Clear, Draw]]),

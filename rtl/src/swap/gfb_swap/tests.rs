@@ -45,10 +45,10 @@ fn a_frame_that_is_not_stored_soon_after_t_m_is_an_error() {
     sim.reset();
     sim.drive(GfbSwapIn { frames: vec![1], sending: vec![0], enable: 0, blanking: 1 });
     let problem = (0..20).find_map(|_| sim.try_step().err()).unwrap().to_string();
-    assert!(problem.contains("all is stored soon after T_m"), "{problem}");
+    assert!(problem.contains("the frame is stored soon after T_m"), "{problem}");
 }
 
-/// Longer than any of its counters counts.
+/// The wait is longer than any of the counters counts.
 #[test]
 fn a_merged_frame_waits_as_long_as_the_display_takes() {
     let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 3 }).unwrap();
@@ -71,10 +71,10 @@ fn a_frame_that_ends_before_the_last_one_is_on_display_is_an_error() {
     sim.run(2);
     sim.drive(turned([0, 0]));
     let problem = sim.try_step().unwrap_err().to_string();
-    assert!(problem.contains("a frame ends when the one before is on display"), "{problem}");
+    assert!(problem.contains("a frame ends only when the previous one is on display"), "{problem}");
 }
 
-/// A reset clears how long a frame has waited, and which bank was shown.
+/// A reset clears the count of clocks that a frame has waited, and selects the first bank.
 #[test]
 fn a_reset_begins_anew() {
     let mut sim = Simulation::of(&GfbSwap { processors: 1, merge_clocks: 6, way: 3, late: 8 }).unwrap();
@@ -83,7 +83,7 @@ fn a_reset_begins_anew() {
     sim.drive(waits(1));
     sim.run(6);
     assert_eq!(sim.get_u64(sim.o.merged), 1);
-    // As long as it counts, so that an assertion would demand what is no longer stored.
+    // The count reaches its end, at which an assertion demands that the frame is stored.
     sim.run(10);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.merged), 0, "T_m begins again");
@@ -93,7 +93,7 @@ fn a_reset_begins_anew() {
     assert_eq!(sim.get_u64(sim.o.shown), 1);
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.shown), 0);
-    // If a frame toggles during the reset, it does not count as ended.
+    // An input that toggles during the reset does not end a frame.
     sim.drive(waits(0));
     sim.step();
 }
@@ -110,7 +110,7 @@ fn a_swap_of_banks_before_all_is_sent_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Compared with the clocks of the events (VC1-SW2).
+    /// Compares the swap with the clocks of the events (VC1-SW2).
     #[test]
     fn the_banks_change_in_the_first_clock_in_which_all_guards_hold(
         (merge_clocks, way) in (1..30u64, 1..9u32),
@@ -128,7 +128,7 @@ proptest! {
         for (swaps, sent_after) in frames {
             let begun = clock;
             let all_swapped = begun + swaps.iter().max().unwrap();
-            // All is sent by then; an assertion checks it.
+            // The frame is sent within T_m, as an assertion demands.
             let all_sent = all_swapped + sent_after.min(merge_clocks);
             let mut advanced = 0;
             loop {

@@ -80,10 +80,10 @@ fn a_frame_ends_with_the_line_and_an_overflow_waits_for_its_guards() {
     }
 }
 
-/// A fast processing element whose next frame is drawn while the line is still that of the old one would end it at
-/// once.
+/// If it released the line, a fast processing element that has drawn its next frame would end it with the line of the
+/// old one.
 #[test]
-fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
+fn a_processing_element_whose_swap_is_due_pulls_the_line_low() {
     let mut sim = Simulation::of(&control(12)).unwrap();
     sim.reset();
     assert_eq!(sim.get_u64(sim.o.ready), 0);
@@ -106,10 +106,10 @@ fn a_processing_element_with_a_swap_to_come_holds_the_line_low() {
     assert_eq!((sim.get_u64(sim.o.state), sim.get_u64(sim.o.ready)), (SwapState::Clear as u64, 0));
 }
 
-/// The merger learns of it at the third of its edges after the swap. A reset clears it, and the record of cleared
-/// entries.
+/// The merger learns of a frame's swap at the third of its edges after it. A reset clears `frame`, and the count of
+/// cleared entries.
 #[test]
-fn a_frame_turns_its_output_and_a_reset_begins_anew() {
+fn a_frame_toggles_its_output_and_a_reset_begins_anew() {
     let mut sim = Simulation::of(&control(1)).unwrap();
     sim.reset();
     for phase in 0..16 {
@@ -128,7 +128,7 @@ fn a_frame_turns_its_output_and_a_reset_begins_anew() {
             sim.step();
         }
         assert_eq!(sim.cycles(MERGE).unwrap(), merged + 3);
-        // A reset during clearing, or while the program draws, at any distance from the next edges.
+        // A reset comes while the program clears or draws, at any distance from the next edges.
         clock(&mut sim, LfbSwapIn { clears: 1, ..IDLE });
         if phase % 2 == 1 {
             clock(&mut sim, LfbSwapIn { clears: 1, patch: 1, ..IDLE });
@@ -140,7 +140,7 @@ fn a_frame_turns_its_output_and_a_reset_begins_anew() {
     assert_eq!(sim.get_u64(sim.o.frame), 0);
 }
 
-/// The previous frame is never shown (VC1-SW4).
+/// Here the previous frame is never shown (VC1-SW4).
 #[test]
 fn an_overflow_without_a_swap_for_longer_than_its_guards_may_take_is_an_error() {
     let mut sim = Simulation::of(&control(12)).unwrap();
@@ -149,13 +149,12 @@ fn an_overflow_without_a_swap_for_longer_than_its_guards_may_take_is_an_error() 
     clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
     clock(&mut sim, IDLE);
     clear(&mut sim, IDLE);
-    // It is in `Overflow` in the next clock.
+    // The state is `Overflow` in the next clock.
     let overflow = LfbSwapIn { overflow: 1, idle: 0, ..IDLE };
     clock(&mut sim, overflow);
     let start = sim.cycles(PE).unwrap();
     let problem = std::iter::from_fn(|| Some(sim.try_step())).find_map(Result::err).unwrap().to_string();
-    let sentence =
-        "the swap of an overflow comes within two periods of merging and the refreshes that the banks wait for";
+    let sentence = "the swap of an overflow comes within 2 T_m and the refreshes that the banks wait for";
     assert!(problem.contains(sentence), "{problem}");
     assert_eq!(sim.cycles(PE).unwrap() - start, 100);
 }
@@ -166,26 +165,26 @@ fn what_the_program_must_not_do_is_an_error() {
         let mut sim = Simulation::of(&control(12)).unwrap();
         sim.reset();
         sim.drive(inputs);
-        // At the first edge: later effects are another mistake.
+        // Only the first edge counts, because later edges show consequences of the mistake.
         sim.try_step().err().map(|problem| problem.to_string()).unwrap_or_default()
     };
     for (inputs, sentence) in [
         (LfbSwapIn { clears: 1, patch: 1, ..IDLE }, "after a swap the entries are cleared in sequence, each once"),
         (LfbSwapIn { draws: 1, ..IDLE }, "no pixel is drawn between a swap and the last entry cleared"),
-        (LfbSwapIn { line: 1, ..IDLE }, "the line is high only while this processing element lets it go"),
-        (LfbSwapIn { done: 1, ..IDLE }, "the end of a frame is taken back when its swap is due"),
+        (LfbSwapIn { line: 1, ..IDLE }, "the line is high only while this processing element releases it"),
+        (LfbSwapIn { done: 1, ..IDLE }, "`done` is low while the program clears the table"),
     ] {
         assert!(problem(inputs).contains(sentence), "{inputs:?}: {}", problem(inputs));
     }
 }
 
-/// A reset also clears the record that something was sent during it.
+/// A reset also clears `sending` where it has crossed into the processing element's clock.
 #[test]
 fn a_reset_forgets_what_is_sent() {
     let mut sim = Simulation::of(&control(12)).unwrap();
     for phase in 0..16 {
         sim.reset();
-        // An assertion requires that all is sent this long after a swap, as if there had been one.
+        // After a reset the count of clocks since a swap is at its end, where an assertion demands that all is sent.
         clear(&mut sim, IDLE);
         clock(&mut sim, LfbSwapIn { done: 1, line: 1, ..IDLE });
         clock(&mut sim, IDLE);
@@ -214,8 +213,8 @@ fn an_entry_that_is_cleared_while_the_program_draws_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Compared with the clock of the last swap, and with the counts of frames ended and shown (VC1-SW3). Each swap
-    /// comes in the first clock in which all guards are open, 2 clocks after they appear at the other clock's ports.
+    /// Compares each swap with the clock of the last one, and with the counts of frames ended and shown (VC1-SW3). A
+    /// swap comes in the first clock in which all guards are true. Ports of the other clock are seen 2 clocks later.
     #[test]
     fn a_swap_comes_when_all_guards_hold(
         merge_clocks in 12..40u64,
@@ -226,7 +225,7 @@ proptest! {
         let mut sim = Simulation::of(&control).unwrap().seeded(seed);
         sim.reset();
         let (mut now, mut last_swap, mut ended) = (0, None::<u64>, 0);
-        // The clocks in each of which one more frame is shown, and those in which the back buffer is sent.
+        // The clocks in each of which one more frame is shown, and the clock in which the back buffer has been sent.
         let (mut shown_at, mut sent_at) = (Vec::<u64>::new(), 0);
         let step = |sim: &mut Sim, inputs: LfbSwapIn<u64>, now: &mut u64, shown_at: &[u64], sent_at: u64| {
             let shown = shown_at.iter().filter(|at| **at <= *now).count() as u64 % 2;
@@ -236,14 +235,14 @@ proptest! {
             *now += 1;
             seen
         };
-        // Counts of the covers: frames ended, overflows, entries cleared, and waits for only the shown frame, only T_m,
-        // or only the merger.
+        // What the covers count: overflows, tables cleared, and waits for only the shown frame, only T_m, or only the
+        // merger.
         let (mut overflowed, mut tables, mut waits_alone) = (0, 0, [0; 3]);
         // A request has been waiting since the last swap.
         let mut holds = false;
         for (overflows, draws, shown_after, sent_after) in jobs {
             for patch in 0..3 {
-                // The program takes its time.
+                // The program pauses between entries.
                 for _ in 0..(draws + patch) % 3 {
                     prop_assert_eq!(step(&mut sim, IDLE, &mut now, &shown_at, sent_at), (0, 0));
                 }
