@@ -1,4 +1,4 @@
-//! The VC-1's frame buffer subsystem: everything that is hardware here (section 3.3 of the paper).
+//! The VC-1's frame buffer subsystem: all of the machine that is a circuit here (section 3.3 of the paper).
 //!
 //! ```text
 //!        .------------------.----- broadcast bus -----.--------- host
@@ -24,20 +24,20 @@
 //! |---|---|---|
 //! | processor | clears its patch table, entry by entry | its state is `Clear`: at the beginning, and after each swap (VC1-CLR2) |
 //! | processor | draws | its state is `Draw` |
-//! | processor | sends packets over the bus, and takes words from its queue | at any time; it takes all of them, or the bus stops |
-//! | processor | asserts `done` | it has drawn its frame and sent everything; it deasserts `done` when its state is `Due` |
-//! | processor | waits | its state is `Due` (its frame ends) or `Overflow` (all pages are taken); the hardware retries the waiting request |
+//! | processor | sends packets over the bus, and takes words from its queue | at any time; the bus stops while the processor's queue is full |
+//! | processor | asserts `done` | it has drawn its frame and sent all its packets; it deasserts `done` when its state is `Due` |
+//! | processor | waits | its state is `Due` (all have drawn the frame) or `Overflow` (all pages are taken); the hardware retries the waiting request |
 //! | host | sends commands over the bus | at any time |
-//! | host | keeps the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
-//! | host | reads and writes the picture on display | at any time |
-//! | host | sets whether a picture is the average of several frames, and their number | before the picture's first frame is shown; it needs an accumulation buffer |
+//! | host | pulls the line low | it participates in the synchronization, and is not ready (VC1-SW1) |
+//! | host | reads and writes the displayed picture | at any time |
+//! | host | sets whether a picture is the average of several frames, and of how many | before the picture's first frame is shown; it needs an accumulation buffer |
 //!
-//! A processor that swaps in an overflow loses nothing (VC1-SW4). The merger runs freely, so in the next round it sends
-//! whatever the scan has already passed.
+//! A processor that swaps in an overflow loses nothing (VC1-SW4). The scan runs freely: the pixels that it has already
+//! passed are merged in the next round.
 //!
 //! With an accumulation buffer a picture may be the average of 2, 4, 8 or 16 frames, its passes (VC1-ACB). With the
-//! paper's T_m and 60 refreshes a second, a picture of n passes takes at least 2 n + 1 refreshes. Each pass takes two,
-//! and the average one.
+//! paper's T_m and 60 refreshes a second, a picture of n passes takes at least 2 n + 1 refreshes: two for each pass,
+//! and one for the average.
 
 use crate::bus::{BroadcastBus, BroadcastBusIn, BusWord};
 use crate::gfb::{CrtPixel, Display, GfbUnit, GfbUnitIn, Host, View};
@@ -49,7 +49,7 @@ use crate::swap::{GfbSwap, LfbSwap, SwapControl, SwapControlIn};
 /// The paper's scan line overhead, beta, in clocks of the merger (VC1-TM).
 pub const OVERHEAD: u32 = 20;
 
-/// The merger clocks, in addition to T_m, for crossings between the clocks and for reading a pixel.
+/// The merger clocks in addition to T_m for crossings between the clocks and for reading a pixel.
 const CROSSINGS: u32 = 4;
 
 record! {
@@ -61,7 +61,7 @@ record! {
         clear: stream(Wanted::widths(lfb.patches.count())).on(PE),
         /// A word for the bus.
         sends: stream(BusWord).on(PE),
-        /// The processor's frame is drawn.
+        /// The processor has drawn its frame.
         done: bit().on(PE),
     }
 }
@@ -71,9 +71,9 @@ bundle! {
     pub struct ProcessorOut<T> {
         /// What the processor may do: a code of [`SwapState`](crate::swap::SwapState).
         pub state: T,
-        /// How many pages are taken.
+        /// The number of pages taken.
         pub pages_used: T,
-        /// Nothing of the processor is under way.
+        /// No request of the processor is under way.
         pub idle: T,
         /// The word at the front of the processor's queue.
         pub received: Stream<BusWord<T>, T>,
@@ -94,7 +94,7 @@ block! {
         pub word_clocks: u32,
         /// Clocks of the merger after each scan line: beta, [`OVERHEAD`] in the paper.
         pub overhead: u32,
-        /// Whether there is an accumulation buffer; the machine without one has no memory for it.
+        /// Whether there is an accumulation buffer; a machine without one does not have its memories.
         pub accumulation: bool,
         /// The display.
         pub display: Display,
@@ -117,29 +117,29 @@ block! {
         host: Host = self.gfb().inputs().host,
     }
     out(self) Vc1Out {
-        /// To each processor.
+        /// The outputs to each processor.
         processors: [ProcessorOut] = _,
         /// The sync line: all processors have drawn the frame.
         line: bit(),
-        /// To the host.
+        /// The outputs to the host.
         view: View = _,
         /// A frame is stored in the global frame buffer, and waits for the blanking.
         is_merged: bit(),
         /// Toggles with each swap of the global frame buffer.
         shown: bit(),
-        /// To the display.
+        /// The output to the display.
         pixel: CrtPixel = _,
     }
 }
 
 impl Vc1 {
-    /// Its global frame buffer unit.
+    /// The unit of the global frame buffer.
     pub fn gfb(&self) -> GfbUnit {
         let Vc1 { overhead, accumulation, display, .. } = *self;
         GfbUnit { screen: self.lfb.patches.screen(), units: self.processors, overhead, display, accumulation }
     }
 
-    /// Its bus.
+    /// The broadcast bus.
     pub fn bus(&self) -> BroadcastBus {
         BroadcastBus { processors: self.processors, queue: self.queue, word_clocks: self.word_clocks }
     }
@@ -149,7 +149,7 @@ impl Vc1 {
         let sequencer = self.gfb().sequencer();
         let [merge_clocks, sent_clocks] = [sequencer.merge_clocks(), self.longest()].map(pe_clocks);
         let sent_clocks = sent_clocks + 4 * u64::from(CROSSINGS);
-        // When an average is shown, the banks also wait for its sum and for a whole refresh of it.
+        // Before an average is shown, the banks also wait for its sum and for a whole refresh with it.
         let refreshes = if self.accumulation { 3 } else { 1 };
         let refreshes = refreshes * self.gfb().read_out().refresh_clocks() * self.display.period.picoseconds();
         let waits = refreshes.div_ceil(PE.period.picoseconds()) + pe_clocks(2 * u64::from(CROSSINGS));
@@ -174,8 +174,8 @@ impl Vc1 {
         SwapControl { local: self.lfb_swap(), global: self.gfb_swap() }
     }
 
-    /// The merger clocks after a swap within which everything is sent and stored. They are T_m, the crossings and
-    /// overheads: one that may contain the swap, and one in each line that the last pixels need.
+    /// The merger clocks after a swap within which the frame is sent and stored: T_m, the crossings, and the overheads
+    /// of lines. One overhead may contain the swap, and each line that the last pixels need adds one.
     fn longest(&self) -> u64 {
         let sequencer = self.gfb().sequencer();
         let overheads = 1 + (sequencer.chain() + CROSSINGS).div_ceil(self.lfb.patches.screen().width);
@@ -255,8 +255,8 @@ impl Vc1 {
         }
     }
 
-    /// Asserts that each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame (VC1-SCAN). Apart from
-    /// 4 for each position, all are at the same pixel. Each counter has a cover that it goes through frames.
+    /// Asserts that each scan counter runs 4 pixels ahead of the succeeding one, modulo a frame (VC1-SCAN). With 4
+    /// added for each position, all are at the same pixel. Each counter has a cover for whole frames.
     fn state_how_they_scan(&self, merge: Module, scanned: Position, restart: Signal) {
         let Screen { width, height } = self.lfb.patches.screen();
         let (pixels, number) = (width * height, below(2 * width * height).of(row(self.processors)));
@@ -273,7 +273,7 @@ impl Vc1 {
     }
 }
 
-/// The processing element clocks that last at least as long as that many merger clocks.
+/// The least number of processing element clocks that last as long as the given number of merger clocks.
 fn pe_clocks(merge_clocks: u64) -> u64 {
     (merge_clocks * MERGE.period.picoseconds()).div_ceil(PE.period.picoseconds())
 }

@@ -1,4 +1,4 @@
-//! Whole machines: frames of small screens, drawn by software programs, then swapped, merged and shown by the hardware.
+//! Whole machines: software draws frames of small screens, and the hardware swaps, merges and shows them.
 
 mod bus;
 mod multipass;
@@ -36,7 +36,8 @@ fn running(vc1: &Vc1, seed: u64) -> Sim {
     sim
 }
 
-/// A processing element: draws its pixels of each frame, through overflows; returns the number of overflows.
+/// The program of a processing element: draws its pixels of each frame, and goes on after overflows. Returns the number
+/// of overflows.
 async fn program(
     t: &Testbench<'_>,
     (i, o): (ProcessorIn<Port>, ProcessorOut<Port>),
@@ -78,11 +79,11 @@ async fn clear(t: &Testbench<'_>, i: ProcessorIn<Port>, patches: u32) {
     for patch in 0..u64::from(patches) {
         t.send(i.clear, Wanted { patch }).await;
     }
-    // The state follows.
+    // The state changes after the last clear.
     t.wait(2).await;
 }
 
-/// The host: reads the bank on display after each of its swaps.
+/// The host: reads the displayed bank after each swap.
 async fn host(
     t: &Testbench<'_>,
     (read, i): (View<Port>, Stream<Access<Port>, Port>),
@@ -108,7 +109,7 @@ async fn host(
     pictures
 }
 
-/// The display: the colours of each refresh; the last refresh is under way.
+/// The display: collects the colours of each refresh. The last refresh is incomplete.
 async fn display(t: &Testbench<'_>, pixel: CrtPixel<Port>, pixels: u32, refreshes: &RefCell<Vec<Vec<u64>>>) {
     let t = t.on("crt");
     loop {
@@ -145,7 +146,7 @@ fn run(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], seed: u64) -> Run {
     let shows = monitor(display(&t, pixel, screen.pixels(), &refreshes));
     let (overflows, pictures, ()) = t.run((t.all(programs), host, shows));
     drop(t);
-    // Two refreshes later the last frame has been shown whole.
+    // Two refreshes later the whole last frame has been shown.
     let end = sim.time() + 2 * vc1.gfb().read_out().refresh_clocks() * vc1.display.period.picoseconds();
     let t = sim.testbench();
     let until = async {
@@ -171,7 +172,7 @@ fn nearest<'a>(screen: Screen, drawn: impl IntoIterator<Item = &'a Pixel>) -> Ve
     picture
 }
 
-/// Each frame is the nearest of what all drew for it, and each refresh shows one frame, in sequence.
+/// Checks that each frame has the nearest pixels of all processors, and that each refresh shows one frame, in sequence.
 fn check(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], run: &Run) {
     let frames = (0..drawn[0].len())
         .map(|frame| nearest(vc1.lfb.patches.screen(), drawn.iter().flat_map(|processor| &processor[frame])));
@@ -192,7 +193,7 @@ fn check(vc1: &Vc1, drawn: &[Vec<Vec<Pixel>>], run: &Run) {
     let mut frames = expected.iter();
     assert!(shown[first..].iter().all(|refresh| frames.any(|frame| frame == refresh)), "a refresh shows two frames");
     assert_eq!(frames.len(), 0, "the last frame is shown");
-    // Where T_m is shorter than the blanking, the banks may change twice in one blanking.
+    // If T_m is shorter than the blanking, the banks may change twice in one blanking.
     let is_each_shown = vc1.display.blanking == Blanking::AtStart;
     assert!(!is_each_shown || shown[first..] == expected, "each frame is shown");
 }
@@ -219,7 +220,7 @@ fn the_guards_of_the_papers_machine() {
     assert_eq!(full.gfb_swap().merge_clocks, 316_864);
     assert_eq!(full.lfb_swap().merge_clocks, 1_013_965);
     assert_eq!((full.gfb_swap().way, full.gfb_swap().late), (307_200 + 64 + 4, 20 + 20 + 5));
-    // 2 T_m with crossings and overheads, and a refresh; 2 refreshes more for the average of several passes.
+    // 2 T_m with crossings and overheads, and one refresh. The average of several passes takes 2 more.
     let refresh = |full: &Vc1| full.lfb_swap().overflow_clocks - 2 * full.lfb_swap().sent_clocks - 26;
     let vga = Vc1 { display: Display::VGA, ..full };
     assert_eq!(vga.lfb_swap().sent_clocks, 1_013_965 + 45 * 80 / 25 + 16);
@@ -272,7 +273,7 @@ fn the_host_reads_what_it_writes() {
     assert_eq!(seen.0, [(1, 0xabc07f), (1, 0xabc003)]);
 }
 
-/// The first frame: it is merged in one round or two, and waits for a blanking.
+/// The first frame is merged in one round or two, and waits for a blanking.
 #[test]
 fn the_host_sees_the_rounds_and_that_a_frame_is_merged() {
     let mut sim = running(&vc1(SMALL, 4, 8, 2), 7);
@@ -314,14 +315,14 @@ fn frames_follow_each_other_and_nothing_of_one_is_left_in_the_next() {
     let run = run(&machine, &drawn, 7);
     check(&machine, &drawn, &run);
     assert_eq!(run.overflows, [0; 3]);
-    // So the assertion about their distances applies to whole frames.
+    // The assertion about the counters' distances was checked over whole frames.
     let mut sim = run.sim;
     for number in 0..3 {
         assert!(sim.covered(&format!("u_lfb[{number}].u_scan_counter.a whole frame is sent")).unwrap() > 10);
     }
 }
 
-/// 8 patches in 2 pages: overflows of one processing element in the second frame, and of all in the third.
+/// 8 patches share 2 pages: one processing element overflows in the second frame, and all overflow in the third.
 #[test]
 fn an_overflow_is_merged_in_a_round_of_its_own() {
     let machine = vc1(SMALL, 4, 2, 3);
@@ -338,8 +339,8 @@ fn an_overflow_is_merged_in_a_round_of_its_own() {
     assert!(covered("a swap waits for the global frame buffer alone") > 0 && covered("a swap waits for T_m alone") > 0);
 }
 
-/// Another one has swapped in an overflow just before the frame ended, so its swap at the end comes T_m later
-/// (VC1-SW4).
+/// The other processing element has swapped in an overflow just before the frame ended. So its swap at the end comes
+/// T_m later (VC1-SW4).
 #[test]
 fn an_overflow_waits_for_more_than_t_m_and_a_refresh_and_no_longer_than_it_may() {
     let display = Display { period: Period::ps(2_000), blanking: Blanking::AtStart };
@@ -375,7 +376,7 @@ fn an_overflow_waits_for_more_than_t_m_and_a_refresh_and_no_longer_than_it_may()
     assert!(waited[0] > merge_clocks + refresh && waited[0] <= overflow_clocks, "{waited:?}");
 }
 
-/// One sends a packet of two words to all when they have drawn; the other takes them late (VC1-SW1).
+/// When both have drawn, one processor sends a packet of two words, and the other takes the words late (VC1-SW1).
 #[test]
 fn a_word_on_the_bus_or_in_a_queue_holds_the_line_low() {
     let machine = vc1(SMALL, 4, 8, 2);
@@ -401,11 +402,11 @@ fn a_word_on_the_bus_or_in_a_queue_holds_the_line_low() {
         sim.set(sends.last, last);
         sim.set(sends.valid, 1);
         sim.step_clock(PE, 1);
-        // It has been taken, and is on the bus when all have drawn.
+        // The bus has taken the word, and carries it when all have drawn.
         sim.set(sends.valid, 0);
         sim.set(ports[0].done, 1);
         sim.set(ports[1].done, 1);
-        assert!(!line(&mut sim, 20), "the line is high in a packet, or while a word waits");
+        assert!(!line(&mut sim, 20), "the line is high within a packet, or while a word waits");
         sim.set(received.ready, 1);
         assert_eq!(sim.get_u64(received.word), word);
         sim.step_clock(PE, 1);

@@ -1,8 +1,8 @@
-//! Packets of all senders on a whole machine, and the sync line, which is low until all are received.
+//! Packets of all senders on a whole machine. The sync line is low until all of them have been received.
 
 use super::*;
 
-/// Whether a field of a number, from its lowest bit on, is below a limit.
+/// Whether the field of `bits` bits from bit `lowest` on is below a limit.
 fn is_less(choice: u64, lowest: u32, bits: u32, than: u64) -> bool {
     choice >> lowest & ((1 << bits) - 1) < than
 }
@@ -17,11 +17,11 @@ fn words(packet: u64) -> u64 {
     1 + packet % 3
 }
 
-/// The words that a processor has received: whole packets, those of each sender in sequence.
+/// What a processor has received: whole packets, and those of each sender in sequence.
 #[derive(Default)]
 struct Received {
     packets: [u64; 3],
-    /// The sender of the packet under way, and the number of its words received.
+    /// The sender of the incomplete packet, and the number of its words received so far.
     under_way: Option<(usize, u64)>,
 }
 
@@ -39,8 +39,8 @@ impl Received {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 4, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Two processors draw, report that they are done, send and receive at any time, and never end the frame; the host
-    /// sends too (VC1-NET, VC1-SW1).
+    /// Two processors draw, assert `done`, send and receive at any time, but never end the frame. The host sends, too
+    /// (VC1-NET, VC1-SW1).
     #[test]
     fn packets_of_all_come_to_all_and_hold_the_line_low(choices in prop::collection::vec(any::<u64>(), 3000)) {
         let mut sim = running(&vc1(SMALL, 4, 8, 2), 7);
@@ -88,7 +88,7 @@ proptest! {
             }
             sim.step_clock(PE, 1);
         }
-        // When everything is received, and its packets are complete, nothing pulls it low.
+        // When all packets are complete and received, nothing pulls the line low.
         senders.iter().for_each(|sender| sim.set(sender.valid, 0));
         for (i, o) in ports.iter().zip(&seen) {
             sim.set(i.done, 0);
@@ -114,7 +114,7 @@ proptest! {
         prop_assert_eq!(sim.covered("a word on the bus or in a queue keeps the line low").unwrap(), held_low);
         prop_assert!(held_low > 20);
         for received in received {
-            // Words that have not come are in the queue or wait.
+            // Words that have not arrived are in the queue, or wait for the bus.
             let pairs = received.packets.iter().zip(sent);
             prop_assert!(pairs.into_iter().all(|(received, (sent, _))| *received > 5 && received.abs_diff(sent) < 10));
         }

@@ -6,7 +6,7 @@ use crate::gfb::testing::average;
 
 const WIDE: Screen = Screen { width: 64, height: 8 };
 
-/// A machine whose T_m is one and a half refreshes of its display, as in the paper, and whose sums take more than one.
+/// A machine whose T_m is one and a half refreshes of its display, as in the paper. A sum takes more than one refresh.
 fn machine() -> Vc1 {
     let machine = Vc1 { accumulation: true, ..vc1(WIDE, 4, 32, 2) };
     let t_m = machine.gfb_swap().merge_clocks * MERGE.period.picoseconds();
