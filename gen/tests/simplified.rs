@@ -135,6 +135,8 @@ fn a_comparison_with_the_end_of_the_range_is_known() {
         (|_, i| i.a.signed().gt(127), "1'b0"),
         (|_, i| i.a.signed().le(127), "1'b1"),
         (|_, i| i.a.signed().ge(-128), "1'b1"),
+        (|_, i| i.a.signed().eq(-3), "$signed(a) == -8'sd3"),
+        (|_, i| i.a.signed().bits().lt(lit(8, 253).signed().bits()), "a < 8'd253"),
         (|_, i| i.a.signed().ge(0), "$signed(a) >= 8'sd0"),
     ]);
 }

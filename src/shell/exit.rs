@@ -144,7 +144,7 @@ mod tests {
     use tilewright_hdl::Bits;
     use tilewright_machines::Error;
     use tilewright_sim::Difference;
-    use tilewright_sim::Error::{Differs, NoClock, Trace, Violated};
+    use tilewright_sim::Error::{Differs, Late, Trace, Violated};
 
     /// Engines that differ in a signal.
     fn difference() -> Box<Difference> {
@@ -172,7 +172,7 @@ mod tests {
             (Error::Simulation(Violated(Vec::new())), Exit::CheckFailed),
             (Error::Simulation(Differs(difference())), Exit::CheckFailed),
             (Error::Simulation(full()), Exit::NoOutput),
-            (Error::Simulation(NoClock), Exit::BadInput),
+            (Error::Simulation(Late), Exit::BadInput),
             (Error::Cancelled { phase: "drawing", time: 5 }, Exit::Interrupted),
         ];
         for (error, exit) in cases {

@@ -162,12 +162,21 @@ impl Printer<'_> {
             Relation::Gt => ">",
             Relation::Ge => ">=",
         };
-        if signed && !matches!(relation, Relation::Eq | Relation::Ne) {
+        let is_order = !matches!(relation, Relation::Eq | Relation::Ne);
+        if is_order && signed || !is_order && (self.is_negative(a) || self.is_negative(b)) {
             let width = self.module.width(a);
             return format!("{} {operator} {}", self.signed(a, width), self.signed(b, width));
         }
         let (left, right) = (self.state_or_operand(a, b), self.state_or_operand(b, a));
         format!("{left} {operator} {right}")
+    }
+
+    /// Whether an operand is printed as a constant with a minus, which linters compare with signed operands only.
+    fn is_negative(&self, id: NodeId) -> bool {
+        let of = self.printed(id);
+        let node = self.module.node(of);
+        let Op::Const(value) = &node.op else { return false };
+        self.plan.form(of) == Form::Inline && number(value, node.kind, Style::Count).starts_with('-')
     }
 
     /// An operand of an operator that computes with signed numbers of this width. A negative constant has the width
@@ -185,7 +194,9 @@ impl Printer<'_> {
 
     /// An operand of a comparison: a constant that is compared with a state is printed by the state's name.
     fn state_or_operand(&mut self, id: NodeId, other: NodeId) -> String {
-        self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, Style::Count))
+        // A pattern has no minus.
+        let style = if self.is_negative(id) { Style::Pattern } else { Style::Count };
+        self.state_text(id, self.states.of(other)).unwrap_or_else(|| self.operand(id, style))
     }
 
     /// The state's name for a constant where a state of that enum is expected.

@@ -206,14 +206,14 @@ impl Running {
         if self.is_plain() {
             let fits = limit.min(self.timeline.room());
             if fits == 0 && limit > 0 {
-                return Err(self.timeline.ended());
+                return Err(Error::Late);
             }
             let (done, holds) = self.engine.edges_until(&[0], fits, until)?;
             self.timeline.repeat(done.edges);
             return match holds {
                 true => Ok(Some(done.edges)),
                 false if done.edges == limit => Ok(None),
-                false if done.edges == fits => Err(self.timeline.ended()),
+                false if done.edges == fits => Err(Error::Late),
                 false => Err(self.stopped()),
             };
         }

@@ -40,9 +40,6 @@ pub enum Error {
     /// There is no such name.
     #[error("{0}")]
     Unknown(#[from] UnknownName),
-    /// A step needs a clock.
-    #[error("the design has no clock to step: use `set` and `get` alone")]
-    NoClock,
     /// The time of the next edge does not fit in 64 bits.
     #[error("the simulation is at its end: the next edge would be later than 2^64 ps, which is 213 days")]
     Late,

@@ -62,7 +62,7 @@ impl Running {
 
     /// Advances to the next instant, with all checks and observers, and through its edges.
     fn single_step(&mut self) -> Result<(), Error> {
-        let until = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?;
+        let until = self.timeline.next_time().ok_or(Error::Late)?;
         self.timeline.rising_at(until, &mut self.rising);
         if !self.observers.is_empty() {
             let failed = self.engine.check(&self.rising);
@@ -78,6 +78,10 @@ impl Running {
 
     /// Executes the edges of the clocks that rise then.
     fn rise(&mut self, until: u64) -> Result<(), Error> {
+        if self.rising.is_empty() {
+            self.timeline.advance(&[]);
+            return Ok(());
+        }
         let done = self.engine.edges(&self.rising, 1)?;
         if done.edges == 0 {
             let failed = self.engine.check(&self.rising);
@@ -160,7 +164,7 @@ impl Running {
                 return Err(self.stopped());
             }
         }
-        if fits == n { Ok(()) } else { Err(self.timeline.ended()) }
+        if fits == n { Ok(()) } else { Err(Error::Late) }
     }
 
     /// Why the only clock does not rise.
@@ -175,7 +179,7 @@ impl Running {
         if self.observers.is_empty() && self.program.clocks.len() > 1 {
             return self.run_unseen_to(time);
         }
-        while let next = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?
+        while let next = self.timeline.next_time().ok_or(Error::Late)?
             && next <= time
         {
             match &self.program.clocks[..] {
@@ -190,7 +194,7 @@ impl Running {
     fn run_unseen_to(&mut self, time: u64) -> Result<(), Error> {
         loop {
             self.engine.instants(self.timeline.ticks(), time);
-            let until = self.timeline.next_time().ok_or_else(|| self.timeline.ended())?;
+            let until = self.timeline.next_time().ok_or(Error::Late)?;
             if until > time {
                 return Ok(());
             }

@@ -19,7 +19,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     ///
     /// # Panics
     ///
-    /// An assertion of the design fails, a trace cannot be written, or there is no clock.
+    /// An assertion of the design fails, or a trace cannot be written.
     #[track_caller]
     #[inline]
     pub fn step(&mut self) {
@@ -126,7 +126,7 @@ impl<I: Bundle, O: Bundle> Simulation<I, O> {
     /// # Errors
     ///
     /// [`Error::Violated`] if assertions fail before the edge, which then does not happen; [`Error::Trace`] if a file
-    /// could not be written at an earlier instant; [`Error::NoClock`]; [`Error::Differs`].
+    /// could not be written at an earlier instant; [`Error::Late`]; [`Error::Differs`].
     pub fn try_step(&mut self) -> Result<(), Error> {
         self.circuit.try_step()
     }

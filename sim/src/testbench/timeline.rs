@@ -1,42 +1,41 @@
 //! The times at which clocks rise.
 //!
 //! Every clock is low at time 0. It rises first after one period, falls half a period later, and so on. An instant is
-//! a time at which one or more clocks rise.
+//! a time at which one or more clocks rise. A circuit without clocks has an instant every 10 ns, at which nothing rises.
 
 use crate::engine::Ticks;
 use crate::engine::program::Program;
-use crate::testbench::error::Error;
+use tilewright_hdl::DEFAULT_PERIOD;
 
 /// The state of all clocks.
 #[derive(Debug, Clone)]
 pub(crate) struct Timeline {
     clocks: Vec<Ticks>,
+    /// What stands in for a clock if there is none.
+    idle: Option<Ticks>,
 }
 
 impl Timeline {
     pub fn new(program: &Program) -> Timeline {
         let ticks = |period| Ticks { period, cycles: 0, most: u64::MAX / period };
-        Timeline { clocks: program.clocks.iter().map(|clock| ticks(clock.period)).collect() }
+        let clocks: Vec<_> = program.clocks.iter().map(|clock| ticks(clock.period)).collect();
+        let idle = clocks.is_empty().then(|| ticks(DEFAULT_PERIOD.picoseconds()));
+        Timeline { clocks, idle }
     }
 
     /// The time of the last instant, in picoseconds.
     pub fn time(&self) -> u64 {
-        self.clocks.iter().map(Ticks::last).max().unwrap_or(0)
+        self.clocks.iter().chain(&self.idle).map(Ticks::last).max().unwrap_or(0)
     }
 
-    /// The time of the next instant; `None` without clocks, or if that time does not fit in 64 bits.
+    /// The time of the next instant; `None` if that time does not fit in 64 bits.
     pub fn next_time(&self) -> Option<u64> {
-        self.clocks.iter().filter_map(Ticks::next).min()
+        self.clocks.iter().chain(&self.idle).filter_map(Ticks::next).min()
     }
 
     /// All clocks, for an engine that executes many instants.
     pub fn ticks(&mut self) -> &mut [Ticks] {
         &mut self.clocks
-    }
-
-    /// Why there is no next instant.
-    pub fn ended(&self) -> Error {
-        if self.clocks.is_empty() { Error::NoClock } else { Error::Late }
     }
 
     /// The number of edges of the only clock whose times still fit; 0 without clocks.
@@ -62,8 +61,9 @@ impl Timeline {
         self.clocks[0].cycles += edges;
     }
 
-    /// Notes that the edges of `rising` are done.
+    /// Notes that an instant with the edges of `rising` is done.
     pub fn advance(&mut self, rising: &[usize]) {
         rising.iter().for_each(|&clock| self.clocks[clock].cycles += 1);
+        self.idle.iter_mut().for_each(|idle| idle.cycles += 1);
     }
 }

@@ -2,12 +2,8 @@
 
 use crate::spec::{Pattern, Stimulus};
 use tilewright_hdl::ir::Node;
-use tilewright_hdl::recording::Step;
 use tilewright_hdl::{Bits, Design, Recording};
 use tilewright_sim::{Covered, EngineKind, Passes, Simulation};
-
-/// Between comparisons of a design without clocks, in picoseconds.
-const IDLE_STEP: u64 = 10_000;
 
 /// A small generator of numbers (SplitMix64): the same everywhere for a seed.
 #[derive(Debug, Clone)]
@@ -118,23 +114,6 @@ pub(crate) fn record(design: &Design, stimulus: &Stimulus, mut sim: Simulation) 
     let top = design.top();
     let inputs = top.inputs.iter().map(|input| Ok((sim.port(&input.name)?, top.node(input.node))));
     let inputs = inputs.collect::<Result<Vec<_>, tilewright_sim::Error>>()?;
-    let outputs = top.outputs.iter().map(|output| sim.port(&output.name));
-    let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
-    if top.clocks.is_empty() {
-        let step = |number: u8| {
-            let values: Vec<Bits> = inputs.iter().map(|(_, node)| numbers.lanes(node)).collect();
-            inputs.iter().zip(&values).for_each(|((port, _), value)| sim.set(*port, value.clone()));
-            Step {
-                time_ps: IDLE_STEP * (u64::from(number) + 1),
-                rising: Vec::new(),
-                resets: Vec::new(),
-                inputs: values,
-                outputs: outputs.iter().map(|port| sim.get(*port)).collect(),
-            }
-        };
-        let recording = Recording { steps: (0..stimulus.steps).map(step).collect(), initial: Vec::new() };
-        return Ok(Run { recording, fails: false, covers: Vec::new() });
-    }
     // A third starts from garbage.
     if stimulus.seed.is_multiple_of(3) {
         sim = sim.seeded(stimulus.seed | 1);

@@ -164,3 +164,35 @@ fn what_a_seed_fills_is_part_of_what_a_testbench_starts_from() {
         let _ = tools::replay_in_verilator(&files, &bench).unwrap();
     }
 }
+
+block! {
+    /// Without a clock.
+    struct Sorted;
+    in SortedIn { a: bits(8), b: bits(8) }
+    out SortedOut { low: bits(8), high: bits(8) }
+}
+
+impl Sorted {
+    fn build(&self, _: Module, i: SortedIn) -> SortedOut {
+        let swaps = i.a.gt(i.b);
+        SortedOut { low: mux(swaps, i.b, i.a), high: mux(swaps, i.a, i.b) }
+    }
+}
+
+#[test]
+fn what_has_no_clock_is_recorded_and_repeated() {
+    let design = elaborate(&Sorted).unwrap();
+    let mut sim = Simulation::of(&Sorted).unwrap();
+    let recorder = sim.recording();
+    let outputs = sim.stream([(3, 5), (5, 3), (255, 0)].map(|(a, b)| SortedIn { a, b }));
+    assert_eq!(outputs.iter().map(|out| (out.low, out.high)).collect::<Vec<_>>(), [(3, 5), (3, 5), (0, 255)]);
+    let (files, mut recording) = (verilog(&design), recorder.take());
+    let _ = tools::replay_in_icarus(&files, &testbench(&design, &recording)).unwrap();
+    let _ = tools::replay_in_verilator(&files, &testbench(&design, &recording)).unwrap();
+    recording.steps[2].outputs[0] = Bits::new(8, 1);
+    if let Err(problem) = tools::replay_in_icarus(&files, &testbench(&design, &recording)) {
+        assert!(problem.to_string().contains("cycle 2: low is 00, expected 01"), "{problem}");
+    } else {
+        let _ = tools::skipped("iverilog");
+    }
+}

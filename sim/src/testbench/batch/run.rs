@@ -19,7 +19,7 @@ impl<I: Bundle, O: Bundle> Batch<I, O> {
     ///
     /// # Panics
     ///
-    /// An assertion of the design fails in some run, a trace cannot be written, or there is no clock.
+    /// An assertion of the design fails in some run, or a trace cannot be written.
     #[track_caller]
     pub fn step(&mut self) {
         self.ready().step();

@@ -140,13 +140,27 @@ impl Block for Inverter {
 }
 
 #[test]
-fn a_design_without_clocks_can_be_read_but_not_stepped() {
+fn a_design_without_clocks_has_instants() {
     let mut sim = of(&Inverter);
+    let (recorder, wave) = (sim.recording(), sim.record(["answer"]));
     sim.set(sim.i.request, Bits::ones(100));
     assert_eq!(sim.get(sim.o.answer), 0);
     sim.set(sim.i.request, -2);
     assert_eq!(sim.get(sim.o.answer), 1);
-    assert!(matches!(sim.try_step(), Err(Error::NoClock)));
+    sim.step();
+    sim.reset();
+    sim.set(sim.i.request, 7);
+    sim.run_to(30_000);
+    assert_eq!((sim.time(), recorder.take().steps.len()), (30_000, 3));
+    wave.expect("answer | 1           | ffffffffffffffffffffffff8 |");
+    let (i, o) = (sim.i, sim.o);
+    let t = sim.testbench();
+    let process = async {
+        t.set(i.request, -4);
+        t.step().await;
+        assert_eq!(t.get(o.answer), 3);
+    };
+    t.run((process,));
 }
 
 #[test]
