@@ -214,7 +214,7 @@ impl Model {
         lines.insert(0, (tag, dirty || request.write == 1));
         let word = &mut self.words[request.address as usize];
         let before = *word;
-        let mask = (0..4).map(|byte| (request.bytes >> byte & 1) * 0xff << (8 * byte)).sum::<u64>();
+        let mask = (0..4).map(|byte| ((request.bytes >> byte) & 1) * (0xff << (8 * byte))).sum::<u64>();
         if request.write == 1 {
             *word = request.data & mask | before & !mask;
         }
@@ -286,7 +286,7 @@ pub fn run() -> Result<(Design, Recording), Box<dyn std::error::Error>> {
     converse(&mut sim, &requests, &answers, &transfers, &initial);
 
     // Without pauses, hits take two clocks each.
-    let last = requests.last().expect("there are requests").clone();
+    let last = *requests.last().expect("there are requests");
     let reads = vec![Request { write: 0, ..last }; 20];
     let answer = model.words[last.address as usize];
     let (i, o, before) = (sim.i, sim.o, sim.cycles("clk")?);

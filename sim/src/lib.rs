@@ -158,7 +158,7 @@ pub use tilewright_hdl::{Bits, Bundle};
 pub use engine::program;
 pub use engine::{Difference, EngineKind, Explained, Pass, Passes, Unsupported, explain};
 pub use testbench::{
-    Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
+    Answer, Batch, Condition, Covered, Error, IntoValue, Monitor, Pauses, Port, Probe, Process, Processes, Recorder,
     Simulation, Testbench, UnknownName, Vcd, Violation, Wave, WaveRadix, monitor,
 };
 #[doc(hidden)]

@@ -31,6 +31,6 @@ pub use error::{Error, UnknownName, Violation};
 #[doc(hidden)]
 pub use example::{Traced, example, traced};
 pub use port::{IntoValue, Port};
-pub use processes::{Monitor, Pauses, Process, Processes, Testbench, monitor};
+pub use processes::{Answer, Monitor, Pauses, Process, Processes, Testbench, monitor};
 pub use simulation::Simulation;
 pub use trace::{Recorder, Vcd, Wave, WaveRadix};

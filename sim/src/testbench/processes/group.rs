@@ -38,6 +38,12 @@ pub trait Process {
     /// The result, from that of its future if it has ended.
     #[doc(hidden)]
     fn output(gave: Option<<Self::Future as Future>::Output>) -> Self::Output;
+
+    /// What it sets within the clock; returns whether that is something else than before.
+    #[doc(hidden)]
+    fn settle(_: Pin<&mut Self::Future>, _: &Testbench) -> bool {
+        false
+    }
 }
 
 impl<F: Future> Process for F {
@@ -134,6 +140,11 @@ impl<P: Process> Member<P> {
         self.future.is_none() || self.turn.is_monitor
     }
 
+    /// What it sets within the clock; returns whether that is something else than before.
+    fn settle(&mut self, testbench: &Testbench) -> bool {
+        self.future.as_mut().is_some_and(|future| P::settle(future.as_mut(), testbench))
+    }
+
     fn output(self) -> P::Output {
         P::output(self.gave)
     }
@@ -198,6 +209,10 @@ pub trait Processes {
 
     #[doc(hidden)]
     fn outputs(members: Self::Members) -> Self::Output;
+
+    /// What each sets within the clock; returns whether something is not as before.
+    #[doc(hidden)]
+    fn settle(members: &mut Self::Members, testbench: &Testbench) -> bool;
 }
 
 macro_rules! tuples {
@@ -215,6 +230,10 @@ macro_rules! tuples {
             fn go_on(($($process,)+): &mut Self::Members, testbench: &Testbench, context: &mut Context) -> bool {
                 // All are resumed, also after one that is not over.
                 [$($process.go_on(testbench, context)),+].into_iter().all(|is_over| is_over)
+            }
+
+            fn settle(($($process,)+): &mut Self::Members, testbench: &Testbench) -> bool {
+                [$($process.settle(testbench)),+].into_iter().any(|is_other| is_other)
             }
 
             fn outputs(($($process,)+): Self::Members) -> Self::Output {

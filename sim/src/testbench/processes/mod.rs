@@ -4,12 +4,14 @@
 //! resumes. It sees all values settled before the edge, and sets its inputs for after the edge, as a register does.
 //! So the sequence in which processes resume does not matter.
 
+mod answer;
 mod group;
 mod pauses;
 mod run;
 mod streams;
 mod wait;
 
+pub use answer::Answer;
 pub use group::{Monitor, Process, Processes, monitor};
 pub use pauses::Pauses;
 

@@ -38,9 +38,9 @@ impl Testbench<'_> {
         let mut members = processes.members(self);
         // Only time wakes a process, so all are resumed at each instant.
         let mut context = Context::from_waker(Waker::noop());
-        let mut go_on = || P::go_on(&mut members, self, &mut context);
-        let mut has_ended = go_on();
+        let mut has_ended = P::go_on(&mut members, self, &mut context);
         self.drive_sets();
+        self.settle(loc, || P::settle(&mut members, self));
         let limit = self.shared.borrow().limit;
         for instant in 0.. {
             if has_ended {
@@ -48,9 +48,10 @@ impl Testbench<'_> {
             }
             assert!(instant < limit, "{}", self.stuck(limit, loc));
             self.shared.borrow_mut().next_turn();
-            has_ended = go_on();
+            has_ended = P::go_on(&mut members, self, &mut context);
             done(self.shared.borrow_mut().circuit.try_step());
             self.drive_sets();
+            self.settle(loc, || P::settle(&mut members, self));
         }
         self.shared.borrow_mut().instant = None;
         P::outputs(members)
@@ -62,6 +63,16 @@ impl Testbench<'_> {
         for set in std::mem::take(&mut shared.sets) {
             shared.circuit.set(set.port, set.value);
         }
+    }
+
+    /// Lets models answer within the clock, until none of them answers anything else.
+    fn settle(&self, loc: Loc, mut round: impl FnMut() -> bool) {
+        // Each round settles one answer more of a chain, and a run has eight processes at most.
+        let settles = (0..=8).any(|_| !round());
+        assert!(
+            settles,
+            "the answers in the run at {loc} change each other without end: they depend on each other in a loop"
+        );
     }
 
     /// Lists what each process waits for.

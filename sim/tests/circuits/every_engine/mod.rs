@@ -1,5 +1,6 @@
 //! Tests that run on every engine.
 
+mod answers;
 mod arithmetic;
 mod arrays;
 mod clocks;
