@@ -121,7 +121,7 @@ fn a_ring_that_no_machine_has_is_refused() {
         assert_eq!(run.code, Some(2), "{}", run.stderr);
         run.stderr
     };
-    let sentence = "a ring of 5001 Mbit/s: it brings a whole number of bits in each clock of 25 ns, \
+    let sentence = "a ring of 5001 Mbit/s: it carries a whole number of bits in each clock of 25 ns, \
                     so it has to be a multiple of 40 from 40 to 327680";
     assert!(refused("5001").contains(sentence), "{}", refused("5001"));
     refused("0");

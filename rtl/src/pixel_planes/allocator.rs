@@ -2,15 +2,15 @@
 //!
 //! ```text
 //!            .-------.    .-----------------------.
-//! regions ==>| next  |--->| lowest of those free  |---> given, a bit each renderer
+//! regions ==>| next  |--->| lowest of those free  |---> given, a bit per renderer
 //!            '-------'    '-----------------------'
 //!                                    ^
-//! wanted, a bit each renderer -------'
+//! free, a bit per renderer ----------'
 //! ```
 //!
 //! The host lists the regions by decreasing load, so that small ones fill the gaps at the end of a frame. A free
-//! renderer gets the next region at once, so renderers are served in the sequence in which they become free. Of several
-//! that become free in one clock, the lowest is served first, then the others, a clock each.
+//! renderer gets the next region at once, so renderers are served in the sequence in which they become free. If several
+//! become free in one clock, the lowest is served first, and the others follow, one per clock.
 //!
 //! Latency: none; a region a clock.
 
@@ -25,16 +25,16 @@ block! {
         /// The number of renderers.
         pub renderers: u32,
     }
-    latency = "none; a region a clock";
+    latency = "a region a clock";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) RegionAllocatorIn {
-        /// The numbers of the regions, the one with most primitives first.
+        /// The numbers of the regions, the one with the most primitives first.
         regions: stream(bits(REGION_BITS)),
         /// The renderers that are free.
         free: bit().of(row(self.renderers)),
     }
     out(self) RegionAllocatorOut {
-        /// The renderer that gets the region in this clock, if one does.
+        /// The renderer that gets the region in this clock, if any.
         given: bit().of(row(self.renderers)),
         /// The number of the region that is given.
         region: bits(REGION_BITS),

@@ -30,15 +30,15 @@ block! {
     in(self) BackingStoreIn {
         /// The commands of the controller.
         save: Save,
-        /// The number of the plane that comes.
+        /// The number of the plane that arrives.
         number: below(fields::WORD.bits),
-        /// The bits of the plane that comes, a row for each line.
+        /// The bits of the plane that arrives, a row for each line.
         word: bit().of(grid(self.side, self.side)),
     }
     out(self) BackingStoreOut {
         /// The store can take a region.
         free: bit(),
-        /// The region.
+        /// The planes of the region, line by line.
         planes: stream(BitPlane::widths(self.side)),
     }
 }
@@ -67,7 +67,7 @@ impl BackingStore {
         bits.write(i.save.plane, i.number, i.word);
         def!(complete = i.save.plane & i.number.eq(last_plane));
 
-        // A plane of a line is read in each clock in which its predecessor can go.
+        // A plane of a line is read in each clock in which its predecessor can leave.
         def!(reading = m.reg(bit()).reset(0));
         def!(plane = m.reg(below(fields::WORD.bits)).reset(0));
         def!(line = m.reg(below(self.side)).reset(0));
@@ -88,8 +88,11 @@ impl BackingStore {
         arrived.when(reads, 1).when(sent, 0);
         free.when(i.save.claim, 0).when(sent & !reading, 1);
 
-        m.assume(i.save.claim.implies(free), "a region comes when the one before is gone");
-        m.assume(i.save.plane.implies(!free & !reading & !arrived), "planes come of a region that was announced");
+        m.assume(i.save.claim.implies(free), "a region is claimed only when the previous one has left");
+        m.assume(
+            i.save.plane.implies(!free & !reading & !arrived),
+            "a plane arrives only for a region that was claimed",
+        );
         BackingStoreOut { free: *free, planes }
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn delayed(m: Module, name: &str, clocks: u32, bit: Signal) -> Signal
     delays(m, name, clocks, bit)[clocks as usize]
 }
 
-/// The sum of two numbers whose first bits come with `first`, one clock later. The two names are those of the sum and
+/// The sum, one clock later, of two numbers whose first bits come with `first`. The two names are those of the sum and
 /// of its carry.
 #[track_caller]
 pub(super) fn sum(m: Module, [name, carry]: [&str; 2], first: Signal, number: Signal, adds: Signal) -> Signal {

@@ -6,7 +6,7 @@
 //!                  |         |-------------->| tree slot       |------------------------------> tree
 //! instructions ===>| [micro- |               | coefficients >> |----.
 //!                  |   code] |               '-----------------'    |  control of pixels
-//!                  |         |               .-----------------.    +--->[ lag of the tree ]--> pixels
+//!                  |         |               .-----------------.    +--->[ tree's latency ]---> pixels
 //!                  |         |--->[waiting]->| memory slot     |----'
 //!                  '---------'               | constant >>     |
 //!                                            '-----------------'
@@ -15,24 +15,24 @@
 //! The controller has two slots. Instructions that use the tree or change `enable` go to the tree slot. Instructions
 //! that need only the memory go to the memory slot. So while a primitive's result is still being written to memory, the
 //! tree already works on the next primitive's edges. One more instruction may wait for the memory, because a primitive
-//! often ends with two such writes. Instructions are taken in sequence, at most one a clock, and each begins right
-//! behind its predecessor:
+//! often ends with two such writes. Instructions are taken in sequence, at most one a clock, and each begins
+//! immediately after its predecessor:
 //!
 //! | instruction | taken when |
 //! |---|---|
-//! | on the tree | the tree slot ends in this clock; and, if its word also needs the memory, the memory is free by then |
-//! | on the memory | no instruction waits, or the memory slot ends in this clock; and the instruction in the tree slot needs no memory, or also ends |
-//! | any, one at a time | both slots end in this clock |
+//! | for the tree slot | The tree slot ends in this clock. If the word also needs the memory, the memory is free when the word begins. |
+//! | for the memory slot | No instruction waits, or the memory slot ends in this clock. The instruction in the tree slot needs no memory, or ends in this clock. For a save, the backing store is free. |
+//! | any, while `side_by_side` is low | Both slots end in this clock, no instruction waits, and the condition above is met. |
 //!
 //! Coefficients are loaded at the edge at which an instruction begins. So the array never waits while the queue has an
 //! instruction (PP5-UT).
 //!
-//! A curve takes the tree for one clock. It waits in registers of its own, and its bits go out with those of the next
-//! expression. Only a controller for a [quadratic](super::quadratic_tree) tree has these registers; there the control
-//! of the pixels is 4 log2 S clocks late.
+//! A curve occupies the tree slot for one clock. Its coefficients wait in registers of their own, and their bits are sent
+//! with those of the next expression. Only a controller for a [quadratic](super::quadratic_tree) tree has these
+//! registers. It delays the control of the pixels by 4 log2 S clocks.
 //!
-//! Latency: 1 clock from an instruction to its first bits at the tree. The control of the pixels is delayed as long as
-//! the expression.
+//! Latency: 1 clock from an instruction to its first bits at the tree. The control of the pixels is delayed by the
+//! tree's latency.
 
 use self::slot::{Order, Slot};
 use super::instruction::{Instruction, LONGEST, Microcode, Operation};
@@ -53,30 +53,30 @@ block! {
         pub quadratic: bool,
     }
     latency(self) = format!(
-        "1 clock to the coefficients' bits, {} to the control of pixels; the next instruction begins with the last bit",
+        "1 clock to the coefficients' bits, {} to the control of pixels; instructions follow without a gap",
         1 + self.lag(),
     );
     source = "Pixel-planes 5, section I.3.2.1 (PP5-UT)";
     in(self) ImageGenerationControllerIn {
         /// The instructions.
         instructions: stream(Instruction),
-        /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after its predecessor has ended.
         side_by_side: bit(),
         /// The backing store can take a region.
         store_free: bit(),
     }
     out(self) ImageGenerationControllerOut {
-        /// To the tree.
+        /// The bits of the coefficients, for the tree.
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
-        /// To a quadratic tree, with them; 0 of a linear expression.
+        /// The bits of the curve, for a quadratic tree; 0 for a linear expression.
         curve: [Curve = Curve { d: bit(), e: bit(), f: bit() }; self.quadratic],
         /// The coefficients' bits are the first of an expression.
         first: bit(),
-        /// To the pixels.
+        /// The control of the pixels.
         control: Control,
-        /// To the backing store.
+        /// The commands to the backing store.
         save: Save,
-        /// Nothing is under way except in the pixels.
+        /// No instruction is offered, waits or is in a slot; the pixels may still be at work.
         idle: bit(),
     }
 }
@@ -86,13 +86,13 @@ record! {
     pub struct Save {
         /// A region is about to be saved: the store is no longer free.
         claim: bit(),
-        /// The number of the region that is saved.
+        /// The number of the region to save.
         region: bits(REGION_BITS),
-        /// The bit that the pixels read is one of the region's; its number is the address that is written.
+        /// The pixels read a plane of the region; their write address is the plane's number.
         plane: bit(),
     }
 
-    /// The control of the pixels, and with it of the backing store.
+    /// The control of the pixels, and the command to store a plane, which both wait for the expression.
     struct Sent { control: Control, plane: bit() }
 }
 
@@ -127,7 +127,7 @@ impl ImageGenerationController {
         let next = i.instructions.take_when(may);
         let order = Order::of(&next, decoded);
 
-        // The slot that it goes to.
+        // The slot that takes the instruction.
         def!(tree_begins = next.taken & decoded.on_tree);
         def!(for_memory = next.taken & !decoded.on_tree);
         def!(must_wait = for_memory & (waits | !memory.ends));
@@ -145,17 +145,17 @@ impl ImageGenerationController {
         def!(first = m.reg(bit()).reset(0));
         first.next(tree_begins & decoded.source.is(Source::Expression));
 
-        // Both slots control the pixels; one of them controls their memory.
-        m.assert(
-            !(tree.on_memory() & tree.is_word & memory.is_word),
-            "at most one of two instructions uses the memory",
-        );
+        // Both slots control the pixels; only one of them controls their memory.
+        m.assert(!(tree.on_memory() & tree.is_word & memory.is_word), "at most one of the two slots uses the memory");
         let of_tree = tree.control();
         let of_memory = mux(memory.is_word, memory.control(), of_tree);
         let control = Control { enabling: of_tree.enabling, captures: of_tree.captures, ..of_memory };
         let sent = Sent { control, plane: memory.is_word & memory.saves() };
         let Sent { control, plane } = self.later(m, sent);
-        m.assert(control.source.is_code() & control.enabling.is_code(), "the controls of pixels are valid codes");
+        m.assert(
+            control.source.is_code() & control.enabling.is_code(),
+            "the source and the enabling of the pixels are valid codes",
+        );
 
         self.state_what_instructions_are(m, &next, &decoded);
         let save = Save { claim: next.taken & decoded.saves, region: c.bits().trunc(REGION_BITS), plane };
@@ -191,7 +191,7 @@ impl ImageGenerationController {
         vec![Curve { d, e, f }]
     }
 
-    /// The same, delayed as long as the tree takes for an expression.
+    /// `sent`, delayed by the tree's latency.
     fn later(&self, m: Module, sent: Sent) -> Sent {
         (1..=self.lag()).fold(sent, |sent, clock| {
             let register = m.reg(&format!("sent{clock}"), Sent::widths()).reset(0);
@@ -204,7 +204,7 @@ impl ImageGenerationController {
         let is_expression = code.source.is(Source::Expression);
         let clocks = Order::clocks(next.skip) + Order::clocks(next.length);
         let state = |holds: Signal, message| m.assume(next.taken.implies(holds), message);
-        state(next.operation.is_code(), "what comes is an operation");
+        state(next.operation.is_code(), "the code of an instruction is an operation");
         state(next.length.ne(0) & next.length.le(LONGEST), "a word has 1 to 64 bits");
         let is_whole = next.length.eq(fields::WORD.bits) & next.write.eq(0);
         state(code.saves.implies(is_whole), "a whole word is saved, as planes 0 to 47");
@@ -212,8 +212,11 @@ impl ImageGenerationController {
         let is_inside = |first: Signal| (first.zext(end) + next.length.zext(end)).le(PixelProcessor::BITS);
         state(is_inside(next.read) & is_inside(next.write), "a word is within the memory of 208 bits");
         let levels = self.side.trailing_zeros();
-        state(is_expression.implies(clocks.ge(levels)), "an expression has as many bits as each tree has levels");
-        state(is_expression | next.skip.eq(0), "only of an expression bits are skipped");
+        state(
+            is_expression.implies(clocks.ge(levels)),
+            "an expression has at least as many bits as each tree has levels",
+        );
+        state(is_expression | next.skip.eq(0), "only an expression has bits to skip");
     }
 }
 

@@ -6,8 +6,8 @@
 //! '-------- kept: z || rgb --------'  '---------- new ---------------'
 //! ```
 //!
-//! Words have their least significant bit at the lowest address, which is the sequence in which they are processed. So
-//! the visibility word z || rgb is one field of 48 bits (facts E0). Colours are compared before the depth above them.
+//! The least significant bit of a word has the lowest address, and is processed first. So the visibility word z || rgb
+//! is one field of 48 bits (facts E0). Colours are compared before the depth above them.
 
 /// Bits of a pixel's memory, side by side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -34,7 +34,7 @@ pub const WORD: Field = Field { address: 0, bits: 48 };
 const NEW: u32 = 48;
 
 impl Field {
-    /// The field of the new value, until it is known whether it is kept.
+    /// The field of the new value, until the program decides whether the pixel keeps it.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::fields::DEPTH;

@@ -8,10 +8,10 @@
 //! ```
 //!
 //! The 48 planes of a line come one after another, the least significant first, and shift into the words of its S
-//! pixels. The last plane writes them. Regions are numbered from the left, then from the top. Those at the right and
-//! lower edges may extend beyond the screen.
+//! pixels. The last plane writes them. Regions are numbered row by row, from the upper left. Those at the right
+//! and lower edges may extend beyond the screen.
 //!
-//! Latency: 1 clock from a line's last plane to the memory; a plane a clock. A line that is read comes 1 clock later.
+//! Latency: 1 clock from a line's last plane to the memory; a plane a clock. A line is read in 1 clock.
 
 use super::backing_store::BitPlane;
 use super::{REGION_BITS, fields, side};
@@ -22,7 +22,7 @@ block! {
     pub struct FrameBuffer {
         /// The picture's size.
         screen: Screen,
-        /// Pixels in a line of a region, and lines.
+        /// Pixels in a line of a region, and lines in a region; a power of two.
         side: u32,
     }
     latency = "1 clock from a line's last plane to the memory, 1 clock to read";
@@ -32,7 +32,7 @@ block! {
         planes: stream(BitPlane = BitPlane::widths(self.side)),
         /// A line of a region to read.
         read: pub struct ReadLine {
-            /// A line is read; where it is low the words stay.
+            /// A line is read; while `enable` is low, the words keep their values.
             enable: bit(),
             /// The number of the region.
             region: below(self.regions()),
@@ -47,11 +47,11 @@ block! {
 }
 
 impl FrameBuffer {
-    /// A frame buffer for a screen in regions with that side, a power of two from 2 to 256.
+    /// A frame buffer for a screen in regions of `pixels` x `pixels` pixels; `pixels` is a power of two from 2 to 256.
     ///
     /// # Errors
     ///
-    /// There are no regions with that side, or there are more regions than numbers.
+    /// There are no regions of that size, or the screen has more than 65,536 of them.
     pub fn new(screen: Screen, pixels: u32) -> Result<FrameBuffer, ParameterError> {
         let frame = FrameBuffer { screen, side: side(pixels)? };
         if frame.regions() <= 1 << REGION_BITS {
@@ -59,21 +59,21 @@ impl FrameBuffer {
         }
         let (regions, most) = (frame.regions(), 1 << REGION_BITS);
         Err(ParameterError(format!(
-            "a screen of {regions} regions: there are numbers for {most}; larger regions are fewer"
+            "a screen of {regions} regions: at most {most} can be numbered; choose larger regions"
         )))
     }
 
-    /// Pixels in a line of a region, and lines.
+    /// Pixels in a line of a region, and lines in a region.
     pub fn side(&self) -> u32 {
         self.side
     }
 
-    /// Regions side by side.
+    /// The number of regions side by side.
     pub fn columns(&self) -> u32 {
         self.screen.width.div_ceil(self.side)
     }
 
-    /// Regions of the screen.
+    /// The number of regions of the screen.
     pub fn regions(&self) -> u32 {
         self.columns() * self.screen.height.div_ceil(self.side)
     }
@@ -92,8 +92,8 @@ impl FrameBuffer {
 
         def!(next = m.reg(below(fields::WORD.bits)).reset(0));
         next.when(plane.taken, mux(next.eq(last_plane), 0, next + 1));
-        m.assume(plane.valid.implies(plane.plane.eq(next)), "the planes of a line come one after another");
-        m.assume(plane.valid.implies(plane.region.lt(self.regions())), "the region is one of the screen");
+        m.assume(plane.valid.implies(plane.plane.eq(next)), "the planes of a line arrive in sequence");
+        m.assume(plane.valid.implies(plane.region.lt(self.regions())), "the region belongs to the screen");
         FrameBufferOut { words: lines.read_when(i.read.enable, address(i.read.region, i.read.line)) }
     }
 }

@@ -1,19 +1,19 @@
 //! The instructions of a renderer, and what each operation means to pixels: the microcode (facts E3).
 //!
-//! An instruction works on a word of `length` bits, a bit a clock. If it has an expression, the first `skip` bits of
-//! that are ignored: a fraction, or all bits of an edge below its sign:
+//! An instruction processes a word of `length` bits, a bit a clock. If it has an expression, the expression's first
+//! `skip` bits are ignored: a fraction, or all bits of an edge below its sign:
 //!
 //! ```text
 //! bits of the expression      0 1 2 3 ..       skip                skip + length - 1
-//! the tree is taken           |-------------------|-----------------------------|
-//! the memory is taken                             |-----------------------------|   read, read + 1, ..  write, write + 1, ..
+//! the tree is in use          |-------------------|-----------------------------|
+//! the memory is in use                            |-----------------------------|   read, read + 1, ..  write, write + 1, ..
 //! ```
 //!
 //! Expressions are linear, A x + B y + C. A [`Curve`](Operation::Curve) right before one adds D x² + E x y + F y² to
-//! it. A curve takes the tree for a clock. Only a renderer that evaluates quadratics takes curves.
+//! it. A curve occupies the tree for one clock. Only a renderer that evaluates quadratics takes curves.
 //!
-//! So the memory is free for the previous instruction while an expression's lower bits are on their way, and an
-//! expression is never interrupted. A test looks at a sign, which is a word of one bit.
+//! While an expression's lower bits are on their way, the memory is free for the previous instruction. An expression is
+//! never interrupted. A test examines a sign, which is a word of one bit.
 
 use super::linear_tree::Coefficients;
 use super::pixel::{Enabling, Mask, PixelProcessor, Source};
@@ -30,7 +30,7 @@ codes! {
         TestFirst,
         /// A further edge: pixels stay enabled where the expression is at least 0.
         Test,
-        /// The last edge: as above, and the flag is set where the pixel stays enabled.
+        /// The last edge: a `Test` that also sets the flag where the pixel stays enabled.
         TestLast,
         /// The flag is set where the pixel is enabled.
         Flag,
@@ -45,7 +45,7 @@ codes! {
         /// The expression is written at all pixels. The flag is set where the pixel is enabled and the expression is
         /// less than a word of memory.
         Compare,
-        /// The same for the upper part of a longer word, whose lower part was compared before.
+        /// `Compare` for the upper part of a longer word, whose lower part has already been compared.
         CompareOn,
         /// The flag is set where a constant is less than a word of memory.
         CompareConstant,
@@ -68,7 +68,7 @@ codes! {
 /// The width of a coefficient in bits, as in the contract's depth planes (facts E0).
 pub const COEFFICIENT: u32 = 40;
 
-/// The most bits of a word; fewer may be skipped before it.
+/// The greatest length of a word, in bits. Fewer bits than this may be skipped before it.
 pub const LONGEST: u32 = 64;
 
 record! {
@@ -95,7 +95,7 @@ record! {
 }
 
 impl Instruction<u64> {
-    /// The microcode of its operation.
+    /// The microcode of the instruction's operation.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::programs::{clear, save};
@@ -116,25 +116,25 @@ impl Instruction<u64> {
 record! {
     /// The meaning of an operation: a word of the microcode.
     pub struct Microcode {
-        /// It uses the tree, or changes `enable`: instructions of this kind follow one another.
+        /// The operation uses the tree, or changes `enable`; operations of this kind do not overlap.
         on_tree: bit(),
-        /// It reads or writes memory or flag, in the clocks of its word.
+        /// The operation uses the memory or the flag, in the clocks of its word.
         on_memory: bit(),
-        /// The source of its bits: a [`Source`].
+        /// The source of the bits: a [`Source`].
         source: one_of::<Source>(),
-        /// They are added to the word that is read.
+        /// The bits are added to the word that is read.
         adds: bit(),
         /// Carry and flag restart with the word.
         begins: bit(),
         /// Which pixels write: a [`Mask`].
         mask: one_of::<Mask>(),
-        /// The flag tells where the bits are less than the word that is read.
+        /// The flag is set where the bits are less than the word that is read.
         compares: bit(),
-        /// The comparison changes the flag only where the pixel is enabled.
+        /// The comparison sets the flag only where the pixel is enabled.
         gates: bit(),
         /// The effect of the word's last bit on `enable`: an [`Enabling`].
         enabling: one_of::<Enabling>(),
-        /// With that bit the flag takes the new value of `enable`.
+        /// With the word's last bit the flag takes the new value of `enable`.
         captures: bit(),
         /// The word that is read goes to the backing store.
         saves: bit(),
@@ -142,7 +142,7 @@ record! {
 }
 
 impl Operation {
-    /// Its microcode.
+    /// The operation's microcode.
     pub fn microcode(self) -> Microcode<u64> {
         match self {
             Operation::Enable => enabling(Source::Constant, Enabling::Set),
@@ -185,7 +185,7 @@ fn enabling(source: Source, enabling: Enabling) -> Microcode<u64> {
     Microcode { on_tree: 1, on_memory: 0, enabling: enabling.code(), ..writing(source, Mask::Nobody) }
 }
 
-/// The same, and the flag takes the new value of `enable`.
+/// `microcode`, with a flag that takes the new value of `enable`.
 fn capturing(microcode: Microcode<u64>) -> Microcode<u64> {
     Microcode { on_memory: 1, captures: 1, ..microcode }
 }
@@ -194,8 +194,8 @@ fn capturing(microcode: Microcode<u64>) -> Microcode<u64> {
 mod tests {
     use super::*;
 
-    /// The controller relies on this: instructions on the tree follow one another, and so do those on the memory, but
-    /// one of each may overlap.
+    /// The controller relies on this: instructions on the tree do not overlap, nor do those on the memory. One of each
+    /// may overlap.
     #[test]
     fn what_two_instructions_share_keeps_them_in_order() {
         for operation in Operation::ALL {
@@ -206,12 +206,12 @@ mod tests {
             let evaluates = code.source == Source::Expression.code();
             assert!(
                 code.on_tree == 1 || !(looks_at_enable || enables || evaluates),
-                "{name} meets what changes enable"
+                "{name} follows what changes enable"
             );
             let looks_at_flag = code.mask == Mask::Flagged.code() || code.compares == 1 || code.captures == 1;
             let uses_memory = code.mask != Mask::Nobody.code() || code.adds == 1 || code.saves == 1;
-            assert_eq!(code.on_memory == 1, looks_at_flag || uses_memory, "{name} meets what changes memory or flag");
-            assert!(code.on_tree == 1 || code.on_memory == 1, "{name} is nowhere");
+            assert_eq!(code.on_memory == 1, looks_at_flag || uses_memory, "{name} follows what changes memory or flag");
+            assert!(code.on_tree == 1 || code.on_memory == 1, "{name} uses tree or memory");
         }
     }
 }

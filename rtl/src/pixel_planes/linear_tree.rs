@@ -12,10 +12,10 @@
 //!
 //! Each node of the x tree stands for a span of columns and has the sum at the span's first column. Its left child
 //! takes that sum. Its right child adds half the span times A, which is A shifted by the level's height above the
-//! leaves. Each level is one clock later than the one above it. So shift and delay add up to the same at every level,
-//! and one line brings a bit of A to all levels. The y tree continues in the same way with the lines of each column.
+//! leaves. Each level is one clock later than the one above it. So shift and delay add up to the same at every level.
+//! One line carries a bit of A to all levels. The y tree continues in the same way with the lines of each column.
 //!
-//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
+//! If n bits are sent, all sums are exact modulo 2^n, so signs and fractions are those of the integers (facts E0).
 //!
 //! Latency: 2 log2 S clocks. Each pixel gets a bit a clock, and expressions may follow one another without a gap.
 
@@ -25,17 +25,17 @@ use crate::prelude::*;
 block! {
     /// Evaluates a linear expression at every pixel of a square.
     pub struct LinearTree {
-        /// Pixels in a line, and lines; a power of two, from 2 to 256.
+        /// Pixels in a line, and lines in the square; a power of two from 2 to 256.
         pub side: u32,
     }
-    latency(self) = format!("{} clocks from a coefficient's bit to the expression's at each pixel", self.latency());
+    latency(self) = format!("{} clocks from a coefficient's bit to the expression's bit at each pixel", self.latency());
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) LinearTreeIn {
         /// A bit of each coefficient, beginning with the least significant.
         coefficients: pub struct Coefficients {
-            /// Coefficient A, which is added from a column to the next.
+            /// Coefficient A, the increase from one column to the next.
             a: bit(),
-            /// Coefficient B, which is added from a line to the next.
+            /// Coefficient B, the increase from one line to the next.
             b: bit(),
             /// Coefficient C, the value at column 0 of line 0.
             c: bit(),
@@ -55,7 +55,7 @@ impl LinearTree {
         self.side.trailing_zeros()
     }
 
-    /// Clocks from a coefficient's bit to the expression's bit: a clock a level.
+    /// Clocks from a coefficient's bit to the expression's bit: one per level.
     pub fn latency(&self) -> u32 {
         2 * self.levels()
     }
@@ -82,7 +82,7 @@ impl LinearTree {
 /// A coefficient on its way to the levels of a tree.
 struct Axis<'a> {
     name: &'static str,
-    /// Its bits, delayed until they have the weight of the lowest level, and so of every level.
+    /// The coefficient's bits, delayed until they have the weight of the lowest level, and so of every level.
     coefficient: Signal,
     /// Whether a new expression begins, at each level.
     first: &'a [Signal],

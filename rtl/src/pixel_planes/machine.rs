@@ -1,5 +1,5 @@
-//! The whole machine without its geometry processors: renderers around a ring, the allocator of regions, and the
-//! picture (PP5-ARCH).
+//! The whole machine without its geometry processors: renderers around a ring, the region allocator, and the frame
+//! buffer (PP5-ARCH).
 //!
 //! ```text
 //! regions ==>[ allocator ]--- given, region ---> host
@@ -16,11 +16,11 @@
 //!
 //! | party | action | when |
 //! |---|---|---|
-//! | host | offers regions, the one with most primitives first | at any time |
-//! | host | offers the instructions of a region in the bin of the renderer that got it; the last one is a save | from the clock after `given`, in which `open` rises, until the last one is taken and it falls |
+//! | host | offers regions, the one with the most primitives first | at any time |
+//! | host | offers the instructions of a region in the bin of the renderer that got it; the last one is a save | from the clock after `given` until the last one is taken; `open` is high in these clocks |
 //! | host | reads the picture | when all renderers are idle and have sent everything |
 //!
-//! Latency: the time of the renderer with most to do, and of the ring.
+//! Latency: the time that the busiest renderer takes, and the ring.
 
 use super::REGION_BITS;
 use super::allocator::{RegionAllocator, RegionAllocatorIn};
@@ -32,13 +32,13 @@ use super::ring::{Ring, RingIn};
 use crate::prelude::*;
 
 block! {
-    /// Renderers around a ring, with the allocator of regions and the frame buffer.
+    /// Renderers around a ring, with the region allocator and the frame buffer.
     pub struct PixelPlanes5 {
         /// The picture's size.
         screen: Screen,
-        /// Renderers.
+        /// The number of renderers.
         renderers: u32,
-        /// Pixels in a line of a region, and lines.
+        /// Pixels in a line of a region, and lines in a region; a power of two.
         side: u32,
         /// The capacity of each renderer's queue, in instructions.
         queue: u32,
@@ -50,27 +50,27 @@ block! {
     latency = "the clocks of the last renderer to finish; 1 clock to read a line";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH, PP5-UT)";
     in(self) PixelPlanes5In {
-        /// The numbers of the regions, the one with most primitives first.
+        /// The numbers of the regions, the one with the most primitives first.
         regions: stream(bits(REGION_BITS)),
-        /// The instructions of the region that each renderer has.
+        /// The instructions for each renderer's region.
         bins: [stream(Instruction); self.renderers],
-        /// The renderers whose region has instructions that are still to come.
+        /// The renderers whose bins have more instructions to come.
         open: bit().of(row(self.renderers)),
-        /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after its predecessor has ended.
         side_by_side: bit(),
         /// A line of a region to read.
         read: ReadLine = self.frame_buffer().inputs().read,
     }
     out(self) PixelPlanes5Out {
-        /// The renderer that gets a region in this clock, if one does.
+        /// The renderer that gets a region in this clock, if any.
         given: bit().of(row(self.renderers)),
         /// The number of the region that is given.
         region: bits(REGION_BITS),
         /// The renderers whose controllers take an instruction in this clock.
         takes: bit().of(row(self.renderers)),
-        /// The renderers in which every instruction has ended except in the pixels.
+        /// The renderers that have executed all instructions, except in the pixels.
         idle: bit().of(row(self.renderers)),
-        /// A plane goes to the frame buffer.
+        /// A plane goes to the frame buffer in this clock.
         plane_goes: bit(),
         /// The words of the pixels of the line that was read.
         words: bits(WORD).of(row(self.side)),
@@ -78,12 +78,12 @@ block! {
 }
 
 impl PixelPlanes5 {
-    /// A machine with `renderers` renderers of regions with that side, each with a queue of `queue` instructions. The
-    /// ring carries `rate` bits a clock.
+    /// A machine with `renderers` renderers, each with a queue of `queue` instructions. A region has `side` x `side`
+    /// pixels. The ring carries `rate` bits a clock.
     ///
     /// # Errors
     ///
-    /// There is no such renderer, ring or frame buffer.
+    /// A size is out of range for the renderers, the ring or the frame buffer.
     ///
     /// ```
     /// use tilewright_rtl::{parameter::Screen, pixel_planes::machine::PixelPlanes5};
@@ -105,7 +105,7 @@ impl PixelPlanes5 {
         Ok(PixelPlanes5 { screen, renderers, side, queue, rate, quadratic: false })
     }
 
-    /// The same, with renderers that [evaluate quadratics](Renderer::quadratic) if `quadratic` is true.
+    /// This machine, with renderers that [evaluate quadratics](Renderer::quadratic) if `quadratic` is true.
     #[must_use]
     pub fn quadratic(self, quadratic: bool) -> PixelPlanes5 {
         PixelPlanes5 { quadratic, ..self }
@@ -116,15 +116,15 @@ impl PixelPlanes5 {
         self.renderers
     }
 
-    /// Its frame buffer.
+    /// The machine's frame buffer.
     pub fn frame_buffer(&self) -> FrameBuffer {
-        FrameBuffer::new(self.screen, self.side).expect("it was made once")
+        FrameBuffer::new(self.screen, self.side).expect("`new` checked the sizes")
     }
 
     fn build(&self, m: Module, i: PixelPlanes5In) -> PixelPlanes5Out {
         let &PixelPlanes5 { renderers, side, queue, rate, .. } = self;
-        let renderer = Renderer::new(side, queue).expect("it was made once").quadratic(self.quadratic);
-        let ring = Ring::new(renderers, side, rate).expect("it was made once");
+        let renderer = Renderer::new(side, queue).expect("`new` checked the sizes").quadratic(self.quadratic);
+        let ring = Ring::new(renderers, side, rate).expect("`new` checked the sizes");
         let numbers = 0..renderers;
         let finished: Vec<_> =
             numbers.clone().map(|number| m.stream_wire(&format!("finished{number}"), BitPlane::widths(side))).collect();

@@ -13,7 +13,7 @@
 //!                  '------------------------------------------------------------'
 //! ```
 //!
-//! A renderer draws one region of S x S pixels of the screen after another. All coefficients are relative to the
+//! A renderer draws regions of S x S pixels, one after another. All coefficients are relative to the
 //! region: the host gives `c` at the region's upper left pixel, `c + a x0 + b y0`. So the hardware knows no position on
 //! the screen. With a quadratic tree instead of the linear one a renderer also draws spheres.
 //!
@@ -32,7 +32,7 @@
 //! | [`machine`] | renderers, ring, allocator and frame buffer |
 //! | [`fields`] | the layout of a pixel's memory |
 //! | [`programs`] | the instructions that draw triangles, polygons, vectors and spheres |
-//! | [`schedule`] | the clocks in which a controller takes them |
+//! | [`schedule`] | the clocks in which a controller takes the instructions |
 //!
 //! All sums are exact modulo powers of two, so bit-serial evaluation gives the contract's integers bit for bit (facts
 //! E0).
@@ -73,7 +73,7 @@ pub const REGION_BITS: u32 = 16;
 ///
 /// # Errors
 ///
-/// It is not a power of two from 2 to 256.
+/// `pixels` is not a power of two from 2 to 256.
 pub fn side(pixels: u32) -> Result<u32, ParameterError> {
     if pixels.is_power_of_two() && (2..=256).contains(&pixels) {
         return Ok(pixels);

@@ -72,12 +72,12 @@ impl Pixel {
     }
 }
 
-/// A region, and those that were saved.
+/// A region, and the regions that were saved.
 pub(super) struct Model {
     side: u32,
     /// The coefficients of x², x y and y² for the next expression.
     curve: [i128; 3],
-    /// Line by line.
+    /// The pixels of the region, line by line.
     pub pixels: Vec<Pixel>,
     /// The numbers of regions, and the words of their pixels.
     pub saved: Vec<(u64, Vec<u64>)>,

@@ -8,11 +8,12 @@
 //!     ^                        '------- word, where it adds       | read address
 //!     '-----------------------------------------------------------'
 //!
-//! enable: the pixel is inside all edges so far      flag: what is new is less than what is kept
+//! enable: the pixel is inside all edges so far      flag: the new word is less than the stored one
 //! ```
 //!
-//! All processors execute the same control in each clock, each on its own bit; only their flags differ. A word is
-//! processed from its least significant bit. So when two words are compared, the last bit in which they differ decides.
+//! All processors obey the same control in each clock, each on its own bits. Only their flags make them act differently.
+//! A word is processed from its least significant bit up. So when two words are compared, the last bit in which they
+//! differ decides.
 //!
 //! There are two flags, so the result of one primitive can be written where `flag` is set while the edges of the next
 //! change `enable`.
@@ -26,7 +27,7 @@ codes! {
     pub enum Source {
         /// The linear-expression tree.
         Expression,
-        /// Its memory, at the read address.
+        /// The processor's memory, at the read address.
         Memory,
         /// The controller: the same bit for all processors.
         Constant,
@@ -50,15 +51,15 @@ codes! {
 codes! {
     /// The change of the enable flags.
     pub enum Enabling {
-        /// They stay.
+        /// The flags keep their values.
         Keep,
-        /// All are set.
+        /// All flags are set.
         Set,
-        /// All are cleared.
+        /// All flags are cleared.
         Clear,
-        /// They are set where the expression's bit, a sign, is 0.
+        /// A flag is set where the expression's bit, a sign, is 0, and cleared elsewhere.
         Replace,
-        /// They stay set where it is 0.
+        /// A flag stays set only where the expression's bit, a sign, is 0.
         Restrict,
     }
 }
@@ -72,13 +73,13 @@ record! {
         constant: bit(),
         /// The bit that is read, and the carry, are added to the operand.
         adds: bit(),
-        /// The bit is the first of a word: carry and flag restart.
+        /// The bit is the first of a word: carry and flag restart from 0.
         first: bit(),
         /// Which processors write the result: a [`Mask`].
         mask: one_of::<Mask>(),
-        /// The flag is set where the words are less than the ones in memory, so far.
+        /// The flag is set where the operand's bits so far are less than those in memory.
         compares: bit(),
-        /// The flag changes by the comparison only where the processor is enabled.
+        /// The comparison sets the flag only where the processor is enabled.
         gates: bit(),
         /// The change of the enable flags: an [`Enabling`].
         enabling: one_of::<Enabling>(),
@@ -92,7 +93,7 @@ record! {
 }
 
 block! {
-    /// Computes a bit of a pixel a clock.
+    /// Processes one bit of a pixel in each clock.
     pub struct PixelProcessor;
     latency = "1 clock to the memory and the flags";
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
@@ -109,7 +110,7 @@ block! {
 }
 
 impl PixelProcessor {
-    /// Bits of memory.
+    /// The number of bits of memory.
     pub const BITS: u32 = 208;
 
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {

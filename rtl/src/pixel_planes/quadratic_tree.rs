@@ -1,27 +1,27 @@
 //! The quadratic-expression tree: A x + B y + C + D x² + E x y + F y² at each pixel, a bit a clock, least significant bit first (PP5-ARCH, facts C).
 //!
 //! ```text
-//!             a node of the x tree, of a span of 2h columns, and its right child; the left one gets c, a and b as they are
+//!             a node of the x tree with a span of 2h columns, and its right child; the left child gets c, a and b unchanged
 //!
 //!   c ---[reg]------------------------------(+)[reg]---> c + h (a + h d)      the value at the first column of the span, on line 0
 //!                                            ^
 //!   a ---+--(+)[reg]---- a + h d ----[ h ]---'
 //!        |   ^
 //!        |   +--[ h ]--- d
-//!        '--(+)[reg]---------------------------------> a + 2 h d              its growth to the right there
+//!        '--(+)[reg]---------------------------------> a + 2 h d              its increment to the right there
 //!            ^
 //!            '--[2 h]--- d
-//!   b ------(+)[reg]---------------------------------> b + h e                its growth downward
+//!   b ------(+)[reg]---------------------------------> b + h e                its increment downward
 //!            ^
 //!            '--[ h ]--- e
 //! ```
 //!
-//! A node has the expression over its span, relative to the span's first column: c + a t + d t². Half a span further
+//! A node stores the expression over its span, relative to the span's first column: c + a t + d t². Half a span further
 //! on, this is an expression of the same form with other coefficients; the right child takes those. The y tree
 //! continues in the same way with the c and b of each column, and with F instead of D.
 //!
-//! Half a span is a power of two, so `[h]` is a shift, which is a delay. A level takes 2 clocks for c, and 1 each for a
-//! and b. One line each brings D, E and F to all levels. So each stream reaches each level with the delay that its
+//! Half a span is a power of two, so `[h]` is a shift, and a shift is a delay. A level takes 2 clocks for c, and 1 each
+//! for a and b. One line each carries D, E and F to all levels. So each stream reaches each level with the delay that its
 //! shift needs, as in the [linear tree](super::linear_tree). The only other delays are those before the roots.
 //!
 //! | with L = log2 S | clock of the first bit at level j of its tree, from 0 |
@@ -31,7 +31,7 @@
 //! | b | 2 L - 1 + j in the x tree, 3 L - 1 + j in the y tree |
 //! | D, E, F | 2 L - 2, 3 L - 2, 4 L - 2: at all levels |
 //!
-//! All sums are exact modulo 2 to the number of bits sent, so signs and fractions are those of the integers (facts E0).
+//! If n bits are sent, all sums are exact modulo 2^n, so signs and fractions are those of the integers (facts E0).
 //!
 //! Latency: 4 log2 S clocks. Each pixel gets a bit a clock, and expressions may follow one another without a gap.
 
@@ -42,15 +42,15 @@ use crate::prelude::*;
 block! {
     /// Evaluates a quadratic expression at every pixel of a square.
     pub struct QuadraticTree {
-        /// Pixels in a line, and lines; a power of two, from 2 to 256.
+        /// Pixels in a line, and lines in the square; a power of two from 2 to 256.
         pub side: u32,
     }
-    latency(self) = format!("{} clocks from a coefficient's bit to the expression's at each pixel", self.latency());
+    latency(self) = format!("{} clocks from a coefficient's bit to the expression's bit at each pixel", self.latency());
     source = "Pixel-planes 5, section I.3.2.1 (PP5-ARCH)";
     in(self) QuadraticTreeIn {
         /// A bit of each linear coefficient, beginning with the least significant.
         coefficients: Coefficients = Coefficients { a: bit(), b: bit(), c: bit() },
-        /// A bit of each of the others, which are 0 of a linear expression.
+        /// A bit of each quadratic coefficient; all are 0 for a linear expression.
         curve: pub struct Curve {
             /// Coefficient D, of the square of x.
             d: bit(),
@@ -74,7 +74,7 @@ impl QuadraticTree {
         self.side.trailing_zeros()
     }
 
-    /// Clocks from a coefficient's bit to the expression's bit: two a level.
+    /// Clocks from a coefficient's bit to the expression's bit: two per level.
     pub fn latency(&self) -> u32 {
         4 * self.levels()
     }
@@ -121,8 +121,8 @@ impl QuadraticTree {
     }
 }
 
-/// The nodes of a level: the expression at the beginning of their spans, and its growth from there to the next place,
-/// without the curve.
+/// The nodes of a level: the expression at the beginning of their spans, and its increment from there to the next place
+/// along the axis, without the curve.
 struct Span {
     value: Signal,
     growth: Signal,
@@ -132,14 +132,15 @@ struct Span {
 struct Axis<'a> {
     name: &'static str,
     levels: u32,
-    /// Its bits, with the delay that the lowest level needs; it is the same for all levels.
+    /// The coefficient's bits, with the delay that the lowest level needs; all levels need the same.
     curve: Signal,
-    /// Whether a new expression begins, from the clock on in which it reaches the root.
+    /// Whether a new expression begins, in each clock from the one in which it reaches the root.
     first: &'a [Signal],
 }
 
 impl Axis<'_> {
-    /// A level's nodes; `by_child` says for each what its parent has. The lowest level has no growth: nothing uses it.
+    /// The nodes of a level; `by_child` gives each child the signal of its parent. The lowest level computes no
+    /// increment, because nothing uses it.
     fn children(
         &self,
         m: Module,

@@ -12,8 +12,8 @@
 //!
 //! The tree is [linear](super::linear_tree) or [quadratic](super::quadratic_tree).
 //!
-//! The renderer is at rest if no bit of an instruction was sent for [`Renderer::REST`] clocks and no plane is taken.
-//! Then nothing in it changes.
+//! The renderer is at rest if the controller has sent no bit for [`Renderer::REST`] clocks and no plane is taken. Then
+//! nothing in the renderer changes.
 //!
 //! Latency and throughput are those of the instructions, one after another. A primitive takes the clocks of its program
 //! ([`programs`](super::programs)), as long as the queue gets its instructions in time.
@@ -32,11 +32,11 @@ use crate::prelude::*;
 block! {
     /// Draws regions of the screen, one after another.
     pub struct Renderer {
-        /// Pixels in a line of a region, and lines.
+        /// Pixels in a line of a region, and lines in a region; a power of two.
         side: u32,
-        /// The capacity of its queue, in instructions.
+        /// The capacity of the queue, in instructions.
         queue: u32,
-        /// Whether its expressions may be quadratic.
+        /// Whether expressions may be quadratic.
         quadratic: bool,
     }
     latency = "a primitive takes the clocks of its instructions; a region is sent in 48 clocks a line";
@@ -44,37 +44,38 @@ block! {
     in RendererIn {
         /// The instructions; all coefficients are relative to the region.
         instructions: stream(Instruction),
-        /// Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+        /// Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after its predecessor has ended.
         side_by_side: bit(),
     }
     out(self) RendererOut {
         /// Finished regions, S bits a clock.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
-        /// The queue takes an instruction in this clock: `instructions.ready`, for a sender that has to know before it sends one.
+        /// The queue has room for an instruction in this clock: a copy of `instructions.ready`, for a sender that must know before it offers one.
         room: bit(),
         /// The controller takes an instruction from the queue in this clock.
         takes: bit(),
-        /// Every instruction has ended except in the pixels, which are `Renderer::lag` clocks behind: it can be given another region.
+        /// All instructions have ended, except in the pixels, which are `Renderer::lag` clocks behind. The renderer can take another region.
         idle: bit(),
     }
 }
 
 impl Renderer {
-    /// The largest capacity of its queue, in instructions.
+    /// The largest capacity of the queue, in instructions.
     pub const MOST: u32 = 4096;
-    /// This many clocks after an instruction's last bit, nothing of it is on its way any more. The coefficients have
+    /// This many clocks after an instruction's last bit, none of its bits is still on its way. The coefficients have
     /// been shifted out except for their signs, and their sums have passed the tree to the pixels.
     ///
-    /// A quadratic tree of 256 x 256 pixels takes 88 clocks. From its first bit on, a coefficient changes for 39
-    /// clocks. The longest path has 39 registers and 17 sums, whose carries may each change a clock later. An
-    /// instruction has 8 bits or more.
+    /// A quadratic tree of 256 x 256 pixels takes at most 95 clocks. From its first bit on, a coefficient changes for
+    /// 39 clocks. The longest path, that of D or E, has 46 registers and 17 sums, whose carries may each change a clock
+    /// later. An instruction has 8 bits or more.
     pub const REST: u64 = 96;
 
-    /// A renderer of regions with that side, a power of two from 2 to 256, with a queue of `queue` instructions.
+    /// A renderer for regions of `pixels` x `pixels` pixels, with a queue of `queue` instructions; `pixels` is a power of
+    /// two from 2 to 256.
     ///
     /// # Errors
     ///
-    /// There is no such renderer.
+    /// The side of a region or the capacity of the queue is out of range.
     pub fn new(pixels: u32, queue: u32) -> Result<Renderer, ParameterError> {
         if !(1..=Renderer::MOST).contains(&queue) {
             let most = Renderer::MOST;
@@ -83,7 +84,7 @@ impl Renderer {
         Ok(Renderer { side: side(pixels)?, queue, quadratic: false })
     }
 
-    /// The same; with `quadratic`, it has a [quadratic tree](super::quadratic_tree), which also takes
+    /// This renderer, with a [quadratic tree](super::quadratic_tree) if `quadratic` is true. It then also takes
     /// [curves](super::instruction::Operation::Curve).
     ///
     /// ```
@@ -98,12 +99,12 @@ impl Renderer {
         Renderer { quadratic, ..self }
     }
 
-    /// Whether its expressions may be quadratic.
+    /// Whether expressions may be quadratic.
     pub fn is_quadratic(&self) -> bool {
         self.quadratic
     }
 
-    /// Clocks from a bit that its controller sends to the pixels: 2 log2 S for a linear tree, 4 log2 S for a quadratic
+    /// Clocks that a bit takes from the controller to the pixels: 2 log2 S for a linear tree, 4 log2 S for a quadratic
     /// one.
     pub fn lag(&self) -> u32 {
         self.controller().lag()
@@ -113,12 +114,12 @@ impl Renderer {
         ImageGenerationController { side: self.side, quadratic: self.quadratic }
     }
 
-    /// Pixels in a line of a region, and lines.
+    /// Pixels in a line of a region, and lines in a region.
     pub fn side(&self) -> u32 {
         self.side
     }
 
-    /// The capacity of its queue, in instructions.
+    /// The capacity of the queue, in instructions.
     pub fn queue(&self) -> u32 {
         self.queue
     }

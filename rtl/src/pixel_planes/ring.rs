@@ -14,16 +14,16 @@
 //! ```
 //!
 //! A message passes in the clock in which it is granted. An instruction requests only if its renderer's queue has room.
-//! Requests are served round robin, the instructions before the planes, starting behind the last one served. In a
-//! clock, as many pass as the credit pays for, at most one to each receiver. If a message has to wait for credit, all
-//! behind it wait, too.
+//! Requests are served round robin, the instructions before the planes, starting after the last one served. In a clock,
+//! as many messages pass as the credit pays for, at most one to each receiver. If a message has to wait for credit, all
+//! messages after it wait, too.
 //!
-//! The credit grows by `rate` bits a clock. Its limit is what one clock and a message that just had to wait need. So in
-//! any n clocks the ring carries fewer than n `rate` bits and one message more. While messages wait for credit, none of
-//! these bits is lost. An instruction costs all of its bits; a plane costs a bit for each pixel of the line. Addresses
+//! The credit grows by `rate` bits a clock. Its limit is `rate` plus the size of the largest message, less one bit. So in
+//! any n clocks the ring carries less than n `rate` bits plus one message. While messages wait for credit, none of these
+//! bits is lost. An instruction costs all of its bits; a plane costs a bit for each pixel of the line. Addresses
 //! cost nothing. The planes of a line stay together, as the frame buffer requires.
 //!
-//! Latency: none. A message is taken in the clock in which it is shown.
+//! Latency: none. A message can be taken in the clock in which it is offered.
 
 use super::backing_store::BitPlane;
 use super::instruction::Instruction;
@@ -31,13 +31,13 @@ use super::{PERIOD, fields, side};
 use crate::prelude::*;
 
 block! {
-    /// Carries instructions to renderers, and their planes to the frame buffer, `rate` bits a clock.
+    /// Carries instructions to renderers, and their planes to the frame buffer, at `rate` bits a clock.
     pub struct Ring {
         /// The number of renderers.
         renderers: u32,
         /// Pixels in a line of a region.
         side: u32,
-        /// Bits that it carries in a clock.
+        /// Bits that the ring carries in a clock.
         rate: u32,
     }
     latency(self) = format!("none; {} bits a clock", self.rate);
@@ -45,45 +45,45 @@ block! {
     in(self) RingIn {
         /// The instructions for each renderer.
         bins: [stream(Instruction); self.renderers],
-        /// The renderers whose queues take an instruction in this clock.
+        /// The renderers whose queues have room for an instruction in this clock.
         room: bit().of(row(self.renderers)),
-        /// The finished regions of each.
+        /// The finished regions of each renderer.
         finished: [stream(BitPlane = BitPlane::widths(self.side)); self.renderers],
     }
     out(self) RingOut {
-        /// To each renderer.
+        /// The instructions to each renderer.
         instructions: [stream(Instruction); self.renderers],
-        /// To the frame buffer.
+        /// The planes to the frame buffer.
         planes: stream(BitPlane = BitPlane::widths(self.side)),
     }
 }
 
-/// The state of a clock's arbitration after some of its requests.
+/// The state of the arbitration within a clock, after some of the requests.
 struct Turn {
     /// The remaining credit.
     credit: Signal,
-    /// One of them has to wait for credit.
+    /// One of these requests has to wait for credit.
     waits: Signal,
-    /// One of them is a plane, and passes.
+    /// One of these requests is a plane, and passes.
     plane_goes: Signal,
-    /// The last of them that passes, one bit each; before the first, the one that passed last.
+    /// The last of these requests that passes, one-hot; if none does, the last one of earlier clocks.
     last: Signal,
 }
 
 impl Ring {
-    /// The most renderers.
+    /// The greatest number of renderers.
     pub const MOST_RENDERERS: u32 = 64;
     /// The largest rate; 32 renderers cannot take that much.
     pub const MOST: u32 = 8192;
-    /// Bits of an instruction.
+    /// The number of bits of an instruction.
     pub const INSTRUCTION: u32 = 154;
 
-    /// A ring for `renderers` renderers of regions with that side, which carries `rate` bits a clock. 125 bits in 25 ns
-    /// are 5 Gbit/s.
+    /// A ring that carries `rate` bits a clock, for `renderers` renderers of regions of `pixels` x `pixels` pixels. 125
+    /// bits in 25 ns are 5 Gbit/s.
     ///
     /// # Errors
     ///
-    /// There are no regions with that side, or the number of renderers or bits is out of range.
+    /// There are no regions of that size, or the number of renderers or bits is out of range.
     ///
     /// ```
     /// use tilewright_rtl::pixel_planes::ring::Ring;
@@ -95,16 +95,18 @@ impl Ring {
     pub fn new(renderers: u32, pixels: u32, rate: u32) -> Result<Ring, ParameterError> {
         if !(1..=Ring::MOST_RENDERERS).contains(&renderers) {
             let most = Ring::MOST_RENDERERS;
-            return Err(ParameterError(format!("a ring of {renderers} renderers: it has to have from 1 to {most}")));
+            return Err(ParameterError(format!(
+                "a ring of {renderers} renderers: the number has to be from 1 to {most}"
+            )));
         }
         if !(1..=Ring::MOST).contains(&rate) {
             let most = Ring::MOST;
-            return Err(ParameterError(format!("a ring of {rate} bits a clock: it has to bring from 1 to {most}")));
+            return Err(ParameterError(format!("a ring of {rate} bits a clock: the rate has to be from 1 to {most}")));
         }
         Ok(Ring { renderers, side: side(pixels)?, rate })
     }
 
-    /// The bits a clock of a ring with this many Mbit/s.
+    /// The bits per clock of a ring of `megabits` Mbit/s.
     ///
     /// # Errors
     ///
@@ -126,23 +128,23 @@ impl Ring {
         }
         let clock = PERIOD.picoseconds() / 1000;
         Err(ParameterError(format!(
-            "a ring of {megabits} Mbit/s: it brings a whole number of bits in each clock of {clock} ns, \
+            "a ring of {megabits} Mbit/s: it carries a whole number of bits in each clock of {clock} ns, \
              so it has to be a multiple of {step} from {step} to {most}"
         )))
     }
 
-    /// Bits that it carries in a clock.
+    /// Bits that the ring carries in a clock.
     pub fn rate(&self) -> u32 {
         self.rate
     }
 
-    /// Bits of a plane of a line.
+    /// Bits of one plane of a line.
     pub fn plane(&self) -> u32 {
         self.side
     }
 
-    /// The most credit, which is also the initial one. With less, bits of the next clock would be lost while a message
-    /// waits.
+    /// The greatest credit, which is also the initial credit. With a lower limit, bits of the next clock would be lost
+    /// while a message waits.
     pub fn most_credit(&self) -> u32 {
         Ring::INSTRUCTION.max(self.plane()) - 1 + self.rate
     }
@@ -180,7 +182,7 @@ impl Ring {
         RingOut { instructions, planes }
     }
 
-    /// The requests that are granted: one pass over all, starting behind the one that passed last.
+    /// The requests that are granted: one pass over all, starting after the one that passed last.
     fn grant(&self, m: Module, requests: Signal) -> Signal {
         let stations = 2 * self.renderers;
         let most = self.most_credit();
@@ -203,7 +205,7 @@ impl Ring {
         concat(&goes)
     }
 
-    /// Whether the request of a station, if any, is granted; it is at that place of those visited in the clock.
+    /// Whether the request of a station, if any, is granted. `place` counts the stations visited in the clock.
     fn visit(&self, turn: &mut Turn, station: u32, request: Signal, place: u32) -> Signal {
         let is_plane = station >= self.renderers;
         let bits = if is_plane { self.plane() } else { Ring::INSTRUCTION };

@@ -7,11 +7,11 @@ use super::instruction::Instruction;
 /// The timing of an instruction: the parts of a renderer that it uses, and for how long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Step {
-    /// It uses the tree, or changes `enable`.
+    /// Whether the instruction uses the tree, or changes `enable`.
     pub on_tree: bool,
-    /// It uses memory or flags.
+    /// Whether the instruction uses the memory or the flag.
     pub on_memory: bool,
-    /// It saves the region.
+    /// Whether the instruction saves the region.
     pub saves: bool,
     /// Bits of an expression before the word, which need the tree alone.
     pub skip: u8,
@@ -35,13 +35,13 @@ impl Step {
     /// An instruction that uses the tree alone for 1 to 64 clocks, as a test of an edge does.
     ///
     /// # Panics
-    /// No instruction takes this long.
+    /// `clocks` is not from 1 to 64.
     pub fn on_tree(clocks: u64) -> Step {
         assert!((1..=64).contains(&clocks), "a test takes 1 to 64 clocks");
         Step { on_tree: true, on_memory: false, saves: false, skip: clocks as u8 - 1, length: 1 }
     }
 
-    /// Clocks from its first bit to the one behind its last.
+    /// Clocks from the first bit to the last, both included.
     pub fn clocks(&self) -> u64 {
         u64::from(self.skip) + u64::from(self.length)
     }
@@ -84,14 +84,14 @@ pub struct Schedule {
     word: u64,
     /// The clock of the last bit of an instruction on the memory alone.
     memory: u64,
-    /// The clock in which the instruction that waits for the memory leaves its place.
+    /// The clock in which the instruction that waits for the memory leaves its register.
     place: u64,
 }
 
 /// The clocks of an instruction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Times {
-    /// The clock in which it is taken.
+    /// The clock in which the instruction is taken.
     pub taken: u64,
     /// The clock in which its first bit is sent.
     pub begins: u64,
@@ -105,7 +105,8 @@ impl Schedule {
         Schedule { side_by_side, next: 0, tree: 0, word: 0, memory: 0, place: 0 }
     }
 
-    /// The first clock in which it would take this instruction next; for a save, if the store is free.
+    /// The first clock in which the controller could take this instruction next; for a save, provided that the store is
+    /// free.
     pub fn ready(&self, step: &Step) -> u64 {
         let in_turn = if self.side_by_side { self.next } else { self.next.max(self.tree).max(self.memory) };
         match (step.on_tree, step.on_memory) {
@@ -116,7 +117,7 @@ impl Schedule {
         }
     }
 
-    /// Takes the next instruction, which has come in time.
+    /// Takes the next instruction as early as possible.
     pub fn take(&mut self, step: &Step) -> Times {
         self.take_at(step, self.ready(step))
     }

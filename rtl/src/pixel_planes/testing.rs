@@ -15,7 +15,7 @@ use crate::prelude::{Block, Bundle, Codes};
 pub(super) struct Primitive {
     pub edges: Vec<Expression>,
     pub surface: Surface,
-    /// Its colour without planes of colour.
+    /// The colour for programs in one colour.
     pub rgb: u32,
 }
 
@@ -35,7 +35,7 @@ impl Primitive {
 pub(super) struct Sphere {
     pub inside: Quadratic,
     pub surface: Surface<Quadratic>,
-    /// Its colour without planes of colour.
+    /// The colour for programs in one colour.
     pub rgb: u32,
 }
 
@@ -74,14 +74,14 @@ impl Shape {
         (value(&self.surface().0.z, x, y) >> 16) as u64 & 0xff_ffff
     }
 
-    /// Its word with planes of colour.
+    /// The shape's word with colour planes.
     pub fn smooth_word(&self, x: u32, y: u32) -> u64 {
         let channel = |plane: Quadratic| (value(&plane, x, y) >> 16) as u64 & 0xff;
         let rgb = self.surface().0.rgb.map(channel).into_iter().reduce(|high, low| high << 8 | low);
         self.depth(x, y) << 24 | rgb.expect("three channels")
     }
 
-    /// Its word in one colour.
+    /// The shape's word in one colour.
     pub fn flat_word(&self, x: u32, y: u32) -> u64 {
         self.depth(x, y) << 24 | u64::from(self.surface().1)
     }
@@ -166,7 +166,7 @@ pub(super) fn polygons(side: u32) -> impl Strategy<Value = Primitive> {
     })
 }
 
-/// The edges between vertices, relative to the region whose upper left pixel that is.
+/// The edges between vertices, relative to the region with this upper left pixel.
 fn edges(vertices: &[[i64; 2]], [left, top]: [i64; 2]) -> Vec<Expression> {
     let next = vertices.iter().cycle().skip(1);
     let edges = vertices.iter().zip(next).map(|(&from, &to)| edge(from, to));
@@ -186,8 +186,8 @@ fn surface() -> impl Strategy<Value = (Surface, u32)> {
         .prop_map(|(z, rgb_planes, rgb)| (Surface { z, rgb: rgb_planes }, rgb))
 }
 
-/// Instructions for a renderer with that side, on a small part of the memory, so that they hit each other's words. They
-/// include curves if it evaluates quadratics.
+/// Instructions for a renderer with that side. They use a small part of the memory, so that they access the same words.
+/// They include curves if `quadratic` is true.
 pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = Instruction<u64>> {
     const LAST: usize = Operation::Save as usize;
     let curves = if quadratic { 6 } else { 0 };
@@ -217,7 +217,7 @@ pub(super) fn instructions(side: u32, quadratic: bool) -> impl Strategy<Value = 
 pub(super) struct Sent<const N: usize> {
     pub coefficients: [u64; N],
     pub bits: u32,
-    /// Clocks in which something is sent that belongs to no expression.
+    /// Clocks after the expression in which filler is sent.
     pub pause: u32,
 }
 
@@ -235,7 +235,7 @@ impl<const N: usize> Sent<N> {
     }
 }
 
-/// Sends expressions one after another to a tree over `side` pixels a side. Compares each pixel's bits, `latency`
+/// Sends expressions one after another to a tree for `side` x `side` pixels. Compares each pixel's bits, `latency`
 /// clocks later, with the formula. `inputs` makes the tree's inputs from a bit of each coefficient and whether it is
 /// the first.
 pub(super) fn expect_sums<B: Block, const N: usize>(

@@ -13,14 +13,14 @@ module backing_store_side8 (
     input  wire        rst,
     // The commands of the controller.
     input  wire        save_claim,    // A region is about to be saved: the store is no longer free.
-    input  wire [15:0] save_region,   // The number of the region that is saved.
-    // The bit that the pixels read is one of the region's; its number is the address that is written.
+    input  wire [15:0] save_region,   // The number of the region to save.
+    // The pixels read a plane of the region; their write address is the plane's number.
     input  wire        save_plane,
-    input  wire [5:0]  number,        // The number of the plane that comes.
-    input  wire [63:0] word,          // The bits of the plane that comes, a row for each line.
+    input  wire [5:0]  number,        // The number of the plane that arrives.
+    input  wire [63:0] word,          // The bits of the plane that arrives, a row for each line.
     input  wire        planes_ready,
     output reg         free,          // The store can take a region.
-    // The region.
+    // The planes of the region, line by line.
     output wire        planes_valid,
     output wire [15:0] planes_region, // The number of the region.
     output wire [2:0]  planes_line,   // The line of the region.
@@ -134,11 +134,11 @@ module backing_store_side8 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!save_claim | free)) begin                     // rtl/src/pixel_planes/backing_store.rs:91
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a region comes when the one before is gone", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a region is claimed only when the previous one has left", $time);
             stop;
         end
         if (!rst && !(!save_plane | (!free & !reading & !arrived))) begin // rtl/src/pixel_planes/backing_store.rs:92
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: planes come of a region that was announced", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a plane arrives only for a region that was claimed", $time);
             stop;
         end
     end

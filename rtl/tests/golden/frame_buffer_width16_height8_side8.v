@@ -18,7 +18,7 @@ module frame_buffer_width16_height8_side8 (
     input  wire [5:0]   planes_plane,  // The number of the bit in the visibility word.
     input  wire [7:0]   planes_bits,   // The plane's bit of each pixel of the line, from the left.
     // A line of a region to read.
-    input  wire         read_enable,   // A line is read; where it is low the words stay.
+    input  wire         read_enable,   // A line is read; while `enable` is low, the words keep their values.
     input  wire         read_region,   // The number of the region.
     input  wire [2:0]   read_line,     // The line of the region.
     output wire [383:0] words,         // The words of the pixels of the line that was read.
@@ -92,11 +92,11 @@ module frame_buffer_width16_height8_side8 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!planes_valid | (planes_plane == next))) begin // rtl/src/pixel_planes/frame_buffer.rs:95
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the planes of a line come one after another", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the planes of a line arrive in sequence", $time);
             stop;
         end
         if (!rst && !(!planes_valid | (planes_region < 16'd2))) begin // rtl/src/pixel_planes/frame_buffer.rs:96
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the region is one of the screen", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the region belongs to the screen", $time);
             stop;
         end
     end

@@ -3,7 +3,7 @@
 // Takes the instructions of a renderer, and controls its tree and its pixels.
 //
 // Parameters  ImageGenerationController { side: 8, quadratic: false }
-// Latency     1 clock to the coefficients' bits, 7 to the control of pixels; the next instruction begins with the last bit
+// Latency     1 clock to the coefficients' bits, 7 to the control of pixels; instructions follow without a gap
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-UT)
 // Described   rtl/src/pixel_planes/controller.rs:47
 `default_nettype none
@@ -20,37 +20,38 @@ module image_generation_controller_side8 (
     input  wire [7:0]  instructions_write,          // The first address that is written.
     // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
     // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
-    input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
-    input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0] instructions_coefficients_a, // Coefficient A, the increase from one column to the next.
+    input  wire [39:0] instructions_coefficients_b, // Coefficient B, the increase from one line to the next.
     input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.
-    // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after
+    // its predecessor has ended.
     input  wire        side_by_side,
     input  wire        store_free,                  // The backing store can take a region.
-    // To the tree.
-    output wire        coefficients_a,              // Coefficient A, which is added from a column to the next.
-    output wire        coefficients_b,              // Coefficient B, which is added from a line to the next.
+    // The bits of the coefficients, for the tree.
+    output wire        coefficients_a,              // Coefficient A, the increase from one column to the next.
+    output wire        coefficients_b,              // Coefficient B, the increase from one line to the next.
     output wire        coefficients_c,              // Coefficient C, the value at column 0 of line 0.
     output reg         first,                       // The coefficients' bits are the first of an expression.
-    // To the pixels.
+    // The control of the pixels.
     output wire [1:0]  control_source,              // Where the operand comes from: a `Source`.
     output wire        control_constant,            // The operand, if it is a constant.
     output wire        control_adds,                // The bit that is read, and the carry, are added to the operand.
-    output wire        control_first,               // The bit is the first of a word: carry and flag restart.
+    output wire        control_first,               // The bit is the first of a word: carry and flag restart from 0.
     output wire [1:0]  control_mask,                // Which processors write the result: a `Mask`.
-    // The flag is set where the words are less than the ones in memory, so far.
+    // The flag is set where the operand's bits so far are less than those in memory.
     output wire        control_compares,
-    // The flag changes by the comparison only where the processor is enabled.
-    output wire        control_gates,
+    output wire        control_gates,               // The comparison sets the flag only where the processor is enabled.
     output wire [2:0]  control_enabling,            // The change of the enable flags: an `Enabling`.
     output wire        control_captures,            // The flag takes the new value of the enable flag.
     output wire [7:0]  control_read,                // The address that is read.
     output wire [7:0]  control_write,               // The address that is written.
-    // To the backing store.
+    // The commands to the backing store.
     output wire        save_claim,                  // A region is about to be saved: the store is no longer free.
-    output wire [15:0] save_region,                 // The number of the region that is saved.
-    // The bit that the pixels read is one of the region's; its number is the address that is written.
+    output wire [15:0] save_region,                 // The number of the region to save.
+    // The pixels read a plane of the region; their write address is the plane's number.
     output wire        save_plane,
-    output wire        idle,                        // Nothing is under way except in the pixels.
+    // No instruction is offered, waits or is in a slot; the pixels may still be at work.
+    output wire        idle,
     output wire        instructions_ready
 );
 
@@ -254,14 +255,14 @@ module image_generation_controller_side8 (
     wire [7:0] memory_left_extended = {2'd0, waits ? waiting_skip : instructions_skip}; // rtl/src/pixel_planes/controller/slot.rs:30
     assign coefficients_a = a[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
     assign coefficients_b = b[0];                                // rtl/src/pixel_planes/controller/slot.rs:109
-    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:150
+    wire asserted_and = (tree_left != 8'd0) & tree_microcode_on_memory & tree_is_word; // rtl/src/pixel_planes/controller.rs:149
     wire sent1_control_enabling_and = tree_is_word & (tree_left == 8'd1); // rtl/src/pixel_planes/controller/slot.rs:88
     wire assumed_and = (instructions_length != 7'd0) & (instructions_length <= 7'd64); // rtl/src/pixel_planes/controller.rs:208
     wire assumed_and_2 = (instructions_length == 7'd48) & (instructions_write == 8'd0); // rtl/src/pixel_planes/controller.rs:209
     wire assumed_at_most = ({1'd0, instructions_read} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:212
     wire assumed_at_most_2 = ({1'd0, instructions_write} + {2'd0, instructions_length}) <= 9'd208; // rtl/src/pixel_planes/controller.rs:212
-    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:215
-    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:216
+    wire assumed_at_least = ({2'd0, instructions_skip} + {1'd0, instructions_length}) >= 8'd3; // rtl/src/pixel_planes/controller.rs:216
+    wire assumed_or = (decoded_source == SOURCE_EXPRESSION) | (instructions_skip == 6'd0); // rtl/src/pixel_planes/controller.rs:219
     assign save_claim = instructions_taken & decoded_saves;      // rtl/src/pixel_planes/controller.rs:161
     assign save_region = instructions_coefficients_c[15:0];      // rtl/src/pixel_planes/controller.rs:161
     wire idle_and = !instructions_valid & (tree_left == 8'd0);   // rtl/src/pixel_planes/controller.rs:168
@@ -612,7 +613,7 @@ module image_generation_controller_side8 (
     always @(posedge clk) begin
         if (!rst) assume (!instructions_taken | (instructions_operation != OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:176
         if (!rst) assert (!(asserted_and & memory_is_word));         // rtl/src/pixel_planes/controller.rs:149
-        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:158
+        if (!rst) assert ((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT)); // rtl/src/pixel_planes/controller.rs:155
         if (!rst) assume (!instructions_taken | (instructions_operation <= OPERATION_CURVE)); // rtl/src/pixel_planes/controller.rs:206
         if (!rst) assume (!instructions_taken | assumed_and);        // rtl/src/pixel_planes/controller.rs:206
         if (!rst) assume (!instructions_taken | (!decoded_saves | assumed_and_2)); // rtl/src/pixel_planes/controller.rs:206
@@ -627,15 +628,15 @@ module image_generation_controller_side8 (
             stop;
         end
         if (!rst && (asserted_and & memory_is_word)) begin           // rtl/src/pixel_planes/controller.rs:149
-            $display("FAIL: time %0t: %m: at most one of two instructions uses the memory", $time);
+            $display("FAIL: time %0t: %m: at most one of the two slots uses the memory", $time);
             stop;
         end
-        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:158
-            $display("FAIL: time %0t: %m: the controls of pixels are valid codes", $time);
+        if (!rst && !((sent6_control_source <= SOURCE_CONSTANT) & (sent6_control_enabling <= ENABLING_RESTRICT))) begin // rtl/src/pixel_planes/controller.rs:155
+            $display("FAIL: time %0t: %m: the source and the enabling of the pixels are valid codes", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | (instructions_operation <= OPERATION_CURVE))) begin // rtl/src/pixel_planes/controller.rs:206
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: what comes is an operation", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the code of an instruction is an operation", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | assumed_and)) begin      // rtl/src/pixel_planes/controller.rs:206
@@ -651,11 +652,11 @@ module image_generation_controller_side8 (
             stop;
         end
         if (!rst && !(!instructions_taken | ((decoded_source != SOURCE_EXPRESSION) | assumed_at_least))) begin // rtl/src/pixel_planes/controller.rs:206
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has as many bits as each tree has levels", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: an expression has at least as many bits as each tree has levels", $time);
             stop;
         end
         if (!rst && !(!instructions_taken | assumed_or)) begin       // rtl/src/pixel_planes/controller.rs:206
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only of an expression bits are skipped", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: only an expression has bits to skip", $time);
             stop;
         end
     end

@@ -3,7 +3,7 @@
 // Evaluates a linear expression at every pixel of a square.
 //
 // Parameters  LinearTree { side: 8 }
-// Latency     6 clocks from a coefficient's bit to the expression's at each pixel
+// Latency     6 clocks from a coefficient's bit to the expression's bit at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
 // Described   rtl/src/pixel_planes/linear_tree.rs:25
 `default_nettype none
@@ -12,8 +12,8 @@ module linear_tree_side8 (
     input  wire        clk,
     input  wire        rst,
     // A bit of each coefficient, beginning with the least significant.
-    input  wire        coefficients_a, // Coefficient A, which is added from a column to the next.
-    input  wire        coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire        coefficients_a, // Coefficient A, the increase from one column to the next.
+    input  wire        coefficients_b, // Coefficient B, the increase from one line to the next.
     input  wire        coefficients_c, // Coefficient C, the value at column 0 of line 0.
     // The coefficients' bits are the first of an expression, which has at least log2 `side` bits.
     input  wire        first,

@@ -1,6 +1,6 @@
 // pixel_planes5_width16_height8_renderers2_side8_queue16_rate125
 //
-// Renderers around a ring, with the allocator of regions and the frame buffer.
+// Renderers around a ring, with the region allocator and the frame buffer.
 //
 // Parameters  PixelPlanes5 { screen: Screen { width: 16, height: 8 }, renderers: 2, side: 8, queue: 16, rate: 125, quadratic: false }
 // Latency     the clocks of the last renderer to finish; 1 clock to read a line
@@ -11,10 +11,10 @@
 module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire         clk,
     input  wire         rst,
-    // The numbers of the regions, the one with most primitives first.
+    // The numbers of the regions, the one with the most primitives first.
     input  wire         regions_valid,
     input  wire [15:0]  regions_payload,
-    // The instructions of the region that each renderer has.
+    // The instructions for each renderer's region.
     input  wire         bins_0_valid,
     input  wire [4:0]   bins_0_operation,      // The operation: an `Operation`.
     input  wire [5:0]   bins_0_skip,           // Bits of the expression before the word; 0 without an expression.
@@ -23,8 +23,8 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire [7:0]   bins_0_write,          // The first address that is written.
     // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
     // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
-    input  wire [39:0]  bins_0_coefficients_a, // Coefficient A, which is added from a column to the next.
-    input  wire [39:0]  bins_0_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0]  bins_0_coefficients_a, // Coefficient A, the increase from one column to the next.
+    input  wire [39:0]  bins_0_coefficients_b, // Coefficient B, the increase from one line to the next.
     input  wire [39:0]  bins_0_coefficients_c, // Coefficient C, the value at column 0 of line 0.
     input  wire         bins_1_valid,
     input  wire [4:0]   bins_1_operation,
@@ -35,19 +35,20 @@ module pixel_planes5_width16_height8_renderers2_side8_queue16_rate125 (
     input  wire [39:0]  bins_1_coefficients_a,
     input  wire [39:0]  bins_1_coefficients_b,
     input  wire [39:0]  bins_1_coefficients_c,
-    input  wire [1:0]   open,                  // The renderers whose region has instructions that are still to come.
-    // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    input  wire [1:0]   open,                  // The renderers whose bins have more instructions to come.
+    // Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after
+    // its predecessor has ended.
     input  wire         side_by_side,
     // A line of a region to read.
-    input  wire         read_enable,           // A line is read; where it is low the words stay.
+    input  wire         read_enable,           // A line is read; while `enable` is low, the words keep their values.
     input  wire         read_region,           // The number of the region.
     input  wire [2:0]   read_line,             // The line of the region.
-    output wire [1:0]   given,                 // The renderer that gets a region in this clock, if one does.
+    output wire [1:0]   given,                 // The renderer that gets a region in this clock, if any.
     output wire [15:0]  region,                // The number of the region that is given.
     output wire [1:0]   takes,                 // The renderers whose controllers take an instruction in this clock.
-    // The renderers in which every instruction has ended except in the pixels.
+    // The renderers that have executed all instructions, except in the pixels.
     output wire [1:0]   idle,
-    output wire         plane_goes,            // A plane goes to the frame buffer.
+    output wire         plane_goes,            // A plane goes to the frame buffer in this clock.
     output wire [383:0] words,                 // The words of the pixels of the line that was read.
     output wire         regions_ready,
     output wire         bins_0_ready,

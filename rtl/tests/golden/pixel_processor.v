@@ -1,11 +1,11 @@
 // pixel_processor
 //
-// Computes a bit of a pixel a clock.
+// Processes one bit of a pixel in each clock.
 //
 // Parameters  PixelProcessor
 // Latency     1 clock to the memory and the flags
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
-// Described   rtl/src/pixel_planes/pixel.rs:94
+// Described   rtl/src/pixel_planes/pixel.rs:95
 `default_nettype none
 
 module pixel_processor (
@@ -14,10 +14,11 @@ module pixel_processor (
     input  wire [1:0] control_source,   // Where the operand comes from: a `Source`.
     input  wire       control_constant, // The operand, if it is a constant.
     input  wire       control_adds,     // The bit that is read, and the carry, are added to the operand.
-    input  wire       control_first,    // The bit is the first of a word: carry and flag restart.
+    input  wire       control_first,    // The bit is the first of a word: carry and flag restart from 0.
     input  wire [1:0] control_mask,     // Which processors write the result: a `Mask`.
-    input  wire       control_compares, // The flag is set where the words are less than the ones in memory, so far.
-    input  wire       control_gates,    // The flag changes by the comparison only where the processor is enabled.
+    // The flag is set where the operand's bits so far are less than those in memory.
+    input  wire       control_compares,
+    input  wire       control_gates,    // The comparison sets the flag only where the processor is enabled.
     input  wire [2:0] control_enabling, // The change of the enable flags: an `Enabling`.
     input  wire       control_captures, // The flag takes the new value of the enable flag.
     input  wire [7:0] control_read,     // The address that is read.
@@ -39,15 +40,15 @@ module pixel_processor (
     localparam [2:0] ENABLING_REPLACE = 3'd3;
     // Not used here: ENABLING_RESTRICT = 4.
 
-    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:127
-    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:132
-    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:144
+    reg carry;                                                   // rtl/src/pixel_planes/pixel.rs:128
+    reg enable;                                                  // rtl/src/pixel_planes/pixel.rs:133
+    reg flag;                                                    // rtl/src/pixel_planes/pixel.rs:145
 
     (* no_rw_check *)
-    reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:117
+    reg memory [0:207];                                          // rtl/src/pixel_planes/pixel.rs:118
 
-    assign word = (control_read < 8'd208) ? memory[control_read] : 1'b0; // rtl/src/pixel_planes/pixel.rs:118
-    reg operand;                                                 // rtl/src/pixel_planes/pixel.rs:119
+    assign word = (control_read < 8'd208) ? memory[control_read] : 1'b0; // rtl/src/pixel_planes/pixel.rs:119
+    reg operand;                                                 // rtl/src/pixel_planes/pixel.rs:120
     always @* begin
         case (control_source)
             SOURCE_EXPRESSION: operand = expression;
@@ -55,9 +56,9 @@ module pixel_processor (
             default: operand = control_constant; // SOURCE_CONSTANT
         endcase
     end
-    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:128
-    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:130
-    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:133
+    wire carried = carry & !control_first;                       // rtl/src/pixel_planes/pixel.rs:129
+    wire result = operand ^ (control_adds & (word ^ carried));   // rtl/src/pixel_planes/pixel.rs:131
+    reg enabled;                                                 // rtl/src/pixel_planes/pixel.rs:134
     always @* begin
         case (control_enabling)
             ENABLING_KEEP: enabled = enable;
@@ -67,8 +68,8 @@ module pixel_processor (
             default: enabled = enable & !expression; // ENABLING_RESTRICT
         endcase
     end
-    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:145
-    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:148
+    wire is_less = (operand == word) ? (flag & !control_first) : word; // rtl/src/pixel_planes/pixel.rs:146
+    reg writes;                                                  // rtl/src/pixel_planes/pixel.rs:149
     always @* begin
         case (control_mask)
             MASK_NOBODY: writes = 1'b0;

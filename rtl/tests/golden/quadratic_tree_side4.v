@@ -3,7 +3,7 @@
 // Evaluates a quadratic expression at every pixel of a square.
 //
 // Parameters  QuadraticTree { side: 4 }
-// Latency     8 clocks from a coefficient's bit to the expression's at each pixel
+// Latency     8 clocks from a coefficient's bit to the expression's bit at each pixel
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
 // Described   rtl/src/pixel_planes/quadratic_tree.rs:42
 `default_nettype none
@@ -12,10 +12,10 @@ module quadratic_tree_side4 (
     input  wire        clk,
     input  wire        rst,
     // A bit of each linear coefficient, beginning with the least significant.
-    input  wire        coefficients_a, // Coefficient A, which is added from a column to the next.
-    input  wire        coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire        coefficients_a, // Coefficient A, the increase from one column to the next.
+    input  wire        coefficients_b, // Coefficient B, the increase from one line to the next.
     input  wire        coefficients_c, // Coefficient C, the value at column 0 of line 0.
-    // A bit of each of the others, which are 0 of a linear expression.
+    // A bit of each quadratic coefficient; all are 0 for a linear expression.
     input  wire        curve_d,        // Coefficient D, of the square of x.
     input  wire        curve_e,        // Coefficient E, of x times y.
     input  wire        curve_f,        // Coefficient F, of the square of y.
@@ -40,9 +40,9 @@ module quadratic_tree_side4 (
     reg f5;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg f6;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg a1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
-    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
-    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
-    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
+    reg x_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:154
+    reg x_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:154
+    reg x_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:166
     reg b1;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b2;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg b3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
@@ -51,12 +51,12 @@ module quadratic_tree_side4 (
     reg e3;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e4;                                                      // rtl/src/pixel_planes/quadratic_tree.rs:87
     reg e_has_come0;                                             // rtl/src/pixel_planes/quadratic_tree.rs:104
-    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:153
-    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:153
-    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:165
+    reg y_curve_has_come0;                                       // rtl/src/pixel_planes/quadratic_tree.rs:154
+    reg y_middle_has_come0;                                      // rtl/src/pixel_planes/quadratic_tree.rs:154
+    reg y_bent0;                                                 // rtl/src/pixel_planes/quadratic_tree.rs:166
 
-    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:153
-    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:153
+    wire x_middle_carry0_and = d2 & (first2 | (x_curve_has_come0 & !first1)); // rtl/src/pixel_planes/quadratic_tree.rs:154
+    wire y_middle_carry0_and = f6 & (first6 | (y_curve_has_come0 & !first5)); // rtl/src/pixel_planes/quadratic_tree.rs:154
 
     genvar i;
     genvar j;

@@ -3,7 +3,7 @@
 // Gives the next region to the first renderer that is free.
 //
 // Parameters  RegionAllocator { renderers: 4 }
-// Latency     0 clocks; none; a region a clock
+// Latency     0 clocks; a region a clock
 // Source      Pixel-planes 5, section I.3.2.1 (PP5-ARCH)
 // Described   rtl/src/pixel_planes/allocator.rs:22
 `default_nettype none
@@ -11,11 +11,11 @@
 module region_allocator_renderers4 (
     input  wire        clk,
     input  wire        rst,
-    // The numbers of the regions, the one with most primitives first.
+    // The numbers of the regions, the one with the most primitives first.
     input  wire        regions_valid,
     input  wire [15:0] regions_payload,
     input  wire [3:0]  free,            // The renderers that are free.
-    output wire [3:0]  given,           // The renderer that gets the region in this clock, if one does.
+    output wire [3:0]  given,           // The renderer that gets the region in this clock, if any.
     output wire [15:0] region,          // The number of the region that is given.
     output wire        regions_ready
 );

@@ -20,10 +20,11 @@ module renderer_side4_queue16_quadratic (
     input  wire [7:0]  instructions_write,          // The first address that is written.
     // The coefficients of the expression, in two's complement, relative to the region. Without an expression, `c` is
     // the constant; its sign extends to longer words. For a curve they are `d`, `e` and `f`.
-    input  wire [39:0] instructions_coefficients_a, // Coefficient A, which is added from a column to the next.
-    input  wire [39:0] instructions_coefficients_b, // Coefficient B, which is added from a line to the next.
+    input  wire [39:0] instructions_coefficients_a, // Coefficient A, the increase from one column to the next.
+    input  wire [39:0] instructions_coefficients_b, // Coefficient B, the increase from one line to the next.
     input  wire [39:0] instructions_coefficients_c, // Coefficient C, the value at column 0 of line 0.
-    // Tree and memory may each have an instruction; while it is low, one begins when the one before has ended.
+    // Tree and memory may each execute an instruction. While `side_by_side` is low, an instruction begins only after
+    // its predecessor has ended.
     input  wire        side_by_side,
     input  wire        planes_ready,
     // Finished regions, S bits a clock.
@@ -32,51 +33,51 @@ module renderer_side4_queue16_quadratic (
     output wire [1:0]  planes_line,                 // The line of the region.
     output wire [5:0]  planes_plane,                // The number of the bit in the visibility word.
     output wire [3:0]  planes_bits,                 // The plane's bit of each pixel of the line, from the left.
-    // The queue takes an instruction in this clock: `instructions.ready`, for a sender that has to know before it sends
-    // one.
+    // The queue has room for an instruction in this clock: a copy of `instructions.ready`, for a sender that must know
+    // before it offers one.
     output wire        room,
     output wire        takes,                       // The controller takes an instruction from the queue in this clock.
-    // Every instruction has ended except in the pixels, which are `Renderer::lag` clocks behind: it can be given
+    // All instructions have ended, except in the pixels, which are `Renderer::lag` clocks behind. The renderer can take
     // another region.
     output wire        idle,
     output wire        instructions_ready
 );
 
-    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:130
-    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:130
-    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_curve_0_d;                                 // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_curve_0_e;                                 // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_curve_0_f;                                 // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:135
-    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:135
-    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:135
-    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:135
-    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:135
-    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:135
-    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:135
-    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:135
-    wire [15:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:140
-    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:132
+    wire u_queue_out_valid;                                      // rtl/src/pixel_planes/renderer.rs:131
+    wire [153:0] u_queue_out_payload;                            // rtl/src/pixel_planes/renderer.rs:131
+    wire u_controller_coefficients_a;                            // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_coefficients_b;                            // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_coefficients_c;                            // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_curve_0_d;                                 // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_curve_0_e;                                 // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_curve_0_f;                                 // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_first;                                     // rtl/src/pixel_planes/renderer.rs:136
+    wire [1:0] u_controller_control_source;                      // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_constant;                          // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_adds;                              // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_first;                             // rtl/src/pixel_planes/renderer.rs:136
+    wire [1:0] u_controller_control_mask;                        // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_compares;                          // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_gates;                             // rtl/src/pixel_planes/renderer.rs:136
+    wire [2:0] u_controller_control_enabling;                    // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_control_captures;                          // rtl/src/pixel_planes/renderer.rs:136
+    wire [7:0] u_controller_control_read;                        // rtl/src/pixel_planes/renderer.rs:136
+    wire [7:0] u_controller_control_write;                       // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_save_claim;                                // rtl/src/pixel_planes/renderer.rs:136
+    wire [15:0] u_controller_save_region;                        // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_save_plane;                                // rtl/src/pixel_planes/renderer.rs:136
+    wire u_controller_instructions_ready;                        // rtl/src/pixel_planes/renderer.rs:136
+    wire [15:0] u_tree_value;                                    // rtl/src/pixel_planes/renderer.rs:141
+    wire store_free;                                             // rtl/src/pixel_planes/renderer.rs:133
 
-    wire [15:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:150
-    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:131
+    wire [15:0] u_store_word;                                    // rtl/src/pixel_planes/renderer.rs:151
+    assign takes = u_queue_out_valid & u_controller_instructions_ready; // rtl/src/pixel_planes/renderer.rs:132
 
     genvar i;
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:150
+        for (i = 0; i < 4; i = i + 1) begin : u_pixel                // rtl/src/pixel_planes/renderer.rs:151
             for (j = 0; j < 4; j = j + 1) begin : col
                 wire word;
 
@@ -100,7 +101,7 @@ module renderer_side4_queue16_quadratic (
         end
     endgenerate
 
-    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:130
+    fifo_depth16_width154_storage_registers u_queue (            // rtl/src/pixel_planes/renderer.rs:131
         .clk          (clk),
         .rst          (rst),
         .into_valid   (instructions_valid),
@@ -115,7 +116,7 @@ module renderer_side4_queue16_quadratic (
         .into_ready   (instructions_ready)
     );
 
-    image_generation_controller_side4_quadratic u_controller (   // rtl/src/pixel_planes/renderer.rs:135
+    image_generation_controller_side4_quadratic u_controller (   // rtl/src/pixel_planes/renderer.rs:136
         .clk                         (clk),
         .rst                         (rst),
         .instructions_valid          (u_queue_out_valid),
@@ -154,7 +155,7 @@ module renderer_side4_queue16_quadratic (
         .instructions_ready          (u_controller_instructions_ready)
     );
 
-    quadratic_tree_side4 u_tree (                                // rtl/src/pixel_planes/renderer.rs:140
+    quadratic_tree_side4 u_tree (                                // rtl/src/pixel_planes/renderer.rs:141
         .clk            (clk),
         .rst            (rst),
         .coefficients_a (u_controller_coefficients_a),
@@ -167,7 +168,7 @@ module renderer_side4_queue16_quadratic (
         .value          (u_tree_value)
     );
 
-    backing_store_side4 u_store (                                // rtl/src/pixel_planes/renderer.rs:154
+    backing_store_side4 u_store (                                // rtl/src/pixel_planes/renderer.rs:155
         .clk           (clk),
         .rst           (rst),
         .save_claim    (u_controller_save_claim),

@@ -78,7 +78,7 @@ fn the_first_plane_goes_2_clocks_after_the_last_came_and_one_that_waits_stays() 
 }
 
 #[test]
-#[should_panic(expected = "a region comes when the one before is gone")]
+#[should_panic(expected = "a region is claimed only when the previous one has left")]
 fn a_region_that_comes_too_early_is_an_error() {
     let mut sim = started(8, 0);
     sim.set(sim.i.save.claim, 1);
@@ -86,7 +86,7 @@ fn a_region_that_comes_too_early_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "planes come of a region that was announced")]
+#[should_panic(expected = "a plane arrives only for a region that was claimed")]
 fn a_plane_without_a_region_is_an_error() {
     let mut sim = started(8, 0);
     sim.set(sim.i.save.plane, 1);
@@ -96,7 +96,7 @@ fn a_plane_without_a_region_is_an_error() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each region leaves as it came, line by line, plane by plane, however long the receiver waits.
+    /// Each region leaves as it arrived, line by line, plane by plane, however long the receiver waits.
     #[test]
     fn regions_go_as_they_came(
         regions in prop::collection::vec(prop::collection::vec(0..1u64 << 48, 64), 1..3),

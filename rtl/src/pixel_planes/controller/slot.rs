@@ -1,4 +1,4 @@
-//! A slot: the place of an instruction while its bits are sent.
+//! A slot: the registers of an instruction while its bits are sent.
 
 use super::super::instruction::{COEFFICIENT, Instruction, LONGEST, Microcode};
 use super::super::pixel::{Control, Enabling, Mask, PixelProcessor};
@@ -25,7 +25,7 @@ impl Order {
         Order { microcode, skip, length, read, write, constant: coefficients.c }
     }
 
-    /// The number of clocks it takes, in enough bits for two words.
+    /// A number of clocks, in enough bits for two words.
     pub fn clocks(number: Signal) -> Signal {
         number.zext(up_to(2 * LONGEST))
     }
@@ -34,9 +34,9 @@ impl Order {
 /// The progress of an instruction, bit by bit.
 pub struct Slot {
     held: Reg<Held>,
-    /// There are bits to send, including this one.
+    /// The number of bits to send, including this one.
     pub left: Reg,
-    /// There is none to send, or this is the last.
+    /// No bit is to be sent, or this is the last.
     pub ends: Signal,
     /// This bit is part of the word.
     pub is_word: Signal,
@@ -72,12 +72,12 @@ impl Slot {
         self.bits.when(begins, order.constant).otherwise(self.bits >> 1);
     }
 
-    /// It needs the memory now, or will need it.
+    /// The instruction needs the memory, now or later.
     pub fn on_memory(&self) -> Signal {
         self.left.ne(0) & self.held.microcode.on_memory
     }
 
-    /// The bit read goes to the backing store.
+    /// The bit that is read goes to the backing store.
     pub fn saves(&self) -> Signal {
         self.held.microcode.saves
     }
@@ -102,7 +102,7 @@ impl Slot {
     }
 }
 
-/// Sends the number that comes with `begins` bit by bit, from the least significant on, and then its sign for ever.
+/// Sends the number that comes with `begins` bit by bit, least significant bit first, and then repeats its sign.
 pub fn bit_by_bit(m: Module, name: &str, begins: Signal, number: Signal) -> Signal {
     let bits = m.reg(name, bits(number.width()).signed());
     bits.when(begins, number).otherwise(bits >> 1);

@@ -35,7 +35,7 @@ fn run(sim: &mut Controller, instructions: &[Instruction<u64>], clocks: u64) -> 
     watched(sim, instructions, clocks, |_, _| {})
 }
 
-/// The same; each clock's control is inspected.
+/// Like [`run`]; `look` gets the outputs of each clock.
 fn watched(
     sim: &mut Controller,
     instructions: &[Instruction<u64>],
@@ -135,14 +135,14 @@ fn one_at_a_time_each_begins_with_the_last_bit_of_the_one_before() {
 fn side_by_side_only_what_meets_waits() {
     let taken = |program: &[Instruction<u64>]| run(&mut started(2), program, 100);
     let copy = instruction(Operation::CopyFlagged, 0, 40, 64);
-    // A test does not have to wait. A word of memory does, and so does a capture into the flag that the copy uses: it
-    // begins with the copy's last bit.
+    // A test need not wait. A word of memory must wait. So must a capture into the flag that the copy uses: it is taken
+    // with the copy's last bit.
     assert_eq!(taken(&[copy, instruction(Operation::Test, 9, 1, 0)]), [0, 1]);
     assert_eq!(taken(&[copy, instruction(Operation::Evaluate, 16, 8, 0)]), [0, 24]);
     assert_eq!(taken(&[copy, instruction(Operation::TestLast, 9, 1, 0)]), [0, 31]);
     assert_eq!(taken(&[copy, instruction(Operation::Flag, 0, 1, 0)]), [0, 40]);
     assert_eq!(taken(&[copy, instruction(Operation::Enable, 0, 1, 0)]), [0, 1]);
-    // An instruction behind a word that is on its way to the memory waits for that word's end.
+    // An instruction waits until the word before it has reached the memory.
     assert_eq!(taken(&[instruction(Operation::Evaluate, 16, 8, 0), copy]), [0, 24]);
     assert_eq!(taken(&[instruction(Operation::TestLast, 9, 1, 0), copy]), [0, 10]);
     assert_eq!(taken(&[instruction(Operation::Test, 9, 1, 0), copy]), [0, 1]);
@@ -174,7 +174,7 @@ fn clocks(program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     clocks_of(false, program, side_by_side)
 }
 
-/// The same, for a controller that may take curves.
+/// Like [`clocks`], for a controller that may take curves.
 fn clocks_of(quadratic: bool, program: &[Instruction<u64>], side_by_side: u64) -> u64 {
     const MANY: usize = 6;
     let mut sim = started_with(ImageGenerationController { side: 128, quadratic });
@@ -182,12 +182,12 @@ fn clocks_of(quadratic: bool, program: &[Instruction<u64>], side_by_side: u64) -
     let taken = run(&mut sim, &vec![program.to_vec(); MANY].concat(), 2000);
     assert_eq!(taken.len(), MANY * program.len());
     let begins: Vec<u64> = taken.iter().step_by(program.len()).copied().collect();
-    let [.., before, last] = begins[..] else { unreachable!("many") };
-    assert_eq!(last - before, before - begins[MANY - 3], "it has settled");
+    let [.., before, last] = begins[..] else { unreachable!("there are six primitives") };
+    assert_eq!(last - before, before - begins[MANY - 3], "the clocks of a primitive are constant");
     last - before
 }
 
-/// Edges through the region, whose values there have this number of bits.
+/// Edges through the region, with this number of bits in their values there.
 fn edges(count: u32, bits: u32) -> Vec<Expression> {
     let c = -1 << (bits - 4);
     (0..count).map(|_| Coefficients { a: 1 << (bits - 9), b: -1 << (bits - 9), c }).collect()
@@ -214,7 +214,7 @@ fn a_primitive_takes_the_clocks_of_its_edges_and_planes() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Each bit of each instruction in its clock, and nothing in all other clocks.
+    /// Each bit of each instruction comes in its clock, and nothing comes in any other clock.
     #[test]
     fn every_bit_comes_in_its_clock(
         (quadratic, program) in any::<bool>()
@@ -238,7 +238,7 @@ proptest! {
             source: 0, constant: 0, adds: 0, first: 0, mask: Mask::Nobody.code(), compares: 0, gates: 0,
             enabling: Enabling::Keep.code(), captures: 0, read: 0, write: 0,
         };
-        // The action of a clock's pixels, as far as it has an effect.
+        // The control of the pixels in each clock, as far as it has an effect.
         let mut expected = vec![nothing; seen.len()];
         let mut first = vec![0; seen.len()];
         let mut curve = [0; 3];
@@ -365,7 +365,7 @@ fn taken_wrongly(wrong: Instruction<u64>) {
 }
 
 #[test]
-#[should_panic(expected = "an expression has as many bits as each tree has levels")]
+#[should_panic(expected = "an expression has at least as many bits as each tree has levels")]
 fn a_short_expression_is_an_error() {
     taken_wrongly(instruction(Operation::Evaluate, 0, 3, 0));
 }
@@ -377,7 +377,7 @@ fn an_empty_word_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "only of an expression bits are skipped")]
+#[should_panic(expected = "only an expression has bits to skip")]
 fn what_skips_without_an_expression_is_an_error() {
     taken_wrongly(instruction(Operation::Copy, 1, 8, 0));
 }
@@ -401,7 +401,7 @@ fn a_word_that_reaches_beyond_the_memory_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "what comes is an operation")]
+#[should_panic(expected = "the code of an instruction is an operation")]
 fn a_code_that_is_no_operation_is_an_error() {
     taken_wrongly(Instruction { operation: 31, ..instruction(Operation::Fill, 0, 1, 0) });
 }

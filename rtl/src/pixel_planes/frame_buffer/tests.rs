@@ -15,7 +15,7 @@ fn started(frame: &FrameBuffer) -> Frame {
     sim
 }
 
-/// Sends planes of a line.
+/// Sends some planes of a line.
 fn send(sim: &mut Frame, region: u64, line: u64, words: &[u64], planes: Range<u64>) {
     for plane in planes {
         let bits = (0..).zip(words).map(|(at, word)| (word >> plane & 1) << at).sum();
@@ -55,7 +55,7 @@ fn a_line_is_written_with_its_last_plane() {
 }
 
 #[test]
-#[should_panic(expected = "the planes of a line come one after another")]
+#[should_panic(expected = "the planes of a line arrive in sequence")]
 fn a_plane_that_is_left_out_is_an_error() {
     let mut sim = started(&FrameBuffer::new(Screen { width: 4, height: 2 }, 2).unwrap());
     sim.set(sim.i.planes.valid, 1);
@@ -63,7 +63,7 @@ fn a_plane_that_is_left_out_is_an_error() {
 }
 
 #[test]
-#[should_panic(expected = "the region is one of the screen")]
+#[should_panic(expected = "the region belongs to the screen")]
 fn a_region_that_is_beyond_the_screen_is_an_error() {
     let mut sim = started(&FrameBuffer::new(Screen { width: 4, height: 2 }, 2).unwrap());
     send(&mut sim, 2, 0, &[7, 9], 0..48);
@@ -74,7 +74,7 @@ fn there_are_numbers_for_65536_regions() {
     let screen = Screen { width: 2048, height: 2048 };
     assert_eq!(FrameBuffer::new(screen, 8).unwrap().regions(), 65_536);
     let complaint = FrameBuffer::new(screen, 4).unwrap_err().to_string();
-    assert_eq!(complaint, "a screen of 262144 regions: there are numbers for 65536; larger regions are fewer");
+    assert_eq!(complaint, "a screen of 262144 regions: at most 65536 can be numbered; choose larger regions");
 }
 
 proptest! {

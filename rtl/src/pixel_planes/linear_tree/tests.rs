@@ -20,7 +20,7 @@ fn each_level_takes_a_clock() {
     let mut sim = Simulation::of(&LinearTree { side: 2 }).unwrap();
     sim.reset();
     let wave = sim.record(["first", "coefficients_a", "coefficients_c", "value[0][0]", "value[0][1]"]);
-    // 3 x + 5, and right behind it -x - 1, 4 bits each.
+    // 3 x + 5, and immediately after it -x - 1, 4 bits each.
     for (a, c) in [(3, 5), (15, 15), (0, 0)] {
         for clock in 0..4 {
             sim.drive(inputs([a >> clock & 1, 0, c >> clock & 1], clock == 0));
@@ -56,7 +56,7 @@ fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Expressions of any length from log2 S on, without a gap or with pauses.
+    /// Expressions of log2 S bits or more, without a gap or with pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         (side, all) in (0..5u32).prop_flat_map(|level| {

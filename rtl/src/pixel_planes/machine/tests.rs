@@ -1,5 +1,5 @@
-//! The machine draws each region as its instructions say, whichever renderer draws it. Its clocks are those of the
-//! transaction model, and are compared there (`tilewright-machines`).
+//! The machine draws each region as its instructions say, whichever renderer draws it. The crate `tilewright-machines`
+//! compares its clocks with those of the transaction model.
 
 use std::collections::VecDeque;
 
@@ -14,7 +14,7 @@ use super::*;
 
 const SIDE: u32 = 8;
 
-/// The host's picture: the instructions of each region, without clear and save.
+/// Acts as the host: sends the instructions of each region between a clear and a save.
 fn draw(
     machine: &PixelPlanes5,
     regions: &[Vec<Instruction<u64>>],
@@ -35,7 +35,7 @@ fn draw(
     let mut bins = vec![VecDeque::new(); machine.renderers() as usize];
     let (mut given, mut planes) = (0, 0);
     while planes < regions.len() * (48 * SIDE) as usize {
-        assert!(sim.time() < 1_000_000_000, "it hangs");
+        assert!(sim.time() < 1_000_000_000, "the machine hangs");
         sim.drive(quiet(&bins, (given < regions.len()).then_some(given as u64)));
         let ready: Vec<u64> = sim.i.bins.clone().iter().map(|bin| sim.get_u64(bin.ready)).collect();
         let out = sim.read_u64();

@@ -59,7 +59,7 @@ fn a_word_is_added_to_and_compared_from_its_lowest_bit_on() {
     );
 }
 
-/// The state of a processor, and the effect of its control, from the words of [`Control`] alone.
+/// The state of a processor, and the effect of its control as [`Control`] documents it.
 #[derive(Debug, Clone)]
 struct Held {
     memory: Vec<u64>,

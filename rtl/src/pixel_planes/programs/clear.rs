@@ -12,7 +12,7 @@ pub const CLEAR: Program = Program {
     steps: &[Step::on(Operation::Fill, Operand::Number, RGB), Step::on(Operation::Fill, Operand::Farthest, DEPTH)],
 };
 
-/// The instructions that empty a region, with that background colour.
+/// The instructions that clear a region to that background colour.
 pub fn clear(background: u32) -> Vec<Instruction<u64>> {
     CLEAR.of_region(background)
 }

@@ -28,7 +28,7 @@ impl Edges {
     /// All forms.
     pub const ALL: [Edges; 3] = [Edges::Fixed, Edges::Own, Edges::Least];
 
-    /// Its name on the command line and in reports.
+    /// The form's name on the command line and in reports.
     pub fn name(self) -> &'static str {
         match self {
             Edges::Fixed => "fixed",
@@ -44,7 +44,7 @@ impl Edges {
         if least < 0 && greatest >= 0 { self.sent(side, edge).1 } else { 0 }
     }
 
-    /// The form in which it is sent, and its number of bits, if it crosses the region.
+    /// The form in which the edge is sent, and its number of bits, if the edge crosses the region.
     fn sent(self, side: u32, edge: &Expression) -> (Expression, u32) {
         let levels = side.trailing_zeros();
         let own = |edge: Expression| {
@@ -52,15 +52,15 @@ impl Edges {
             (edge, bits(least).max(bits(greatest)).max(levels))
         };
         match self {
-            // |a| and |b| are below 2^16, so a value is below 2^(17 + log2 S); and there is the sign.
+            // |a| and |b| are below 2^16, so a value is below 2^(17 + log2 S); the sign takes one more bit.
             Edges::Fixed => (*edge, 18 + levels),
             Edges::Own => own(*edge),
             Edges::Least => own(half_plane::least(side, edge)),
         }
     }
 
-    /// The instructions that enable the pixels inside all edges; `None` if one edge has the whole region outside. There
-    /// is always at least one, and the first needs no memory.
+    /// The instructions that enable the pixels inside all edges; `None` if one edge has the whole region outside.
+    /// There is at least one instruction, and the first needs no memory.
     pub(super) fn tests(self, side: u32, edges: &[Expression]) -> Option<Vec<Instruction<u64>>> {
         let mut program = Vec::new();
         for edge in edges {
@@ -93,7 +93,7 @@ pub(super) fn bits(number: i64) -> u32 {
     65 - number.max(!number).leading_zeros()
 }
 
-/// The sign of an expression whose values have this number of bits.
+/// The instruction that processes the sign of an expression whose values have this number of bits.
 pub(super) fn sign(operation: Operation, edge: &Expression, bits: u32) -> Instruction<u64> {
     Instruction { skip: (bits - 1).into(), coefficients: modular(edge), ..alone(operation) }
 }

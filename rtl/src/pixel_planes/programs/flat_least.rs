@@ -10,7 +10,7 @@ pub const FLAT_LEAST: Program = Program {
     edges: EdgeUse::Enable,
     is_flat: true,
     steps: &[
-        // The lower part of the word; the last edge needs no memory meanwhile.
+        // The lower part of the word. The last edge, which is still in the tree, needs no memory.
         Step::on(Operation::CompareConstant, Operand::Number, RGB),
         Step::beside(Operation::CompareOn, Operand::Depth, DEPTH),
         Step::keep(DEPTH),

@@ -2,8 +2,8 @@
 //! fewest bits (facts E3).
 //!
 //! ```text
-//! . . . .      30 x + 70 y - 100 >= 0 and x + 3 y - 4 >= 0 are the same in a region of 4 x 4. What is sent of an edge is its
-//! . # # #      sign, which comes after all bits of its value: the first takes 9 clocks, the second 5.
+//! . . . .      30 x + 70 y - 100 >= 0 and x + 3 y - 4 >= 0 are the same in a region of 4 x 4. The pixels need only the
+//! . # # #      sign, which follows all other bits of the value: the first takes 9 clocks, the second 5.
 //! # # # #
 //! # # # #
 //! ```
@@ -11,8 +11,8 @@
 //! The slopes of all half-planes with the same pixels inside form an interval. The simplest fraction in it has both the
 //! least numerator and the least denominator. So its values need the fewest bits. The edge's own slope is in the
 //! interval, so the path to it through the Stern-Brocot tree meets that fraction first. Where the path continues in one
-//! direction, it takes few steps. Each goes just far enough to separate the two pixels that the last slope did not
-//! separate. A test with all half-planes of small regions shows that none needs fewer bits.
+//! direction, the search skips ahead. Each step goes just far enough to separate the two pixels that the last slope did
+//! not separate. A test compares the result with all half-planes of small regions: none needs fewer bits.
 
 use super::Expression;
 
@@ -20,17 +20,17 @@ use super::Expression;
 type Pixel = [i64; 2];
 
 /// The least half-plane with the same pixels inside as an edge, in a region of `side` x `side`. If the edge does not
-/// cross the region, the result is everything or nothing. At a side of 128 its values have at most 15 bits with their
-/// sign. `side` is at least 2; the edge's values fit 48 bits.
+/// cross the region, the result covers all pixels or none. At a side of 128 its values have at most 15 bits, including
+/// the sign. `side` is at least 2, and the edge's values fit in 48 bits.
 ///
-/// The search takes one pass over the region's columns, and a few over the corners of their hull.
+/// The search takes one pass over the region's columns, and a few passes over the corners of the hulls.
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::{Expression, half_plane::least};
 ///
 /// let edge = Expression { a: 30, b: 70, c: -100 };
 /// assert_eq!(least(4, &edge), Expression { a: 1, b: 3, c: -4 });
-/// // All of the region is inside, or nothing.
+/// // All pixels are inside, or none.
 /// assert_eq!(least(8, &Expression { a: 5, b: 5, c: 0 }), Expression { a: 0, b: 0, c: 0 });
 /// assert_eq!(least(8, &Expression { a: 5, b: 5, c: -71 }), Expression { a: 0, b: 0, c: -1 });
 /// ```
@@ -46,7 +46,7 @@ pub fn least(side: u32, edge: &Expression) -> Expression {
     }
     let border = Border::of(&upright.edge, last);
     let slope = simplest(&border, [a, b]);
-    // The nearest pixel outside is then at -1: the simplest slope leaves no choice.
+    // With the simplest slope, the value at the nearest pixel outside is then -1.
     let [inside, _] = border.nearest(slope);
     let c = -dot(slope, inside);
     upright.back(Expression { a: slope[0], b: slope[1], c }, last)
@@ -55,9 +55,9 @@ pub fn least(side: u32, edge: &Expression) -> Expression {
 /// An edge whose values rise to the right and downward, and downward at least as fast.
 struct Upright {
     edge: Expression,
-    /// Whether left and right, or top and bottom, are swapped for that.
+    /// Whether left and right, or top and bottom, are swapped first.
     flips: [bool; 2],
-    /// Whether x and y are swapped after that.
+    /// Whether x and y are swapped next.
     swaps: bool,
 }
 
@@ -115,20 +115,20 @@ impl Border {
         [inside, outside].map(|pixel| pixel.expect("the edge crosses the region"))
     }
 
-    /// The step from one of them to the other.
+    /// The step from the nearest pixel outside to the nearest one inside.
     fn step(&self, slope: [i64; 2]) -> [i64; 2] {
         let [[x, y], [x0, y0]] = self.nearest(slope);
         [x - x0, y - y0]
     }
 }
 
-/// The simplest slope that separates the border, on the path to one that does.
+/// The simplest slope that separates the border. It is on the path to `target`, which separates the border, too.
 fn simplest(border: &Border, target: [i64; 2]) -> [i64; 2] {
     let [mut flat, mut steep] = [[0, 1], [1, 0]];
     if dot(flat, border.step(flat)) > 0 {
         return flat;
     }
-    // The target lies between the two: when either reaches it, it separates the border.
+    // The target lies between the two slopes. A slope that reaches it separates the border.
     loop {
         let (below, above) = (cross(target, flat), cross(steep, target));
         match first_to_divide(border, flat, steep, below / above) {
@@ -144,7 +144,7 @@ fn simplest(border: &Border, target: [i64; 2]) -> [i64; 2] {
 }
 
 /// The first of the slopes `from + by`, `from + 2 by` up to `from + most by` that separates the border. If none does,
-/// it is the last.
+/// the last of them is the error.
 fn first_to_divide(border: &Border, from: [i64; 2], by: [i64; 2], most: i64) -> Result<[i64; 2], [i64; 2]> {
     let at = |times: i64| [from[0] + times * by[0], from[1] + times * by[1]];
     let mut times = 1;

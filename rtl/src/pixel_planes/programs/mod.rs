@@ -1,8 +1,8 @@
 //! The microprograms that draw a primitive in a region, clear a region, and save it (facts E0, E3).
 //!
 //! Each program is a record in a file of its own: the operations, the words they read and write, and their operands.
-//! [`Program::draw`] makes a program's instructions, as the host of a renderer would. Less is nearer. The rule says
-//! what a pixel keeps:
+//! [`Program::draw`] makes a program's instructions, as the host of a renderer would. Less is nearer. The rule
+//! determines what a pixel keeps:
 //!
 //! | rule | a fragment is kept if | primitives of one colour | with colour planes |
 //! |---|---|---|---|
@@ -15,9 +15,10 @@
 //!
 //! The table gives N: the clocks from a primitive's first operation to the next one's (PP5-UT), in regions of 128 x 128
 //! pixels. "Worst" is for many equal primitives whose edges take the most bits. "Mean" is over random vectors of 50
-//! pixels, or the teapot's triangles at 640x480. "One at a time" adds up all instructions. "Side by side", the memory
-//! works while the tree has the next primitive's edges. There the worst [`FLAT_LEAST`] is as fast as its memory, 4
-//! times 24. The paper's 239 ns a vector are 94 clocks (PP5-UTV); its text does not say for which bits.
+//! pixels, or the teapot's triangles at 640x480. "One at a time" adds up all instructions. "Side by side" lets the
+//! memory work while the tree processes the next primitive's edges. With least edges, the memory then limits
+//! [`FLAT_LEAST`] to 4 times 24 clocks. The paper's 239 ns per vector correspond to 94 clocks (PP5-UTV); its text does
+//! not say how many bits it assumes.
 //!
 //! This command prints the table: `cargo test --release -p tilewright-machines the_table_of -- --nocapture`.
 //!
@@ -54,8 +55,8 @@
 //! | `smooth_least` | polygons of 8 edges | own | 350 | | 303 | |
 //! | `smooth_least` | polygons of 8 edges | least | 280 | | 233 | |
 //!
-//! A [sphere](Program::draw_sphere) has one quadratic instead of edges, and quadratic planes (PP5-ARCH, facts C). With
-//! n bits of its silhouette and all planes curved, N is as follows (tested by
+//! A [sphere](Program::draw_sphere) has one quadratic instead of edges, and quadratic planes (PP5-ARCH, facts C). If
+//! its silhouette has n bits and all planes are curved, N is as follows (tested by
 //! `cargo test -p tilewright-rtl --lib a_sphere_takes`):
 //!
 //! | program | one at a time | side by side |
@@ -103,7 +104,7 @@ pub use smooth_least::{SMOOTH_LEAST, smooth_least};
 pub use smooth_strict::{SMOOTH_STRICT, smooth_strict};
 
 /// A x + B y + C over the pixels of a region, with (0, 0) at its upper left. A pixel is inside an edge where the value
-/// is at least 0. A plane counts modulo 2^40; a colour counts modulo 2^24, with 16 bits of fraction.
+/// is at least 0. Depth is modulo 2^40 and a colour modulo 2^24, each with 16 fraction bits.
 pub type Expression = Coefficients<i64>;
 
 /// The fraction bits of planes.
@@ -126,7 +127,7 @@ impl<E: Copy + From<Expression> + Into<Quadratic>> Surface<E> {
         Surface { z, rgb: rgb.map(|channel| plane(channel).into()) }
     }
 
-    /// Its colour at the upper left pixel; if the planes of colour have no slope, the colour of every pixel.
+    /// The colour at the upper left pixel. If the colour planes have no slope, every pixel has this colour.
     pub fn colour(&self) -> u32 {
         let [r, g, b] = self.rgb.map(|plane| (plane.into().c >> FRACTION) as u8);
         u32::from_be_bytes([0, r, g, b])
@@ -142,16 +143,16 @@ impl<E: Copy + From<Expression> + Into<Quadratic>> Surface<E> {
 /// let surface = Surface::of_one_colour(Expression { a: 0, b: 0, c: 77 << 16 }, 0xff_80_00);
 /// let clocks = FLAT_STRICT.draw(32, Edges::Least, &edges, &surface).iter().map(|it| it.skip + it.length).sum::<u64>();
 /// assert_eq!(clocks, 6 + 7 + 40 + 24 + 24);
-/// // In a region of 8 x 8 pixels there is nothing of it.
+/// // A region of 8 x 8 pixels contains none of it.
 /// assert!(FLAT.draw(8, Edges::Least, &edges, &surface).is_empty());
 /// ```
 #[derive(Debug, PartialEq, Eq)]
 pub struct Program {
-    /// Its name in reports.
+    /// The program's name in reports.
     pub name: &'static str,
     /// The use of the edges, which come first.
     pub edges: EdgeUse,
-    /// Whether it draws all pixels in one colour.
+    /// Whether the program draws all pixels in one colour.
     pub is_flat: bool,
     /// The steps after the edges.
     pub steps: &'static [Step],
@@ -160,11 +161,11 @@ pub struct Program {
 /// The use of edges in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeUse {
-    /// There are none: the program works on the whole region.
+    /// There are no edges: the program processes the whole region.
     None,
-    /// They enable the pixels inside all of them.
+    /// The edges enable the pixels inside all of them.
     Enable,
-    /// They enable the pixels inside all of them, and set these pixels' flags.
+    /// The edges enable the pixels inside all of them, and set these pixels' flags.
     EnableAndFlag,
 }
 
@@ -201,12 +202,12 @@ pub enum Operand {
 }
 
 impl Step {
-    /// An operation with a plane, compared with the stored value; writes the new value.
+    /// An operation that compares a plane with the stored value, and writes the new value.
     const fn beside(operation: Operation, operand: Operand, field: Field) -> Step {
         Step { operation, operand, read: field, write: field.new_value() }
     }
 
-    /// An operation with only a field.
+    /// An operation on a single field.
     const fn on(operation: Operation, operand: Operand, field: Field) -> Step {
         Step { operation, operand, read: field, write: field }
     }
@@ -216,7 +217,7 @@ impl Step {
         Step { operation: Operation::CopyFlagged, operand: Operand::Nothing, read: field.new_value(), write: field }
     }
 
-    /// Its instruction, preceded by a curve where needed.
+    /// The step's instruction, preceded by a curve where needed.
     fn instructions<E: Copy + Into<Quadratic>>(
         &self,
         number: i64,
@@ -251,8 +252,8 @@ impl Program {
     pub const PRIMITIVES: [&Program; 5] = [&FLAT, &FLAT_STRICT, &FLAT_LEAST, &SMOOTH_STRICT, &SMOOTH_LEAST];
 
     /// The instructions that draw a primitive in a region of `side` x `side` pixels, with all coefficients relative to
-    /// the region. There are none if an edge has the whole region outside. A program in one colour takes that of the
-    /// [upper left pixel](Surface::colour).
+    /// the region. There are none if an edge has the whole region outside. A program in one colour takes the colour of
+    /// the [upper left pixel](Surface::colour).
     ///
     /// The first instruction needs the tree alone, so the clocks of a primitive do not depend on how the next one
     /// begins.
@@ -260,7 +261,7 @@ impl Program {
         form.tests(side, edges).map_or_else(Vec::new, |tests| self.behind(tests, surface))
     }
 
-    /// The instructions that draw a sphere, or anything else that is inside where one quadratic is at least 0. The
+    /// The instructions that draw a sphere, or any other shape whose inside is where one quadratic is at least 0. The
     /// region has `side` x `side` pixels, and all coefficients are [relative to it](Quadratic::moved). There are none
     /// if no pixel is inside. They need a renderer that [evaluates quadratics](super::renderer::Renderer::quadratic).
     /// Linear expressions need no [`Curve`](Operation::Curve).
@@ -275,17 +276,17 @@ impl Program {
     /// let z = Quadratic { c: 1000 << 16, ..inside.times(-(1 << 16)) };
     /// let grey = Expression { a: 0, b: 0, c: 0x80 << 16 }.into();
     /// let program = SMOOTH_LEAST.draw_sphere(8, &inside, &Surface { z, rgb: [grey; 3] });
-    /// // A curve and the sign of -23 to 9, three colours without a curve, a curve and the depth, and what is kept.
+    /// // A curve and the sign of -23 to 9; three colours without a curve; a curve and the depth; the word that is kept.
     /// let clocks: Vec<u64> = program.iter().map(|instruction| instruction.skip + instruction.length).collect();
     /// assert_eq!(clocks, [1, 6, 24, 24, 24, 1, 40, 48]);
-    /// // Right of it there is nothing.
+    /// // The region to the right of it is empty.
     /// assert!(SMOOTH_LEAST.draw_sphere(8, &inside.moved([8, 0]), &Surface { z: z.moved([8, 0]), rgb: [grey; 3] }).is_empty());
     /// ```
     pub fn draw_sphere(&self, side: u32, inside: &Quadratic, surface: &Surface<Quadratic>) -> Vec<Instruction<u64>> {
         inside.test(side).map_or_else(Vec::new, |test| self.behind(test, surface))
     }
 
-    /// The program after its tests.
+    /// The program, given its tests.
     fn behind<E: Copy + From<Expression> + Into<Quadratic>>(
         &self,
         mut program: Vec<Instruction<u64>>,
@@ -310,7 +311,7 @@ impl Program {
         self.steps.iter().flat_map(move |step| step.instructions(number, surface))
     }
 
-    /// The instructions of a program that works on a whole region.
+    /// The instructions of a program that processes a whole region.
     fn of_region(&self, number: u32) -> Vec<Instruction<u64>> {
         let nothing = Expression { a: 0, b: 0, c: 0 };
         self.with(number.into(), &Surface { z: nothing, rgb: [nothing; 3] }).collect()

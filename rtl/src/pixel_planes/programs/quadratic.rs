@@ -5,7 +5,7 @@ use super::edges::{bits, sign};
 use super::{Expression, alone, modular};
 
 /// A x + B y + C + D x² + E x y + F y² over the pixels of a region, with (0, 0) at its upper left. As a test, a pixel
-/// is inside where the value is at least 0. As a plane it counts as an [`Expression`] does.
+/// is inside where the value is at least 0. As a plane it is modulo the same power of two as an [`Expression`].
 ///
 /// ```
 /// use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -15,17 +15,17 @@ use super::{Expression, alone, modular};
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Quadratic {
-    /// The factor of x.
+    /// The coefficient of x.
     pub a: i64,
-    /// The factor of y.
+    /// The coefficient of y.
     pub b: i64,
     /// The value at the upper left pixel.
     pub c: i64,
-    /// The factor of x².
+    /// The coefficient of x².
     pub d: i64,
-    /// The factor of x y.
+    /// The coefficient of x y.
     pub e: i64,
-    /// The factor of y².
+    /// The coefficient of y².
     pub f: i64,
 }
 
@@ -44,7 +44,7 @@ impl Quadratic {
         along(self.d, across, x).wrapping_add(along(self.f, self.b, y)).wrapping_add(self.c)
     }
 
-    /// The same expression in a region with this upper left pixel: exact modulo 2^64.
+    /// The same expression, relative to a region with this upper left pixel; exact modulo 2^64.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -68,7 +68,7 @@ impl Quadratic {
         Quadratic { a, b, c, d, e, f }
     }
 
-    /// The least and the greatest value at the pixels of a region of `side` x `side`. It takes a pass over the region's lines.
+    /// The least and the greatest value at the pixels of a region of `side` x `side`. This takes a pass over the region's lines.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -87,8 +87,8 @@ impl Quadratic {
         values.fold([i64::MAX, i64::MIN], |[least, greatest], value| [least.min(value), greatest.max(value)])
     }
 
-    /// The bits in which its sign is sent to a region of `side` x `side` pixels. It is 0 unless some pixels are inside
-    /// and some outside. The test takes one clock more, for its curve.
+    /// The number of bits that carry the sign to a region of `side` x `side` pixels. It is 0 unless some pixels are
+    /// inside and some outside. The test takes one more clock, for the curve.
     ///
     /// ```
     /// # use tilewright_rtl::pixel_planes::programs::Quadratic;
@@ -115,7 +115,7 @@ impl Quadratic {
         Expression { a, b, c }
     }
 
-    /// The instruction that has to precede one with this expression, if it is not linear.
+    /// The instruction that must precede one with this expression, if the expression is not linear.
     pub(super) fn curve(&self) -> Option<Instruction<u64>> {
         let &Quadratic { d, e, f, .. } = self;
         let curve = Expression { a: d, b: e, c: f };

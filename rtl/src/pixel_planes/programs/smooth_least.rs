@@ -10,7 +10,7 @@ pub const SMOOTH_LEAST: Program = Program {
     edges: EdgeUse::Enable,
     is_flat: false,
     steps: &[
-        // From the word's lowest part on.
+        // The lowest part of the word comes first.
         Step::beside(Operation::Compare, Operand::Blue, BLUE),
         Step::beside(Operation::CompareOn, Operand::Green, GREEN),
         Step::beside(Operation::CompareOn, Operand::Red, RED),

@@ -102,7 +102,7 @@ fn a_sign_has_as_many_bits_as_the_values_in_the_region() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// At all pixels, in every form; and the bit tested is the sign.
+    /// The range is that of all pixels, and the bit tested is the sign.
     #[test]
     fn a_quadratic_has_its_range_and_its_sign_in_a_region(
         (side, sphere) in prop::sample::select(vec![2, 4, 8, 16, 32]).prop_flat_map(|side| (Just(side), spheres(side))),
@@ -116,7 +116,7 @@ proptest! {
         let test = program.iter().find(|it| it.operation == Operation::TestFirst.code());
         prop_assert_eq!(test.map_or(0, |test| test.skip as u32 + 1), inside.bits(side));
         prop_assert_eq!(program.is_empty(), range[1] < 0);
-        // One bit less would not do, except for the trees' minimum.
+        // One bit fewer would not do, except for the trees' minimum.
         let fits = |bits: u32| range.iter().all(|value| (-(1 << (bits - 1))..1 << (bits - 1)).contains(value));
         if let Some(test) = test {
             let bits = test.skip as u32 + 1;

@@ -21,7 +21,7 @@ fn each_level_takes_two_clocks() {
     let mut sim = Simulation::of(&QuadraticTree { side: 2 }).unwrap();
     sim.reset();
     let wave = sim.record(["first", "coefficients_a", "coefficients_c", "curve_d", "value[0][0]", "value[0][1]"]);
-    // 3 x + 5 + x², and right behind it -x - 1 + 6 x², 4 bits each.
+    // 3 x + 5 + x², and immediately after it -x - 1 + 6 x², 4 bits each.
     for (a, c, d) in [(3, 5, 1), (15, 15, 6), (0, 0, 0)] {
         for clock in 0..4 {
             sim.drive(inputs([a, 0, c, d, 0, 0].map(|number| number >> clock & 1), clock == 0));
@@ -58,7 +58,7 @@ fn it_gives_all_sums_of_small_coefficients_on_2x2_and_4x4_pixels() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Expressions of any length from log2 S on, without a gap or with pauses.
+    /// Expressions of log2 S bits or more, without a gap or with pauses.
     #[test]
     fn it_gives_the_sums_of_any_coefficients(
         (side, all) in (0..5u32).prop_flat_map(|level| {

@@ -1,4 +1,4 @@
-//! The renderer against the meaning of its instructions, and against the contract of geometry.
+//! The renderer against the meaning of its instructions, and against the integer contract.
 
 use proptest::prelude::*;
 use tilewright_sim::{Pauses, Simulation, monitor};
@@ -82,7 +82,7 @@ fn constant(operation: Operation, write: u64, length: u64) -> Instruction<u64> {
     Instruction { operation: operation.code(), skip: 0, length, read: 0, write, coefficients }
 }
 
-/// Gives every bit of memory a value, which it otherwise lacks at first, and clears both flags.
+/// Gives every bit of memory a value, because a reset does not, and clears both flags.
 fn filled() -> Vec<Instruction<u64>> {
     let words = [(0, 64), (64, 64), (128, 64), (192, 16)];
     let words = words.map(|(write, length)| constant(Operation::Fill, write, length));
@@ -108,7 +108,7 @@ proptest! {
             (Just(side), prop::collection::vec(instructions(side, manner.quadratic), 1..60), Just(manner))
         }),
     ) {
-        // At the end the flags are in the memory, too.
+        // The last instructions write the flags to memory, too.
         let enable = Instruction { skip: 7, ..constant(Operation::EvaluateEnabled, 207, 1) };
         let flags = vec![constant(Operation::FillFlagged, 206, 1), enable];
         let program = [filled(), program, flags, all_memory()].concat();
@@ -220,7 +220,7 @@ fn a_region_of_128_x_128_pixels_is_what_the_contract_says() {
     let program = [clear(0x20_40_60), program.collect(), save(5)].concat();
     let words = drawn(SIDE, 0x20_40_60, RULES[4], &primitives.map(Shape::Polygon));
     let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
-    assert!((2000..8000).contains(&far), "{far} pixels are of the background");
+    assert!((2000..8000).contains(&far), "{far} pixels show the background");
     let manner = Manner { quadratic: false, side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
@@ -246,7 +246,7 @@ fn spheres_in_a_region_of_128_x_128_pixels_are_what_the_contract_says() {
     let program = [clear(0x20_40_60), balls.iter().flat_map(draw).collect(), save(5)].concat();
     let words = drawn(SIDE, 0x20_40_60, RULES[4], &balls.map(Shape::Sphere));
     let far = words.iter().filter(|word| **word >> 24 == 0xff_ffff).count();
-    assert!((4000..10_000).contains(&far), "{far} pixels are of the background");
+    assert!((4000..10_000).contains(&far), "{far} pixels show the background");
     let manner = Manner { quadratic: true, side_by_side: true, queue: 16, pauses: [0, 0], seed: 1 };
     assert_eq!(sent(SIDE, &program, manner), [(5, words)]);
 }
@@ -310,8 +310,8 @@ fn a_region_is_sent_in_48_clocks_a_line_while_the_next_is_drawn() {
     let region = 48 * 8;
     let is_without_pause = |clocks: &[u64]| clocks.last().unwrap() - clocks[0] == region - 1;
     assert!(clocks.chunks(region as usize).all(is_without_pause));
-    // Between them the store is free, and the planes of the second region are read and pass the pixels' pipeline. Its
-    // clear ended long before.
+    // Between them the store is free, and the planes of the second region are read and pass the pixels' pipeline. The
+    // region's clear ended long before.
     let between = clocks[region as usize] - clocks[region as usize - 1];
     assert_eq!(between, 1 + 48 + u64::from(LinearTree { side: 8 }.latency()) + 2);
 }

@@ -55,8 +55,8 @@ impl Plain {
             let wants = match plane {
                 None => waiting.bins[station].is_some() && waiting.room[station],
                 Some(number) => {
-                    let is_his = self.line_of.is_none_or(|other| other == number);
-                    waiting.finished[number].is_some() && is_his && !plane_goes
+                    let has_line = self.line_of.is_none_or(|other| other == number);
+                    waiting.finished[number].is_some() && has_line && !plane_goes
                 }
             };
             if !wants {
@@ -128,7 +128,7 @@ fn all_take_turns_as_long_as_the_credit_lasts() {
         sim.drive(Waiting { bins: vec![Some(1), Some(2)], room, finished: vec![plane(3), plane(4)] }.inputs());
         sim.step();
     }
-    // While an instruction waits for its 154 bits, a plane of 8 behind it waits, too.
+    // While an instruction waits for its 154 bits, a plane of 8 bits after it waits, too.
     wave.expect(
         r"
         clk                  |~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/~~\_/
@@ -189,7 +189,7 @@ fn what_goes_has_to_be_taken_and_only_that() {
 #[test]
 fn a_rate_has_to_be_a_number_of_bits_in_each_clock() {
     let complaint = |megabits| Ring::bits_a_clock(megabits).unwrap_err().to_string();
-    let sentence = "a ring of 5001 Mbit/s: it brings a whole number of bits in each clock of 25 ns, \
+    let sentence = "a ring of 5001 Mbit/s: it carries a whole number of bits in each clock of 25 ns, \
                     so it has to be a multiple of 40 from 40 to 327680";
     assert_eq!(complaint(5001), sentence);
     assert!(complaint(0).starts_with("a ring of 0 Mbit/s"));

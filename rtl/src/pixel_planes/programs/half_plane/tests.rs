@@ -22,7 +22,7 @@ fn width(side: u32, edge: &Expression) -> u32 {
     bits(least).max(bits(greatest))
 }
 
-/// All that cross a region, with coefficients up to twice its side.
+/// All half-planes that cross a region, with coefficients up to twice its side.
 fn all(side: u32) -> impl Iterator<Item = Expression> {
     let most = 2 * i64::from(side);
     let slopes = (-most..=most).flat_map(move |a| (-most..=most).map(move |b| (a, b)));
@@ -74,7 +74,8 @@ proptest! {
         prop_assert!(width(SIDE, &least) <= 15 && width(SIDE, &least) <= width(SIDE, &edge), "{:?}", least);
     }
 
-    /// In regions too large for an exhaustive search: no simpler slope does, and no other constant does.
+    /// Regions too large for an exhaustive search: no half-plane with the same |A| + |B| and fewer bits has the same
+    /// pixels.
     #[test]
     fn none_that_is_simpler_is_the_same((side, edge) in (8..32u32).prop_flat_map(|side| (Just(side), edges(side, 2000)))) {
         let least = least(side, &edge);
