@@ -109,7 +109,7 @@ const CASES: &[(&str, &[&str])] = &[
         "render teapot --machine quadtree --form heap",
         &["'heap' for '--form <FORM>': there is no part `heap`: give one of stack, pipe, tree\n"],
     ),
-    ("render teapot --machine quadtree --form tree", &["the form `tree:8`: a tree divides 4 levels at most"]),
+    ("render teapot --machine quadtree --form tree", &["the form `tree:8`: a tree divides at most 4 levels"]),
     ("render teapot --machine quadtree --form stak:2+pipe", &["there is no part `stak`: did you mean `stack`?"]),
     (
         "render teapot --machine quadtree --test fast",

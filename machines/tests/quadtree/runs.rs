@@ -116,10 +116,7 @@ fn a_machine_that_cannot_be_is_refused_in_a_sentence() {
             Config { matrix: (3, 3), ..usual.clone() },
             "a matrix of 3x3 video processors: each side has to be 1, 2, 4, 8 or 16".to_owned(),
         ),
-        (
-            Config { edges: 9, ..usual.clone() },
-            "polygons of up to 9 edges: a generator is built for up to 3 to 8".to_owned(),
-        ),
+        (Config { edges: 9, ..usual.clone() }, "polygons of up to 9 edges: the limit has to be from 3 to 8".to_owned()),
         (
             Config { aperture: 3, ..usual.clone() },
             "an aperture of 3 pixels: it has to be even, and from 0 to 8".to_owned(),

@@ -3,7 +3,7 @@
 //! ```text
 //!            .---------------.   x div p, y div q    .----------------.   p words
 //! show ----->| column, line, |---------------------->| video buffers  |==========> pixels
-//!            | matrix row    |--- y mod q: which --->| of a row       |
+//!            | matrix row    |--- y mod q: row ----->| of a row       |
 //!            '---------------'                       '----------------'
 //! ```
 //!
@@ -31,11 +31,11 @@ block! {
         words: bits(WORD).of(row(self.format.matrix().processors())),
     }
     out(self) VideoControllerOut {
-        /// To each video buffer.
+        /// The pixel that each video buffer is to send.
         scan: Scan = Scan::widths(self.format).of(row(self.format.matrix().processors())),
-        /// Pixels side by side; the last group of a line may have some that are beyond its end.
+        /// Groups of p neighbouring pixels; the last group of a line may extend beyond the line's end.
         pixels: stream(bits(WORD).of(row(self.format.matrix().columns()))),
-        /// A picture is read.
+        /// A picture is being read.
         busy: bit(),
     }
 }
@@ -43,11 +43,11 @@ block! {
 record! {
     /// The settings of the read-out.
     pub struct Show {
-        /// For one clock, while no picture is read: read one.
+        /// High for one clock to read a picture; only while no picture is being read.
         start: bit(),
-        /// Empty the buffers on the way; constant while a picture is read.
+        /// Each pixel is cleared when it is read; constant while a picture is being read.
         clear: bit(),
-        /// The colour where nothing was drawn.
+        /// The colour of pixels where nothing was drawn.
         background: bits(24),
     }
 }
@@ -61,7 +61,7 @@ impl VideoController {
         def!(line = m.reg(below(screen.height.max(q))).reset(0));
         def!(arrived = m.reg(bit()).reset(0));
 
-        // A group is requested in each clock in which its predecessor can go.
+        // A group is requested in each clock in which its predecessor can leave.
         let words = i.words.pack().unpack(grid(q, p));
         let matrix_row = if q == 1 { lit(1, 0) } else { line.trunc(below(q)) };
         def!(arrived_row = m.wire(matrix_row.width()));
@@ -76,7 +76,7 @@ impl VideoController {
         column.when(i.show.start | line_ends, 0).when(asks, column + 1);
         line.when(i.show.start, 0).when(line_ends, line + 1);
         arrived.when(asks, 1).when(sent, 0);
-        m.assume(i.show.start.implies(!reading & !arrived), "a picture is asked for when none is read");
+        m.assume(i.show.start.implies(!reading & !arrived), "a picture is requested only while none is being read");
 
         let row_of = constants(bits(matrix_row.width()).of(each), |lane| lane / p);
         let scan = Scan {

@@ -9,12 +9,11 @@
 //! A quarter passes under two conditions. Each edge function must be at least 0 at the corner where it is greatest. The
 //! quarter must overlap the rectangle of pixels around the polygon; without those four bounds up to 35 % more windows
 //! pass (facts B). An edge function is stored as its greatest value in the window. So a test is one subtraction and a
-//! look at a sign. It subtracts what the function loses on the way to the quarter's corner: its loss per sample,
-//! shifted.
+//! check of the sign. It subtracts the decrease on the way to the quarter's corner: the decrease per sample, shifted.
 //!
 //! Latency and throughput: the tests of a window take `4 k_e` clocks with one adder, or 4 with an adder for each edge.
 //! Each quarter that passes takes `k_p` = 4 more, in which one adder moves its planes to its upper left sample. The
-//! quarters come one after another, and wait for their receiver. The next window is taken with the last clock of its
+//! quarters come one after another, and wait for their receiver. The next window is taken in the last clock of its
 //! predecessor.
 
 use std::fmt;
@@ -50,9 +49,9 @@ block! {
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
-        /// The size of the largest window that comes in: the binary logarithm of its side, from 1.
+        /// The size of the largest input window: the binary logarithm of its side, from 1.
         pub from: u32,
-        /// The number of window sizes that come in, each half of the previous one.
+        /// The number of sizes of input windows, each half of the previous one.
         pub sizes: u32,
     }
     latency(self) = match self.test {
@@ -85,7 +84,7 @@ impl CoverageTest {
         def!(passes = tests & is_last & !misses);
         def!(fails = tests & is_last & misses);
 
-        // The planes of a quarter that passes; it goes with the last of them.
+        // The planes of a quarter that passes. The quarter is sent with the last of them.
         let moved = |plane: Signal, is_beside: Signal, add: Signal| plane + mux(is_beside, add << size, 0);
         def!(plane_of_window = window.planes.pick(*step));
         def!(plane_x = polygon.plane_x.pick(*step));
@@ -150,12 +149,12 @@ struct Tested {
     edges: Signal,
     /// An edge function is negative in the whole quarter.
     is_outside: Signal,
-    /// The test ends with this clock.
+    /// The test ends in this clock.
     is_last: Signal,
 }
 
-/// The greatest value of each edge function in a quarter, from its greatest value in the window. The loss is subtracted
-/// unless the quarter has the same corner.
+/// The greatest value of each edge function in a quarter, from its greatest value in the window. The decrease is
+/// subtracted unless the quarter has the same corner.
 fn greatest([value, step_x, step_y, right, lower]: [Signal; 5], number: Signal, size: Signal) -> Signal {
     let decrease = |decrease: Signal, is_greatest_there: Signal, is_there: Signal| {
         mux(is_greatest_there.eq(is_there), 0, decrease.zext(value.width()) << size).signed()

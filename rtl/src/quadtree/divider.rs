@@ -13,7 +13,7 @@ record! {
 
     /// The results of the divisions.
     pub struct DividerOut(format: Format, levels: u32) {
-        /// The parts of the windows that the polygon may cover; divided to the end, the leaves.
+        /// The parts of the windows that the polygon may cover; after the last division, single samples.
         parts: stream(Work::widths(format)),
         /// No window is under way.
         idle: bit(),

@@ -26,7 +26,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// The most video processors along a side: k = 4 of the paper.
+    /// The greatest number of video processors along a side: k = 4 of the paper.
     pub const MAX_SIDE: u32 = 16;
 
     /// A matrix of p x q video processors.
@@ -69,7 +69,7 @@ pub struct Format {
 }
 
 impl Format {
-    /// The most edges of a polygon.
+    /// The greatest number of edges of a polygon.
     pub const MAX_EDGES: u32 = 8;
     /// The greatest aperture.
     pub const MAX_APERTURE: u32 = 8;
@@ -84,11 +84,12 @@ impl Format {
         if (3..=most).contains(&edges) {
             return Ok(Format { screen, matrix, edges, aperture: 0 });
         }
-        Err(ParameterError(format!("polygons of up to {edges} edges: a generator is built for up to 3 to {most}")))
+        Err(ParameterError(format!("polygons of up to {edges} edges: the limit has to be from 3 to {most}")))
     }
 
-    /// The same, with windows that are tested as `aperture` pixels wider and higher than their samples. This is the
-    /// aperture of the filter, a = b of MPG-WIN. At 0 a window of one sample is that pixel, and is drawn if it passes.
+    /// This format, with windows that are tested as if they were `aperture` pixels wider and higher than their samples.
+    /// This is the aperture of the filter, a = b of MPG-WIN. At 0 a window of one sample is that pixel, and is drawn if
+    /// it passes.
     ///
     /// # Errors
     ///
@@ -110,7 +111,7 @@ impl Format {
         self.matrix
     }
 
-    /// The most edges of a polygon.
+    /// The greatest number of edges of a polygon.
     pub fn edges(&self) -> u32 {
         self.edges
     }
@@ -130,7 +131,7 @@ impl Format {
         self.screen.height.div_ceil(self.matrix.rows)
     }
 
-    /// n: a video processor's pixels lie within 2^n x 2^n, which is divided n times, at least once.
+    /// n: a video processor's pixels lie within a window of 2^n x 2^n samples, which is divided n times, at least once.
     pub fn levels(&self) -> u32 {
         self.columns().max(self.rows()).next_power_of_two().trailing_zeros().max(1)
     }
@@ -145,14 +146,14 @@ impl Format {
         DISTANCE + self.excess()
     }
 
-    /// By how many bits the square window of all samples is wider or higher than the largest screen. It is more than 0
-    /// where a video processor has far more columns than lines, or the reverse.
+    /// The bits that a position in the square window of all samples needs beyond those of the largest screen. It is more
+    /// than 0 if a video processor has far more columns than lines, or the reverse.
     fn excess(&self) -> u32 {
         let spacing = self.matrix.columns.max(self.matrix.rows);
         (self.levels() + spacing.trailing_zeros()).saturating_sub(SIDE.trailing_zeros())
     }
 
-    /// The widths of a place: the first and the last sample of a video processor.
+    /// The widths of a place: the first and the last sample of a video processor along each axis.
     pub fn place(&self) -> Bounds<Width> {
         let distance = bits(self.distance_bits()).signed();
         Bounds { left: distance, top: distance, right: distance, bottom: distance }
@@ -183,37 +184,37 @@ impl fmt::Debug for Format {
 }
 
 bundle! {
-    /// Four bounds of a rectangle in pixels.
+    /// Four bounds of a rectangle in pixels, or the distances past them.
     pub struct Bounds<T> {
-        /// The left bound, a column of pixels.
+        /// The left bound, a column of pixels, or the distance past it.
         pub left: T,
-        /// The upper bound, a line of pixels.
+        /// The upper bound, a line of pixels, or the distance past it.
         pub top: T,
-        /// The right bound, a column of pixels.
+        /// The right bound, a column of pixels, or the distance past it.
         pub right: T,
-        /// The lower bound, a line of pixels.
+        /// The lower bound, a line of pixels, or the distance past it.
         pub bottom: T,
     }
 }
 
 record! {
-    /// Edge functions `a x + b y + c` of whole pixels, 0 or more inside: a row (facts E0, the reduced form).
+    /// A row of edge functions `a x + b y + c` of whole pixels, at least 0 inside (facts E0, the reduced form).
     pub struct EdgeFunction(edges: u32) {
-        /// What a pixel to the right adds to the edge function.
+        /// Coefficient of x: the increase of the edge function per pixel to the right.
         a: bits(SLOPE).signed().of(row(edges)),
-        /// What a line down adds to the edge function.
+        /// Coefficient of y: the increase of the edge function per line downward.
         b: bits(SLOPE).signed().of(row(edges)),
         /// The value of the edge function at the upper left pixel.
         c: bits(EDGE).signed().of(row(edges)),
     }
 
-    /// Linear functions of whole pixels, modulo 2^40: a row of depth, red, green, blue.
+    /// A row of linear functions of whole pixels, modulo 2^40: depth, red, green, blue.
     pub struct Plane {
-        /// What a pixel to the right adds to the plane.
+        /// Coefficient of x: the increase of the plane per pixel to the right.
         x: bits(PLANE).of(row(PLANES)),
-        /// What a line down adds to the plane.
+        /// Coefficient of y: the increase of the plane per line downward.
         y: bits(PLANE).of(row(PLANES)),
-        /// The value of the plane at the upper left pixel, with half a unit for rounding.
+        /// The value of the plane at the upper left pixel, plus half a unit for rounding.
         origin: bits(PLANE).of(row(PLANES)),
     }
 
@@ -221,15 +222,15 @@ record! {
     pub struct Packet(format: Format) {
         /// The number of the polygon's edges, less one.
         last_edge: below(Format::MAX_EDGES),
-        /// The polygon's edges; those beyond the last mean nothing.
+        /// The edge functions of the polygon; those beyond the last edge are ignored.
         edges: EdgeFunction::widths(format.edges),
         /// The attributes of the polygon.
         planes: Plane,
-        /// The pixels whose centres lie within the polygon's vertices along each axis.
+        /// The pixels whose centres lie within the extent of the polygon's vertices along each axis.
         bounds: Bounds { left: below(SIDE), top: below(SIDE), right: below(SIDE), bottom: below(SIDE) },
     }
 
-    /// The common values of a polygon's windows, for the samples of one video processor.
+    /// The values that all windows of a polygon share, for the samples of one video processor.
     pub struct Polygon(format: Format) {
         /// The number of the polygon's edges, less one.
         last_edge: below(Format::MAX_EDGES),
@@ -241,23 +242,23 @@ record! {
         right: bit().of(row(format.edges)),
         /// Whether each edge function is greatest at the lower side of a window.
         lower: bit().of(row(format.edges)),
-        /// What a sample to the right adds to each plane.
+        /// The increase of each plane per sample to the right.
         plane_x: bits(PLANE).of(row(PLANES)),
-        /// What a sample down adds to each plane.
+        /// The increase of each plane per sample downward.
         plane_y: bits(PLANE).of(row(PLANES)),
     }
 
-    /// A square window of samples, with what belongs to its place.
+    /// A square window of samples, with the values at its place.
     pub struct Window(format: Format) {
         /// The binary logarithm of the window's side in samples: n less the level.
         size: up_to(format.levels()),
-        /// The window's leftmost sample.
+        /// The column of the window's leftmost samples.
         x: bits(format.levels()),
-        /// The window's uppermost sample.
+        /// The row of the window's uppermost samples.
         y: bits(format.levels()),
-        /// The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+        /// The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
         edges: bits(format.edge_bits()).signed().of(row(format.edges)),
-        /// How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
+        /// How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the bound.
         bounds: Bounds = format.place(),
         /// The value of each plane at the window's upper left sample.
         planes: bits(PLANE).of(row(PLANES)),
@@ -273,7 +274,8 @@ record! {
 }
 
 impl Bounds {
-    /// The values for a quarter: less by the spacing of its samples at the side where the quarter is not.
+    /// The values for a quarter: each decreases by the quarter's extent, unless the quarter shares the side of the window
+    /// from which it is measured.
     pub(super) fn quarter(&self, number: Signal, size: Signal, matrix: Matrix) -> Bounds {
         let reaches = |bound: Signal, is_there: Signal, spacing: u32| {
             bound - mux(is_there, 0, lit(bound.width(), spacing) << size).signed()
@@ -287,7 +289,7 @@ impl Bounds {
         }
     }
 
-    /// Whether something lies beyond one of four bounds, given how far it extends over each.
+    /// Whether something lies outside one of four bounds, given how far it extends past each.
     pub(super) fn is_beyond(&self) -> Signal {
         let Bounds { left, top, right, bottom } = *self;
         left.is_negative() | top.is_negative() | right.is_negative() | bottom.is_negative()

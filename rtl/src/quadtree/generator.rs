@@ -8,7 +8,8 @@
 //!                broadcast                          words
 //! ```
 //!
-//! Each packet goes to all video processors, to each when its queue has room. The next packet follows when all have it.
+//! Each packet goes to all video processors, and to each as soon as its queue has room. The next packet follows when all
+//! have it.
 //! So the matrix waits for the geometry processor only when a queue is empty. The geometry processor waits for the
 //! matrix only when a queue is full.
 //!
@@ -16,11 +17,11 @@
 //!
 //! | party | action | when |
 //! |---|---|---|
-//! | geometry processor | sends polygons | at any time, except from `swap` until the swap is visible |
-//! | host | swaps the banks | `idle`, and no picture is read: the drawn picture is shown from now on |
+//! | geometry processor | sends polygons | at any time, except from `swap` until the swap takes effect |
+//! | host | swaps the banks, so that the drawn picture is shown | `idle`, and no picture is being read |
 //! | host | reads and clears the picture | after the swap, while the next one is drawn |
 //!
-//! A bank must be read with `clear` before it is drawn again.
+//! A bank must be read with `clear` before the next picture is drawn in it.
 
 use tilewright_blocks::StreamBlocks;
 
@@ -41,34 +42,34 @@ block! {
     latency = "the clocks of the slowest video processor; 2 clocks from `start` to the first pixels";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)";
     in(self) QuadtreeGeneratorIn {
-        /// Polygons.
+        /// The polygons to draw.
         packets: stream(Packet::widths(self.format())),
-        /// Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is drawn.
+        /// Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is being drawn.
         strict: bit(),
-        /// For one clock, when idle and while no picture is read: swap the banks.
+        /// High for one clock to swap the banks; only when idle and while no picture is being read.
         swap: bit(),
         /// The settings of the read-out.
         show: Show,
-        /// Of which unit the counters are wanted.
+        /// The unit whose counters are read.
         probe: pub struct Probe {
-            /// The video processor, counted row by row.
+            /// The number of the probed video processor, row by row.
             processor: below(self.format().matrix().processors()),
-            /// The unit: 0 for the set-up, and a level for the raster processor's.
+            /// The probed unit: 0 for the set-up, or a level of the raster processor.
             unit: up_to(self.format().levels()),
         },
     }
     out(self) QuadtreeGeneratorOut {
-        /// Pixels side by side, line by line; those beyond the end of a line mean nothing.
+        /// Groups of p neighbouring pixels, line by line; pixels beyond the end of a line are to be ignored.
         pixels: stream(bits(WORD).of(row(self.format().matrix().columns()))),
         /// No polygon is under way.
         idle: bit(),
-        /// A picture is read.
+        /// A picture is being read.
         showing: bit(),
-        /// The counters asked for.
+        /// The counters of the probed unit.
         tally: Tally,
-        /// The fragments of the video processor asked for.
+        /// The fragments of the probed video processor since the reset, modulo 2^32.
         fragments: bits(32),
-        /// The counters of the broadcast: packets that all have, and clocks in which one waited for room.
+        /// The counters of the broadcast: packets that all video processors have, and clocks in which a packet waited for room.
         broadcast: Tally,
     }
 }
@@ -78,7 +79,7 @@ impl QuadtreeGenerator {
     ///
     /// # Errors
     ///
-    /// A queue has no capacity.
+    /// The capacity of a queue is out of range.
     pub fn new(format: Format, form: Form, test: Test, queues: Queues) -> Result<QuadtreeGenerator, ParameterError> {
         let Queues { broadcast, packets, windows } = queues;
         for (queue, name) in [(broadcast, "broadcast"), (packets, "packet"), (windows, "window")] {
@@ -90,12 +91,12 @@ impl QuadtreeGenerator {
         Ok(QuadtreeGenerator { video_processor: VideoProcessor { format, form, test, queues } })
     }
 
-    /// Its format.
+    /// The generator's format.
     pub fn format(&self) -> Format {
         self.video_processor.format
     }
 
-    /// Each of its video processors.
+    /// The description of each of the video processors.
     pub fn processor(&self) -> &VideoProcessor {
         &self.video_processor
     }
@@ -138,7 +139,7 @@ impl QuadtreeGenerator {
         scan.drive(controller.scan);
 
         def!(idle = !packets.valid & processor.idle.and_all());
-        m.assume(i.swap.implies(idle & !controller.busy), "the banks are swapped when nothing is drawn or read");
+        m.assume(i.swap.implies(idle & !controller.busy), "the banks are swapped only while nothing is drawn or read");
         let counted = |unit: &Tally| unit.map(|count| count.pick(i.probe.processor));
         let tallies: Vec<Tally> = processor.tally.iter().map(counted).collect();
         let units = (1..).zip(tallies[1..].iter().copied());

@@ -6,7 +6,7 @@ use crate::prelude::*;
 pub(super) struct Filled {
     /// The lanes written so far.
     pub kept: Signal,
-    /// The same, including the lane written in this clock.
+    /// The lanes, including the one written in this clock.
     pub row: Signal,
 }
 

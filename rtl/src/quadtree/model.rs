@@ -25,7 +25,7 @@ pub(crate) struct Square {
 }
 
 impl Square {
-    /// In the sequence of testing.
+    /// The quarters, in the sequence in which they are tested.
     pub(crate) fn quarters(self) -> [Square; 4] {
         let size = self.size - 1;
         [0, 1, 2, 3].map(|number| Square { size, x: self.x | (number & 1) << size, y: self.y | (number >> 1) << size })
@@ -41,7 +41,7 @@ pub(crate) struct Raster {
 }
 
 impl Raster {
-    /// All of its samples.
+    /// The window of all samples.
     pub(crate) fn root(&self) -> Square {
         Square { size: self.format.levels(), x: 0, y: 0 }
     }
@@ -66,7 +66,7 @@ impl Raster {
         [left - half, top - half, right + half, bottom + half]
     }
 
-    /// How far a window extends over each bound of a polygon towards the inside.
+    /// How far a window extends inward past each bound of a polygon.
     pub(super) fn reach(&self, polygon: &Convex, window: Square) -> [i64; 4] {
         let [left, top, right, bottom] = self.extent(window);
         let [first_x, first_y, last_x, last_y] = polygon.bounds.map(i64::from);
@@ -79,8 +79,7 @@ impl Raster {
         edges.chain(self.reach(polygon, window)).all(|value| value >= 0)
     }
 
-    /// The windows of a size that remain within another one when windows that the polygon cannot cover are dropped on
-    /// the way.
+    /// The parts of a window that have this size. At each division, quarters that the polygon cannot cover are dropped.
     pub(crate) fn divided(&self, polygon: &Convex, window: Square, size: u32) -> Vec<Square> {
         if window.size == size {
             return vec![window];
@@ -100,7 +99,7 @@ impl Raster {
         levels.collect()
     }
 
-    /// The clocks that one unit takes for all of them (MPG-EQ5, MPG-EQ6).
+    /// The clocks that one unit takes for all windows of a polygon (MPG-EQ5, MPG-EQ6).
     pub(crate) fn clocks(&self, polygon: &Convex, test: Test) -> u64 {
         let edges = if test == Test::Serial { polygon.edges.len() as u64 } else { 1 };
         self.counts(polygon).iter().map(|[divided, left]| 4 * edges * divided + u64::from(PLANES) * left).sum()
@@ -153,7 +152,7 @@ impl Raster {
 
 impl Convex {
     /// The packet of the geometry processor. Lanes beyond its last edge have an edge with everything outside: no block
-    /// may look at them.
+    /// may use them.
     pub(crate) fn packet(&self, format: &Format) -> Packet<Bits> {
         let widths = Packet::widths(*format);
         let edge = |width: Width, number: usize| {

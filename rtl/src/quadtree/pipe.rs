@@ -17,20 +17,20 @@ use super::format::Format;
 use crate::prelude::*;
 
 block! {
-    /// Divides windows in a unit for each level.
+    /// Divides windows, with a unit for each level.
     pub struct Pipe {
         /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
-        /// The size of the windows that come in: the binary logarithm of their side.
+        /// The size of the input windows: the binary logarithm of their side.
         pub from: u32,
         /// The number of divisions.
         pub levels: u32,
         /// The capacity of the queue before each unit, in windows.
         pub queue: u32,
     }
-    latency = "the clocks of the slowest level, as the units of all work at the same time";
+    latency = "the clocks of the slowest level; the units of all levels work at the same time";
     source = "sparse-raster quadtree generator, equation 9 (MPG-RP, MPG-EQ9)";
     in(self) = DividerIn::widths(self.format);
     out(self) = DividerOut::widths(self.format, self.levels);

@@ -4,9 +4,9 @@
 //! leaves ===>[ exact test ]-->[ z || rgb ]--> fragment
 //! ```
 //!
-//! With an aperture, windows of one sample are wider than their pixel, so those that the polygon does not cover are
-//! dropped here. For that the edge functions and the distances to the bounds are first moved back to the pixel's
-//! centre. Without an aperture they are already exact.
+//! With an aperture, windows of one sample are wider than their pixel. So this unit drops a window if the polygon does
+//! not cover its pixel. It first moves the edge functions and the distances to the bounds back to the pixel's centre.
+//! Without an aperture they are already exact.
 //!
 //! Latency: 1 clock; a fragment a clock.
 
@@ -37,7 +37,7 @@ block! {
 record! {
     /// A pixel of a polygon.
     pub struct Fragment(format: Format) {
-        /// There is a fragment.
+        /// The fragment is valid.
         valid: bit(),
         /// The fragment's column among those of the video processor.
         x: below(format.columns()),
@@ -50,7 +50,7 @@ record! {
 
 impl PixelProcessor {
     fn build(&self, m: Module, i: PixelProcessorIn) -> PixelProcessorOut {
-        m.ignore(&i.leaves); // without an aperture, the edges are not looked at
+        m.ignore(&i.leaves); // without an aperture, the edges are not used
         let leaf = i.leaves.take_when(1);
         let window = leaf.window;
         let part = |plane: u32, low: u32, width: u32| window.planes.lane(plane).part(low, width);
@@ -67,7 +67,7 @@ impl PixelProcessor {
         };
         def!(fragments = m.reg(32).reset(0));
         fragments.when(valid, fragments + 1);
-        m.assume(i.leaves.valid.implies(window.size.eq(0)), "the windows are divided down to one sample");
+        m.assume(i.leaves.valid.implies(window.size.eq(0)), "a leaf is a window of one sample");
         PixelProcessorOut { fragment, fragments: *fragments }
     }
 
@@ -77,7 +77,7 @@ impl PixelProcessor {
         if half == 0 {
             return lit(1, 1);
         }
-        // The spacing of samples no longer matters, only what an edge function loses over a pixel.
+        // The spacing of samples no longer matters, only the decrease of an edge function per pixel.
         let (polygon, window, matrix) = (&leaf.polygon, &leaf.window, self.format.matrix());
         let decrease = |decrease: Signal, spacing: u32| {
             let bits = self.format.edge_bits();

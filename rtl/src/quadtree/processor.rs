@@ -36,11 +36,11 @@ impl Queues {
 }
 
 block! {
-    /// Draws a polygon's pixels in its own raster: every p-th pixel of every q-th line.
+    /// Draws polygons in a raster of its own: every p-th pixel of every q-th line.
     pub struct VideoProcessor {
         /// The generator's format.
         pub format: Format,
-        /// The form of its raster processor.
+        /// The form of the raster processor.
         pub form: Form,
         /// How the edges are tested.
         pub test: Test,
@@ -50,15 +50,15 @@ block! {
     latency = "a polygon takes a clock for each edge, but at least 4, and the clocks of the windows that it covers";
     source = "sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-SPR)";
     in(self) VideoProcessorIn {
-        /// Polygons.
+        /// The polygons to draw.
         packets: stream(Packet::widths(self.format)),
-        /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
+        /// The outermost pixels of this video processor, widened by half the aperture; constants from [`Format::place_of`].
         place: Bounds = self.format.place(),
         /// Depth alone is compared, and the first drawn of equal depths stays.
         strict: bit(),
-        /// The bank that is drawn.
+        /// The number of the bank to draw in.
         back: bit(),
-        /// A pixel of the other bank to send.
+        /// The pixel of the other bank to send.
         scan: Scan::widths(self.format),
     }
     out(self) VideoProcessorOut {

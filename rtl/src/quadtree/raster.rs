@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The paper's general mix is a set-up unit, s stacks, a pipeline of p stages and a quadtree of t levels. Here parts of
-//! any of the three forms follow one another, and divide the levels among them. The set-up is a block of its own.
+//! any of the three forms follow one another, and share the levels. The set-up is a block of its own.
 
 use std::fmt;
 
@@ -29,10 +29,10 @@ pub enum Part {
 }
 
 impl Part {
-    /// The most levels of a tree.
+    /// The greatest number of levels of a tree.
     pub const MOST_TREE_LEVELS: u32 = 4;
 
-    /// The number of levels that it divides.
+    /// The number of levels that the part divides.
     pub fn levels(self) -> u32 {
         match self {
             Part::Stack(levels) | Part::Pipe(levels) | Part::Tree(levels) => levels,
@@ -79,14 +79,14 @@ impl Form {
         } else if form.0.iter().any(|part| part.levels() == 0) {
             "each part has to divide at least one level".to_owned()
         } else if form.0.iter().any(|part| matches!(part, Part::Tree(levels) if *levels > Part::MOST_TREE_LEVELS)) {
-            format!("a tree divides {} levels at most, and has 85 units then", Part::MOST_TREE_LEVELS)
+            format!("a tree divides at most {} levels, with 85 units", Part::MOST_TREE_LEVELS)
         } else {
             return Ok(form);
         };
         Err(ParameterError(format!("the form `{form}`: {problem}")))
     }
 
-    /// Its parts.
+    /// The parts of the form.
     pub fn parts(&self) -> &[Part] {
         &self.0
     }
@@ -113,7 +113,7 @@ impl Form {
                 Some(Ok(levels)) if levels <= format.levels() => levels,
                 Some(_) => return Err(problem(&format!("levels are a number from 1 to {}", format.levels()))),
                 None if open.replace(parts.len()).is_some() => {
-                    return Err(problem("only one part can have the levels that are left"));
+                    return Err(problem("only one part may leave out its levels"));
                 }
                 None => 0,
             };
@@ -151,18 +151,18 @@ impl fmt::Debug for Form {
 }
 
 block! {
-    /// Finds the pixels of a polygon: divides the window of all samples down to windows of one.
+    /// Finds the pixels of a polygon: divides the window of all samples down to single samples.
     pub struct RasterProcessor {
         /// The generator's format.
         pub format: Format,
-        /// Its form.
+        /// The form of the raster processor.
         pub form: Form,
         /// How the edges are tested.
         pub test: Test,
         /// The capacity of the queue before each unit of a pipe or tree, in windows.
         pub queue: u32,
     }
-    latency = "the clocks of the windows that the polygon covers, in its slowest part";
+    latency = "the clocks of the windows that the polygon covers, in the slowest part";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP)";
     in(self) = DividerIn::widths(self.format);
     out(self) = DividerOut::widths(self.format, self.format.levels());

@@ -8,11 +8,11 @@
 //! The samples of video processor (i, j) are the pixels (p X + i, q Y + j). The set-up folds this offset and spacing
 //! into the functions. A slope per pixel becomes one per p or q pixels. The values are those for the window of all
 //! samples, the root of the quadtree. They are the greatest value of each edge function, how far the window extends
-//! over each bound, and the planes at its upper left sample. The aperture widens the window by half of it on each side,
-//! and is folded in, too (MPG-WIN).
+//! past each bound, and the planes at its upper left sample. The aperture widens the window by half its size on each
+//! side, and is folded in, too (MPG-WIN).
 //!
 //! Latency and throughput: a packet takes as many clocks as it has edges, but at least 4, one for each plane. The root
-//! goes with the last of them, and waits for its receiver.
+//! is offered in the last of them, and waits for its receiver.
 
 use super::format::{Bounds, Format, Matrix, PLANE, PLANES, Packet, Polygon, SLOPE, Window, Work};
 use super::lanes::{lane_by_lane, numbers};
@@ -28,9 +28,9 @@ block! {
     latency = "a polygon takes a clock for each edge, but at least 4";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-SPR, MPG-WIN)";
     in(self) SetUpIn {
-        /// Polygons.
+        /// The polygons to convert.
         packets: stream(Packet::widths(self.format)),
-        /// The outermost pixels of this video processor, with half the aperture beyond them; constants, [`Format::place_of`].
+        /// The outermost pixels of this video processor, widened by half the aperture; constants from [`Format::place_of`].
         place: Bounds = self.format.place(),
     }
     out(self) SetUpOut {
@@ -51,8 +51,8 @@ impl SetUp {
         let works = i.packets.valid;
         def!(is_last = step.ge(last_edge) & step.ge(PLANES - 1));
 
-        // An edge: its value at the corner where it is greatest, and its losses. Edges beyond the last are 0, inside
-        // everywhere.
+        // An edge: its value at the corner where it is greatest, and its decreases. Edges beyond the last are 0, and so
+        // inside everywhere.
         def!(a = edges.a.pick(*step));
         def!(b = edges.b.pick(*step));
         def!(right = !a.is_negative());
@@ -72,7 +72,7 @@ impl SetUp {
             times_power_of_two(size.zext(SLOPE - 1 + spacing.trailing_zeros()), spacing)
         };
 
-        // A plane: its value at the first sample, and its growth per sample.
+        // A plane: its value at the first sample, and its increase per sample.
         let offset = |end: Signal| (end + self.format.aperture() / 2).bits().trunc(below(Matrix::MAX_SIDE));
         let (column, line) = (offset(place.left), offset(place.top));
         def!(plane_x = planes.x.pick(*step));

@@ -25,9 +25,9 @@ block! {
     pub struct Stack {
         /// The generator's format.
         pub format: Format,
-        /// How the edges are test.
+        /// How the edges are tested.
         pub test: Test,
-        /// The size of the windows that come in: the binary logarithm of their side.
+        /// The size of the input windows: the binary logarithm of their side.
         pub from: u32,
         /// The number of divisions.
         pub levels: u32,
@@ -69,7 +69,7 @@ impl Stack {
         def!(pops = taken & !comes_back & !is_empty);
         windows.write(pushes, used.low(), *word);
         used.when(pushes, used + 1).when(pops, used - 1);
-        m.assert(pushes.implies(used.ne(depth)), "of each size three windows are held at most");
+        m.assert(pushes.implies(used.ne(depth)), "the stack stores at most three windows of each size");
         m.cover("the stack is full", m.rose(used.eq(depth)));
         DividerOut { parts, idle: test.idle, tally: test.tally }
     }

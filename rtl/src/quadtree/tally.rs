@@ -3,14 +3,14 @@
 use crate::prelude::*;
 
 record! {
-    /// The work of a unit, in clocks since its reset and modulo 2^32. A clock in which it waits for work is not
+    /// The work of a unit, in clocks since the reset and modulo 2^32. A clock in which it waits for work is not
     /// counted.
     pub struct Tally {
         /// Clocks in which the unit worked.
         busy: bits(32),
         /// Clocks in which the unit had a result that was not taken.
         stalled: bits(32),
-        /// Results that the unit gave.
+        /// Results that the unit delivered.
         results: bits(32),
     }
 }

@@ -146,7 +146,7 @@ pub(super) fn divide<B: Block<In = DividerIn, Out = DividerOut>>(
     (parts, tally)
 }
 
-/// The same with 0 for the edges beyond the last, which have no meaning.
+/// The work with 0 for the edges beyond the last, which have no meaning.
 fn without_other_edges(work: Work<Bits>) -> Work<Bits> {
     let edges = &work.window.edges;
     let count = work.polygon.last_edge.to_u64().expect("3 bits") as u32 + 1;
@@ -161,7 +161,7 @@ pub(super) fn sorted(mut works: Vec<Work<Bits>>) -> Vec<Work<Bits>> {
     works
 }
 
-/// The parts of a window of a polygon, by definition.
+/// The parts of a window that a polygon may cover, by definition.
 pub(super) fn parts(raster: &Raster, polygon: &Convex, window: Square, size: u32) -> Vec<Work<Bits>> {
     raster.divided(polygon, window, size).into_iter().map(|part| raster.work(polygon, part)).collect()
 }

@@ -22,20 +22,20 @@ use super::format::{Format, Work};
 use crate::prelude::*;
 
 block! {
-    /// Divides windows, and their quarters side by side.
+    /// Divides windows in a tree of units, which divide the quarters side by side.
     pub struct Tree {
         /// The generator's format.
         pub format: Format,
         /// How the edges are tested.
         pub test: Test,
-        /// The size of the windows that come in: the binary logarithm of their side.
+        /// The size of the input windows: the binary logarithm of their side.
         pub from: u32,
         /// The number of divisions.
         pub levels: u32,
         /// The capacity of the queue before each unit, in windows.
         pub queue: u32,
     }
-    latency = "the clocks of the slowest unit, as the quarters of a window are divided at the same time";
+    latency = "the clocks of the slowest unit; the quarters of a window are divided at the same time";
     source = "sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)";
     in(self) = DividerIn::widths(self.format);
     out(self) = DividerOut::widths(self.format, self.levels);

@@ -11,7 +11,7 @@
 //!
 //! Each bank has one read and one write a clock; the write address is the read address of the previous clock. In the
 //! bank being drawn, the word read is compared with the fragment. The smaller one, which is the nearer, is kept (facts
-//! E0). In strict mode a fragment is kept only if its depth is smaller, so the first of equal ones stays. In the other
+//! E0). In strict mode a fragment is kept only if its depth is smaller, so the first of equal depths stays. In the other
 //! bank the word read is sent. [`empty`] replaces it if the picture is cleared for the next frame.
 //!
 //! Latency: 2 clocks to draw, 1 to send; a fragment a clock, a word a clock.
@@ -34,9 +34,9 @@ block! {
         draw: Fragment::widths(self.format),
         /// Depth alone is compared, and the first drawn of equal depths stays.
         strict: bit(),
-        /// The bank that is drawn.
+        /// The number of the bank to draw in.
         back: bit(),
-        /// A pixel of the other bank to send.
+        /// The pixel of the other bank to send.
         scan: Scan::widths(self.format),
     }
     out VideoBufferOut {
@@ -48,13 +48,13 @@ block! {
 record! {
     /// A pixel to send.
     pub struct Scan(format: Format) {
-        /// A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
+        /// A pixel is sent; while `enable` is low, the word sent stays until the banks are exchanged.
         enable: bit(),
         /// The pixel's column among those of the video processor.
         x: below(format.columns()),
         /// The pixel's line among those of the video processor.
         y: below(format.rows()),
-        /// The pixel is emptied when it is read.
+        /// The pixel is cleared when it is read.
         clear: bit(),
     }
 }

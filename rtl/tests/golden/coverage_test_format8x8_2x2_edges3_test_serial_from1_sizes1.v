@@ -5,7 +5,7 @@
 // Parameters  CoverageTest { format: "8x8_2x2_edges3", test: Serial, from: 1, sizes: 1 }
 // Latency     a window takes a clock for each edge of each quarter, and 4 for each quarter that passes
 // Source      sparse-raster quadtree generator, equation 5 (MPG-EQ5, MPG-WIN)
-// Described   rtl/src/quadtree/coverage_test.rs:46
+// Described   rtl/src/quadtree/coverage_test.rs:45
 `default_nettype none
 
 module coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 (
@@ -23,23 +23,24 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 (
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     input  wire [2:0]   works_polygon_lower,
-    input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
-    input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
+    input  wire [159:0] works_polygon_plane_x,      // The increase of each plane per sample to the right.
+    input  wire [159:0] works_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     input  wire [1:0]   works_window_size,
-    input  wire [1:0]   works_window_x,             // The window's leftmost sample.
-    input  wire [1:0]   works_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    input  wire [1:0]   works_window_x,             // The column of the window's leftmost samples.
+    input  wire [1:0]   works_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     input  wire [95:0]  works_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    input  wire [12:0]  works_window_bounds_left,   // The left bound, a column of pixels.
-    input  wire [12:0]  works_window_bounds_top,    // The upper bound, a line of pixels.
-    input  wire [12:0]  works_window_bounds_right,  // The right bound, a column of pixels.
-    input  wire [12:0]  works_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    input  wire [12:0]  works_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     input  wire [159:0] works_window_planes,        // The value of each plane at the window's upper left sample.
     input  wire         parts_ready,
-    // The parts of the windows that the polygon may cover; divided to the end, the leaves.
+    // The parts of the windows that the polygon may cover; after the last division, single samples.
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
@@ -51,81 +52,82 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 (
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     output wire [2:0]   parts_polygon_lower,
-    output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
-    output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
+    output wire [159:0] parts_polygon_plane_x,      // The increase of each plane per sample to the right.
+    output wire [159:0] parts_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     output wire [1:0]   parts_window_size,
-    output wire [1:0]   parts_window_x,             // The window's leftmost sample.
-    output wire [1:0]   parts_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    output wire [1:0]   parts_window_x,             // The column of the window's leftmost samples.
+    output wire [1:0]   parts_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     output wire [95:0]  parts_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    output wire [12:0]  parts_window_bounds_left,   // The left bound, a column of pixels.
-    output wire [12:0]  parts_window_bounds_top,    // The upper bound, a line of pixels.
-    output wire [12:0]  parts_window_bounds_right,  // The right bound, a column of pixels.
-    output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    output wire [12:0]  parts_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     output wire [159:0] parts_window_planes,        // The value of each plane at the window's upper left sample.
     output wire         idle,                       // No window is under way.
     // The counters of each level, from the first.
     output wire [31:0]  tally_0_busy,               // Clocks in which the unit worked.
     output wire [31:0]  tally_0_stalled,            // Clocks in which the unit had a result that was not taken.
-    output wire [31:0]  tally_0_results,            // Results that the unit gave.
+    output wire [31:0]  tally_0_results,            // Results that the unit delivered.
     output wire         works_ready
 );
 
-    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:69
-    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:70
-    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:70
-    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:70
-    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:70
-    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:70
-    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:70
-    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:70
-    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:70
-    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:71
-    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:72
-    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:73
-    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:138
+    reg busy;                                                    // rtl/src/quadtree/coverage_test.rs:68
+    reg [2:0] held_polygon_last_edge;                            // rtl/src/quadtree/coverage_test.rs:69
+    reg [1:0] held_window_size;                                  // rtl/src/quadtree/coverage_test.rs:69
+    reg [1:0] held_window_x;                                     // rtl/src/quadtree/coverage_test.rs:69
+    reg [1:0] held_window_y;                                     // rtl/src/quadtree/coverage_test.rs:69
+    reg [12:0] held_window_bounds_left;                          // rtl/src/quadtree/coverage_test.rs:69
+    reg [12:0] held_window_bounds_top;                           // rtl/src/quadtree/coverage_test.rs:69
+    reg [12:0] held_window_bounds_right;                         // rtl/src/quadtree/coverage_test.rs:69
+    reg [12:0] held_window_bounds_bottom;                        // rtl/src/quadtree/coverage_test.rs:69
+    reg [1:0] number;                                            // rtl/src/quadtree/coverage_test.rs:70
+    reg moves;                                                   // rtl/src/quadtree/coverage_test.rs:71
+    reg [2:0] step;                                              // rtl/src/quadtree/coverage_test.rs:72
+    reg outside;                                                 // rtl/src/quadtree/coverage_test.rs:137
     reg [31:0] size1_busy;                                       // rtl/src/quadtree/tally.rs:22
     reg [31:0] size1_stalled;                                    // rtl/src/quadtree/tally.rs:22
     reg [31:0] size1_results;                                    // rtl/src/quadtree/tally.rs:22
 
-    wire [31:0] edge_of_window;                                  // rtl/src/quadtree/coverage_test.rs:130
-    wire right;                                                  // rtl/src/quadtree/coverage_test.rs:133
-    wire [16:0] step_x;                                          // rtl/src/quadtree/coverage_test.rs:131
-    wire lower;                                                  // rtl/src/quadtree/coverage_test.rs:134
-    wire [16:0] step_y;                                          // rtl/src/quadtree/coverage_test.rs:132
-    wire [39:0] plane_of_window;                                 // rtl/src/quadtree/coverage_test.rs:90
-    wire [39:0] plane_x;                                         // rtl/src/quadtree/coverage_test.rs:91
-    wire [39:0] plane_y;                                         // rtl/src/quadtree/coverage_test.rs:92
-    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:81
-    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:137
-    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {15'd0, step_x}; // rtl/src/quadtree/coverage_test.rs:161
-    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {15'd0, step_y}; // rtl/src/quadtree/coverage_test.rs:161
-    wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:135
-    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:139
-    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:279
-    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:279
-    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:293
-    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:279
-    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:293
-    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:279
-    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:84
-    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:86
-    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:95
-    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:99
-    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:101
-    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:102
-    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:103
-    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:85
-    wire [39:0] plane_sum = plane_of_window + (number[0] ? plane_x : 40'd0); // rtl/src/quadtree/coverage_test.rs:89
-    wire [39:0] plane = plane_sum + (number[1] ? plane_y : 40'd0); // rtl/src/quadtree/coverage_test.rs:93
-    assign parts_window_x = held_window_x | {1'd0, number[0]};   // rtl/src/quadtree/coverage_test.rs:96
-    assign parts_window_y = held_window_y | {1'd0, number[1]};   // rtl/src/quadtree/coverage_test.rs:96
-    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:103
-    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:110
-    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:116
+    wire [31:0] edge_of_window;                                  // rtl/src/quadtree/coverage_test.rs:129
+    wire right;                                                  // rtl/src/quadtree/coverage_test.rs:132
+    wire [16:0] step_x;                                          // rtl/src/quadtree/coverage_test.rs:130
+    wire lower;                                                  // rtl/src/quadtree/coverage_test.rs:133
+    wire [16:0] step_y;                                          // rtl/src/quadtree/coverage_test.rs:131
+    wire [39:0] plane_of_window;                                 // rtl/src/quadtree/coverage_test.rs:89
+    wire [39:0] plane_x;                                         // rtl/src/quadtree/coverage_test.rs:90
+    wire [39:0] plane_y;                                         // rtl/src/quadtree/coverage_test.rs:91
+    wire tests = busy & !moves;                                  // rtl/src/quadtree/coverage_test.rs:80
+    wire is_last = step == held_polygon_last_edge;               // rtl/src/quadtree/coverage_test.rs:136
+    wire [31:0] value_choice = (right == number[0]) ? 32'd0 : {15'd0, step_x}; // rtl/src/quadtree/coverage_test.rs:160
+    wire [31:0] value_choice_2 = (lower == number[1]) ? 32'd0 : {15'd0, step_y}; // rtl/src/quadtree/coverage_test.rs:160
+    wire [31:0] value = edge_of_window - value_choice - value_choice_2; // rtl/src/quadtree/coverage_test.rs:134
+    wire is_outside = outside | value[31];                       // rtl/src/quadtree/coverage_test.rs:138
+    assign parts_window_bounds_left = held_window_bounds_left - (number[0] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:281
+    assign parts_window_bounds_top = held_window_bounds_top - (number[1] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:281
+    wire misses_or_2 = parts_window_bounds_left[12] | parts_window_bounds_top[12]; // rtl/src/quadtree/format.rs:295
+    assign parts_window_bounds_right = held_window_bounds_right - (!number[0] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:281
+    wire misses_or = misses_or_2 | parts_window_bounds_right[12]; // rtl/src/quadtree/format.rs:295
+    assign parts_window_bounds_bottom = held_window_bounds_bottom - (!number[1] ? 13'd0 : 13'd2); // rtl/src/quadtree/format.rs:281
+    wire misses = is_outside | (misses_or | parts_window_bounds_bottom[12]); // rtl/src/quadtree/coverage_test.rs:83
+    wire fails = tests & is_last & misses;                       // rtl/src/quadtree/coverage_test.rs:85
+    wire ready = moves & (step == 3'd3);                         // rtl/src/quadtree/coverage_test.rs:94
+    wire parts_taken = ready & parts_ready;                      // rtl/src/quadtree/coverage_test.rs:98
+    wire ends_quarter = fails | parts_taken;                     // rtl/src/quadtree/coverage_test.rs:100
+    wire ends = ends_quarter & (&number);                        // rtl/src/quadtree/coverage_test.rs:101
+    assign works_ready = !busy | ends;                           // rtl/src/quadtree/coverage_test.rs:102
+    wire passes = tests & is_last & !misses;                     // rtl/src/quadtree/coverage_test.rs:84
+    wire [39:0] plane_sum = plane_of_window + (number[0] ? plane_x : 40'd0); // rtl/src/quadtree/coverage_test.rs:88
+    wire [39:0] plane = plane_sum + (number[1] ? plane_y : 40'd0); // rtl/src/quadtree/coverage_test.rs:92
+    assign parts_window_x = held_window_x | {1'd0, number[0]};   // rtl/src/quadtree/coverage_test.rs:95
+    assign parts_window_y = held_window_y | {1'd0, number[1]};   // rtl/src/quadtree/coverage_test.rs:95
+    wire works_taken = works_valid & works_ready;                // rtl/src/quadtree/coverage_test.rs:102
+    wire waits = ready & !parts_taken;                           // rtl/src/quadtree/coverage_test.rs:109
+    assign idle = !busy & !works_valid;                          // rtl/src/quadtree/coverage_test.rs:115
 
     genvar i;
 
@@ -244,56 +246,56 @@ module coverage_test_format8x8_2x2_edges3_test_serial_from1_sizes1 (
             assign edge_of_window_lanes[i] = held_window_edges_row[i].held_window_edges;
         end
     endgenerate
-    assign edge_of_window = (step < 3'd3) ? edge_of_window_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:130
+    assign edge_of_window = (step < 3'd3) ? edge_of_window_lanes[step[1:0]] : 32'd0; // rtl/src/quadtree/coverage_test.rs:129
     wire [2:0] right_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : right_of
             assign right_lanes[i] = held_polygon_right_row[i].held_polygon_right;
         end
     endgenerate
-    assign right = (step < 3'd3) ? right_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:133
+    assign right = (step < 3'd3) ? right_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:132
     wire [16:0] step_x_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : step_x_of
             assign step_x_lanes[i] = held_polygon_step_x_row[i].held_polygon_step_x;
         end
     endgenerate
-    assign step_x = (step < 3'd3) ? step_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:131
+    assign step_x = (step < 3'd3) ? step_x_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:130
     wire [2:0] lower_lanes;
     generate
         for (i = 0; i < 3; i = i + 1) begin : lower_of
             assign lower_lanes[i] = held_polygon_lower_row[i].held_polygon_lower;
         end
     endgenerate
-    assign lower = (step < 3'd3) ? lower_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:134
+    assign lower = (step < 3'd3) ? lower_lanes[step[1:0]] : 1'b0; // rtl/src/quadtree/coverage_test.rs:133
     wire [16:0] step_y_lanes [0:2];
     generate
         for (i = 0; i < 3; i = i + 1) begin : step_y_of
             assign step_y_lanes[i] = held_polygon_step_y_row[i].held_polygon_step_y;
         end
     endgenerate
-    assign step_y = (step < 3'd3) ? step_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:132
+    assign step_y = (step < 3'd3) ? step_y_lanes[step[1:0]] : 17'd0; // rtl/src/quadtree/coverage_test.rs:131
     wire [39:0] plane_of_window_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_of_window_of
             assign plane_of_window_lanes[i] = held_window_planes_row[i].held_window_planes;
         end
     endgenerate
-    assign plane_of_window = (step < 3'd4) ? plane_of_window_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:90
+    assign plane_of_window = (step < 3'd4) ? plane_of_window_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:89
     wire [39:0] plane_x_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_x_of
             assign plane_x_lanes[i] = held_polygon_plane_x_row[i].held_polygon_plane_x;
         end
     endgenerate
-    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
+    assign plane_x = (step < 3'd4) ? plane_x_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:90
     wire [39:0] plane_y_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : plane_y_of
             assign plane_y_lanes[i] = held_polygon_plane_y_row[i].held_polygon_plane_y;
         end
     endgenerate
-    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:92
+    assign plane_y = (step < 3'd4) ? plane_y_lanes[step[1:0]] : 40'd0; // rtl/src/quadtree/coverage_test.rs:91
     generate
         for (i = 0; i < 3; i = i + 1) begin : parts_polygon_step_x_of
             assign parts_polygon_step_x[i * 17 +: 17] = held_polygon_step_x_row[i].held_polygon_step_x;

@@ -23,23 +23,24 @@ module pixel_processor_format8x8_2x2_edges3 (
     input  wire [2:0]   leaves_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     input  wire [2:0]   leaves_polygon_lower,
-    input  wire [159:0] leaves_polygon_plane_x,      // What a sample to the right adds to each plane.
-    input  wire [159:0] leaves_polygon_plane_y,      // What a sample down adds to each plane.
+    input  wire [159:0] leaves_polygon_plane_x,      // The increase of each plane per sample to the right.
+    input  wire [159:0] leaves_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     input  wire [1:0]   leaves_window_size,
-    input  wire [1:0]   leaves_window_x,             // The window's leftmost sample.
-    input  wire [1:0]   leaves_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    input  wire [1:0]   leaves_window_x,             // The column of the window's leftmost samples.
+    input  wire [1:0]   leaves_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     input  wire [95:0]  leaves_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    input  wire [12:0]  leaves_window_bounds_left,   // The left bound, a column of pixels.
-    input  wire [12:0]  leaves_window_bounds_top,    // The upper bound, a line of pixels.
-    input  wire [12:0]  leaves_window_bounds_right,  // The right bound, a column of pixels.
-    input  wire [12:0]  leaves_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    input  wire [12:0]  leaves_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  leaves_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    input  wire [12:0]  leaves_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  leaves_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     input  wire [159:0] leaves_window_planes,        // The value of each plane at the window's upper left sample.
     // A pixel of the polygon.
-    output reg          fragment_valid,              // There is a fragment.
+    output reg          fragment_valid,              // The fragment is valid.
     output reg  [1:0]   fragment_x,                  // The fragment's column among those of the video processor.
     output reg  [1:0]   fragment_y,                  // The fragment's line among those of the video processor.
     output reg  [47:0]  fragment_word,               // The word of the fragment: depth above colour.
@@ -96,7 +97,7 @@ module pixel_processor_format8x8_2x2_edges3 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!leaves_valid | (leaves_window_size == 2'd0))) begin // rtl/src/quadtree/pixel.rs:70
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the windows are divided down to one sample", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a leaf is a window of one sample", $time);
             stop;
         end
     end

@@ -6,87 +6,93 @@
 // Parameters  QuadtreeGenerator { video_processor: VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } } }
 // Latency     the clocks of the slowest video processor; 2 clocks from `start` to the first pixels
 // Source      sparse-raster quadtree generator, figure 1 (MPG-ARCH, MPG-LIM)
-// Described   rtl/src/quadtree/generator.rs:36
+// Described   rtl/src/quadtree/generator.rs:37
 `default_nettype none
 
 module quadtree_generator_584f30ed (
     input  wire         clk,
     input  wire         rst,
-    // Polygons.
+    // The polygons to draw.
     input  wire         packets_valid,
     input  wire [2:0]   packets_last_edge,     // The number of the polygon's edges, less one.
-    // The polygon's edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
-    input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
+    // The edge functions of the polygon; those beyond the last edge are ignored.
+    // Coefficient of x: the increase of the edge function per pixel to the right.
+    input  wire [50:0]  packets_edges_a,
+    input  wire [50:0]  packets_edges_b,       // Coefficient of y: the increase of the edge function per line downward.
     input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
     // The attributes of the polygon.
-    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
-    input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
-    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    input  wire [159:0] packets_planes_x,      // Coefficient of x: the increase of the plane per pixel to the right.
+    input  wire [159:0] packets_planes_y,      // Coefficient of y: the increase of the plane per line downward.
+    // The value of the plane at the upper left pixel, plus half a unit for rounding.
     input  wire [159:0] packets_planes_origin,
-    // The pixels whose centres lie within the polygon's vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels.
-    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels.
-    // Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is drawn.
+    // The pixels whose centres lie within the extent of the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
+    // Depth alone is compared, and the first drawn of equal depths stays; constant while a picture is being drawn.
     input  wire         strict,
-    input  wire         swap,                  // For one clock, when idle and while no picture is read: swap the banks.
+    // High for one clock to swap the banks; only when idle and while no picture is being read.
+    input  wire         swap,
     // The settings of the read-out.
-    input  wire         show_start,            // For one clock, while no picture is read: read one.
-    input  wire         show_clear,            // Empty the buffers on the way; constant while a picture is read.
-    input  wire [23:0]  show_background,       // The colour where nothing was drawn.
-    // Of which unit the counters are wanted.
-    input  wire [1:0]   probe_processor,       // The video processor, counted row by row.
-    input  wire [1:0]   probe_unit,            // The unit: 0 for the set-up, and a level for the raster processor's.
+    // High for one clock to read a picture; only while no picture is being read.
+    input  wire         show_start,
+    // Each pixel is cleared when it is read; constant while a picture is being read.
+    input  wire         show_clear,
+    input  wire [23:0]  show_background,       // The colour of pixels where nothing was drawn.
+    // The unit whose counters are read.
+    input  wire [1:0]   probe_processor,       // The number of the probed video processor, row by row.
+    input  wire [1:0]   probe_unit,            // The probed unit: 0 for the set-up, or a level of the raster processor.
     input  wire         pixels_ready,
-    // Pixels side by side, line by line; those beyond the end of a line mean nothing.
+    // Groups of p neighbouring pixels, line by line; pixels beyond the end of a line are to be ignored.
     output wire         pixels_valid,
     output wire [95:0]  pixels_payload,
     output wire         idle,                  // No polygon is under way.
-    output wire         showing,               // A picture is read.
-    // The counters asked for.
+    output wire         showing,               // A picture is being read.
+    // The counters of the probed unit.
     output reg  [31:0]  tally_busy,            // Clocks in which the unit worked.
     output reg  [31:0]  tally_stalled,         // Clocks in which the unit had a result that was not taken.
-    output reg  [31:0]  tally_results,         // Results that the unit gave.
-    output wire [31:0]  fragments,             // The fragments of the video processor asked for.
-    // The counters of the broadcast: packets that all have, and clocks in which one waited for room.
+    output reg  [31:0]  tally_results,         // Results that the unit delivered.
+    // The fragments of the probed video processor since the reset, modulo 2^32.
+    output wire [31:0]  fragments,
+    // The counters of the broadcast: packets that all video processors have, and clocks in which a packet waited for
+    // room.
     output reg  [31:0]  broadcast_busy,        // Clocks in which the unit worked.
     output reg  [31:0]  broadcast_stalled,     // Clocks in which the unit had a result that was not taken.
-    output reg  [31:0]  broadcast_results,     // Results that the unit gave.
+    output reg  [31:0]  broadcast_results,     // Results that the unit delivered.
     output wire         packets_ready
 );
 
-    reg back;                                                    // rtl/src/quadtree/generator.rs:107
+    reg back;                                                    // rtl/src/quadtree/generator.rs:108
 
-    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:110
-    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:110
-    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:137
-    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:137
-    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:137
-    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:137
+    wire u_queue_out_valid;                                      // rtl/src/quadtree/generator.rs:111
+    wire [724:0] u_queue_out_payload;                            // rtl/src/quadtree/generator.rs:111
+    wire [3:0] u_controller_scan_enable;                         // rtl/src/quadtree/generator.rs:138
+    wire [7:0] u_controller_scan_x;                              // rtl/src/quadtree/generator.rs:138
+    wire [7:0] u_controller_scan_y;                              // rtl/src/quadtree/generator.rs:138
+    wire [3:0] u_controller_scan_clear;                          // rtl/src/quadtree/generator.rs:138
 
-    wire all_have;                                               // rtl/src/quadtree/generator.rs:117
-    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:140
-    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:142
-    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:142
-    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:127
-    wire [50:0] u_queue_out_payload_721_671 = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:110
-    wire [50:0] u_queue_out_payload_670_620 = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:110
-    wire [95:0] u_queue_out_payload_619_524 = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:110
-    wire [159:0] u_queue_out_payload_523_364 = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:110
-    wire [159:0] u_queue_out_payload_363_204 = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:110
-    wire [159:0] u_queue_out_payload_203_44 = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:110
-    wire u_queue_out_valid_and_all_have = u_queue_out_valid & all_have; // rtl/src/quadtree/generator.rs:118
-    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:120
-    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:140
+    wire all_have;                                               // rtl/src/quadtree/generator.rs:118
+    wire u_processor_idle_all;                                   // rtl/src/quadtree/generator.rs:141
+    wire [31:0] tally_busy_picked_3;                             // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_stalled_picked_3;                          // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_results_picked_3;                          // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_busy_picked;                               // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_stalled_picked;                            // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_results_picked;                            // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_busy_picked_2;                             // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_stalled_picked_2;                          // rtl/src/quadtree/generator.rs:143
+    wire [31:0] tally_results_picked_2;                          // rtl/src/quadtree/generator.rs:143
+    wire [191:0] u_controller_words;                             // rtl/src/quadtree/generator.rs:128
+    wire [50:0] u_processor_packets_edges_a_part = u_queue_out_payload[721:671]; // rtl/src/quadtree/generator.rs:111
+    wire [50:0] u_processor_packets_edges_b_part = u_queue_out_payload[670:620]; // rtl/src/quadtree/generator.rs:111
+    wire [95:0] u_processor_packets_edges_c_part = u_queue_out_payload[619:524]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_processor_packets_planes_x_part = u_queue_out_payload[523:364]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_processor_packets_planes_y_part = u_queue_out_payload[363:204]; // rtl/src/quadtree/generator.rs:111
+    wire [159:0] u_processor_packets_planes_origin_part = u_queue_out_payload[203:44]; // rtl/src/quadtree/generator.rs:111
+    wire has_and = u_queue_out_valid & all_have;                 // rtl/src/quadtree/generator.rs:119
+    wire waits = u_queue_out_valid & !all_have;                  // rtl/src/quadtree/generator.rs:121
+    assign idle = !u_queue_out_valid & u_processor_idle_all;     // rtl/src/quadtree/generator.rs:141
     always @* begin
         case (probe_unit)
             2'd1: tally_busy = tally_busy_picked;
@@ -113,7 +119,7 @@ module quadtree_generator_584f30ed (
     genvar j;
 
     generate
-        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:127
+        for (i = 0; i < 4; i = i + 1) begin : u_processor            // rtl/src/quadtree/generator.rs:128
             wire [47:0] word;
             wire lane_idle;
             wire [31:0] tally_0_busy;
@@ -128,8 +134,8 @@ module quadtree_generator_584f30ed (
             wire [31:0] lane_fragments;
             wire lane_packets_ready;
             reg has;
-            wire u_queue_out_valid_and_not_has = u_queue_out_valid & !has;
-            wire all_have_and = u_queue_out_valid_and_not_has & lane_packets_ready;
+            wire all_have_and_2 = u_queue_out_valid & !has;
+            wire all_have_and = all_have_and_2 & lane_packets_ready;
             wire all_have_or = has | all_have_and;
             wire scan_enable = u_controller_scan_enable[i];
             wire [1:0] scan_x = u_controller_scan_x[i * 2 +: 2];
@@ -141,33 +147,33 @@ module quadtree_generator_584f30ed (
             localparam [31:0] place_bottom = 6 + (i / 2);
             wire [50:0] u_processor_packets_edges_a;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_a_of
-                assign u_processor_packets_edges_a[j * 17 +: 17] = u_queue_out_payload_721_671[j * 17 +: 17];
+                assign u_processor_packets_edges_a[j * 17 +: 17] = u_processor_packets_edges_a_part[j * 17 +: 17];
             end
             wire [50:0] u_processor_packets_edges_b;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_b_of
-                assign u_processor_packets_edges_b[j * 17 +: 17] = u_queue_out_payload_670_620[j * 17 +: 17];
+                assign u_processor_packets_edges_b[j * 17 +: 17] = u_processor_packets_edges_b_part[j * 17 +: 17];
             end
             wire [95:0] u_processor_packets_edges_c;
             for (j = 0; j < 3; j = j + 1) begin : u_processor_packets_edges_c_of
-                assign u_processor_packets_edges_c[j * 32 +: 32] = u_queue_out_payload_619_524[j * 32 +: 32];
+                assign u_processor_packets_edges_c[j * 32 +: 32] = u_processor_packets_edges_c_part[j * 32 +: 32];
             end
             wire [159:0] u_processor_packets_planes_x;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_x_of
-                assign u_processor_packets_planes_x[j * 40 +: 40] = u_queue_out_payload_523_364[j * 40 +: 40];
+                assign u_processor_packets_planes_x[j * 40 +: 40] = u_processor_packets_planes_x_part[j * 40 +: 40];
             end
             wire [159:0] u_processor_packets_planes_y;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_y_of
-                assign u_processor_packets_planes_y[j * 40 +: 40] = u_queue_out_payload_363_204[j * 40 +: 40];
+                assign u_processor_packets_planes_y[j * 40 +: 40] = u_processor_packets_planes_y_part[j * 40 +: 40];
             end
             wire [159:0] u_processor_packets_planes_origin;
             for (j = 0; j < 4; j = j + 1) begin : u_processor_packets_planes_origin_of
-                assign u_processor_packets_planes_origin[j * 40 +: 40] = u_queue_out_payload_203_44[j * 40 +: 40];
+                assign u_processor_packets_planes_origin[j * 40 +: 40] = u_processor_packets_planes_origin_part[j * 40 +: 40];
             end
 
             video_processor_4b528d89 lane (
                 .clk                   (clk),
                 .rst                   (rst),
-                .packets_valid         (u_queue_out_valid_and_not_has),
+                .packets_valid         (all_have_and_2),
                 .packets_last_edge     (u_queue_out_payload[724:722]),
                 .packets_edges_a       (u_processor_packets_edges_a),
                 .packets_edges_b       (u_processor_packets_edges_b),
@@ -206,13 +212,13 @@ module quadtree_generator_584f30ed (
 
             always @(posedge clk) begin
                 if (rst) has <= 1'b0;
-                else if (u_queue_out_valid_and_all_have) has <= 1'b0;
+                else if (has_and) has <= 1'b0;
                 else if (all_have_and) has <= 1'b1;
             end
         end
     endgenerate
 
-    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:110
+    fifo_depth2_width725_storage_registers u_queue (             // rtl/src/quadtree/generator.rs:111
         .clk          (clk),
         .rst          (rst),
         .into_valid   (packets_valid),
@@ -227,7 +233,7 @@ module quadtree_generator_584f30ed (
         .into_ready   (packets_ready)
     );
 
-    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:137
+    video_controller_format8x8_2x2_edges3 u_controller (         // rtl/src/quadtree/generator.rs:138
         .clk             (clk),
         .rst             (rst),
         .show_start      (show_start),
@@ -250,84 +256,84 @@ module quadtree_generator_584f30ed (
             assign all_have_lanes[i] = u_processor[i].all_have_or;
         end
     endgenerate
-    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:117
+    assign all_have = &all_have_lanes;                           // rtl/src/quadtree/generator.rs:118
     wire [3:0] u_processor_idle_all_lanes;
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_processor_idle_all_of
             assign u_processor_idle_all_lanes[i] = u_processor[i].lane_idle;
         end
     endgenerate
-    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:140
+    assign u_processor_idle_all = &u_processor_idle_all_lanes;   // rtl/src/quadtree/generator.rs:141
     wire [31:0] tally_busy_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_3_of
             assign tally_busy_picked_3_lanes[i] = u_processor[i].tally_0_busy;
         end
     endgenerate
-    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_busy_picked_3 = tally_busy_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_stalled_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_3_of
             assign tally_stalled_picked_3_lanes[i] = u_processor[i].tally_0_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_stalled_picked_3 = tally_stalled_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_results_picked_3_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_3_of
             assign tally_results_picked_3_lanes[i] = u_processor[i].tally_0_results;
         end
     endgenerate
-    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_results_picked_3 = tally_results_picked_3_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_busy_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_of
             assign tally_busy_picked_lanes[i] = u_processor[i].tally_1_busy;
         end
     endgenerate
-    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_busy_picked = tally_busy_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_stalled_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_of
             assign tally_stalled_picked_lanes[i] = u_processor[i].tally_1_stalled;
         end
     endgenerate
-    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_stalled_picked = tally_stalled_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_results_picked_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_of
             assign tally_results_picked_lanes[i] = u_processor[i].tally_1_results;
         end
     endgenerate
-    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_results_picked = tally_results_picked_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_busy_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_busy_picked_2_of
             assign tally_busy_picked_2_lanes[i] = u_processor[i].tally_2_busy;
         end
     endgenerate
-    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_busy_picked_2 = tally_busy_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_stalled_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_stalled_picked_2_of
             assign tally_stalled_picked_2_lanes[i] = u_processor[i].tally_2_stalled;
         end
     endgenerate
-    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_stalled_picked_2 = tally_stalled_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] tally_results_picked_2_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : tally_results_picked_2_of
             assign tally_results_picked_2_lanes[i] = u_processor[i].tally_2_results;
         end
     endgenerate
-    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:142
+    assign tally_results_picked_2 = tally_results_picked_2_lanes[probe_processor]; // rtl/src/quadtree/generator.rs:143
     wire [31:0] fragments_lanes [0:3];
     generate
         for (i = 0; i < 4; i = i + 1) begin : fragments_of
             assign fragments_lanes[i] = u_processor[i].lane_fragments;
         end
     endgenerate
-    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:151
+    assign fragments = fragments_lanes[probe_processor];         // rtl/src/quadtree/generator.rs:152
     generate
         for (i = 0; i < 4; i = i + 1) begin : u_controller_words_of
             assign u_controller_words[i * 48 +: 48] = u_processor[i].word;
@@ -342,9 +348,9 @@ module quadtree_generator_584f30ed (
             broadcast_results <= 32'd0;
         end else begin
             if (swap) back <= !back;
-            if (u_queue_out_valid_and_all_have) broadcast_busy <= broadcast_busy + 32'd1;
+            if (has_and) broadcast_busy <= broadcast_busy + 32'd1;
             if (waits) broadcast_stalled <= broadcast_stalled + 32'd1;
-            if (u_queue_out_valid_and_all_have) broadcast_results <= broadcast_results + 32'd1;
+            if (has_and) broadcast_results <= broadcast_results + 32'd1;
         end
     end
 
@@ -365,12 +371,12 @@ module quadtree_generator_584f30ed (
 `ifndef SYNTHESIS
 `ifdef FORMAL
     always @(posedge clk) begin
-        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:141
+        if (!rst) assume (!swap | (idle & !showing));                // rtl/src/quadtree/generator.rs:142
     end
 `else
     always @(posedge clk) begin
-        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:141
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped when nothing is drawn or read", $time);
+        if (!rst && !(!swap | (idle & !showing))) begin              // rtl/src/quadtree/generator.rs:142
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: the banks are swapped only while nothing is drawn or read", $time);
             stop;
         end
     end

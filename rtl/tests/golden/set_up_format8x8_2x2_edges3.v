@@ -11,28 +11,31 @@
 module set_up_format8x8_2x2_edges3 (
     input  wire         clk,
     input  wire         rst,
-    // Polygons.
+    // The polygons to convert.
     input  wire         packets_valid,
     input  wire [2:0]   packets_last_edge,          // The number of the polygon's edges, less one.
-    // The polygon's edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,            // What a pixel to the right adds to the edge function.
-    input  wire [50:0]  packets_edges_b,            // What a line down adds to the edge function.
+    // The edge functions of the polygon; those beyond the last edge are ignored.
+    // Coefficient of x: the increase of the edge function per pixel to the right.
+    input  wire [50:0]  packets_edges_a,
+    // Coefficient of y: the increase of the edge function per line downward.
+    input  wire [50:0]  packets_edges_b,
     input  wire [95:0]  packets_edges_c,            // The value of the edge function at the upper left pixel.
     // The attributes of the polygon.
-    input  wire [159:0] packets_planes_x,           // What a pixel to the right adds to the plane.
-    input  wire [159:0] packets_planes_y,           // What a line down adds to the plane.
-    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    // Coefficient of x: the increase of the plane per pixel to the right.
+    input  wire [159:0] packets_planes_x,
+    input  wire [159:0] packets_planes_y,           // Coefficient of y: the increase of the plane per line downward.
+    // The value of the plane at the upper left pixel, plus half a unit for rounding.
     input  wire [159:0] packets_planes_origin,
-    // The pixels whose centres lie within the polygon's vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,        // The left bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_top,         // The upper bound, a line of pixels.
-    input  wire [10:0]  packets_bounds_right,       // The right bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_bottom,      // The lower bound, a line of pixels.
-    // The outermost pixels of this video processor, with half the aperture beyond them; constants, `Format::place_of`.
-    input  wire [12:0]  place_left,                 // The left bound, a column of pixels.
-    input  wire [12:0]  place_top,                  // The upper bound, a line of pixels.
-    input  wire [12:0]  place_right,                // The right bound, a column of pixels.
-    input  wire [12:0]  place_bottom,               // The lower bound, a line of pixels.
+    // The pixels whose centres lie within the extent of the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,        // The left bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_top,         // The upper bound, a line of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_right,       // The right bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_bottom,      // The lower bound, a line of pixels, or the distance past it.
+    // The outermost pixels of this video processor, widened by half the aperture; constants from `Format::place_of`.
+    input  wire [12:0]  place_left,                 // The left bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  place_top,                  // The upper bound, a line of pixels, or the distance past it.
+    input  wire [12:0]  place_right,                // The right bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  place_bottom,               // The lower bound, a line of pixels, or the distance past it.
     input  wire         roots_ready,
     // The window of all samples, for each polygon.
     output wire         roots_valid,
@@ -46,26 +49,27 @@ module set_up_format8x8_2x2_edges3 (
     output wire [2:0]   roots_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     output wire [2:0]   roots_polygon_lower,
-    output wire [159:0] roots_polygon_plane_x,      // What a sample to the right adds to each plane.
-    output wire [159:0] roots_polygon_plane_y,      // What a sample down adds to each plane.
+    output wire [159:0] roots_polygon_plane_x,      // The increase of each plane per sample to the right.
+    output wire [159:0] roots_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     output wire [1:0]   roots_window_size,
-    output wire [1:0]   roots_window_x,             // The window's leftmost sample.
-    output wire [1:0]   roots_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    output wire [1:0]   roots_window_x,             // The column of the window's leftmost samples.
+    output wire [1:0]   roots_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     output wire [95:0]  roots_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    output wire [12:0]  roots_window_bounds_left,   // The left bound, a column of pixels.
-    output wire [12:0]  roots_window_bounds_top,    // The upper bound, a line of pixels.
-    output wire [12:0]  roots_window_bounds_right,  // The right bound, a column of pixels.
-    output wire [12:0]  roots_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    output wire [12:0]  roots_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    output wire [12:0]  roots_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    output wire [12:0]  roots_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    output wire [12:0]  roots_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     output wire [159:0] roots_window_planes,        // The value of each plane at the window's upper left sample.
     output wire         idle,                       // No polygon is under way.
     // The counters of the set-up.
     output wire [31:0]  tally_busy,                 // Clocks in which the unit worked.
     output wire [31:0]  tally_stalled,              // Clocks in which the unit had a result that was not taken.
-    output wire [31:0]  tally_results,              // Results that the unit gave.
+    output wire [31:0]  tally_results,              // Results that the unit delivered.
     output wire         packets_ready
 );
 

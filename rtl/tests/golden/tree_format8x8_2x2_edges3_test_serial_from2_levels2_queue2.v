@@ -1,9 +1,9 @@
 // tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2
 //
-// Divides windows, and their quarters side by side.
+// Divides windows in a tree of units, which divide the quarters side by side.
 //
 // Parameters  Tree { format: "8x8_2x2_edges3", test: Serial, from: 2, levels: 2, queue: 2 }
-// Latency     the clocks of the slowest unit, as the quarters of a window are divided at the same time
+// Latency     the clocks of the slowest unit; the quarters of a window are divided at the same time
 // Source      sparse-raster quadtree generator, figure 1 (MPG-RP, MPG-TREE)
 // Described   rtl/src/quadtree/tree.rs:24
 `default_nettype none
@@ -23,23 +23,24 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     input  wire [2:0]   works_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     input  wire [2:0]   works_polygon_lower,
-    input  wire [159:0] works_polygon_plane_x,      // What a sample to the right adds to each plane.
-    input  wire [159:0] works_polygon_plane_y,      // What a sample down adds to each plane.
+    input  wire [159:0] works_polygon_plane_x,      // The increase of each plane per sample to the right.
+    input  wire [159:0] works_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     input  wire [1:0]   works_window_size,
-    input  wire [1:0]   works_window_x,             // The window's leftmost sample.
-    input  wire [1:0]   works_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    input  wire [1:0]   works_window_x,             // The column of the window's leftmost samples.
+    input  wire [1:0]   works_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     input  wire [95:0]  works_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    input  wire [12:0]  works_window_bounds_left,   // The left bound, a column of pixels.
-    input  wire [12:0]  works_window_bounds_top,    // The upper bound, a line of pixels.
-    input  wire [12:0]  works_window_bounds_right,  // The right bound, a column of pixels.
-    input  wire [12:0]  works_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    input  wire [12:0]  works_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  works_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     input  wire [159:0] works_window_planes,        // The value of each plane at the window's upper left sample.
     input  wire         parts_ready,
-    // The parts of the windows that the polygon may cover; divided to the end, the leaves.
+    // The parts of the windows that the polygon may cover; after the last division, single samples.
     output wire         parts_valid,
     // The polygon.
     output wire [2:0]   parts_polygon_last_edge,    // The number of the polygon's edges, less one.
@@ -51,26 +52,27 @@ module tree_format8x8_2x2_edges3_test_serial_from2_levels2_queue2 (
     output wire [2:0]   parts_polygon_right,
     // Whether each edge function is greatest at the lower side of a window.
     output wire [2:0]   parts_polygon_lower,
-    output wire [159:0] parts_polygon_plane_x,      // What a sample to the right adds to each plane.
-    output wire [159:0] parts_polygon_plane_y,      // What a sample down adds to each plane.
+    output wire [159:0] parts_polygon_plane_x,      // The increase of each plane per sample to the right.
+    output wire [159:0] parts_polygon_plane_y,      // The increase of each plane per sample downward.
     // The window.
     // The binary logarithm of the window's side in samples: n less the level.
     output wire [1:0]   parts_window_size,
-    output wire [1:0]   parts_window_x,             // The window's leftmost sample.
-    output wire [1:0]   parts_window_y,             // The window's uppermost sample.
-    // The greatest value of each edge function in the window; those beyond the polygon's last mean nothing.
+    output wire [1:0]   parts_window_x,             // The column of the window's leftmost samples.
+    output wire [1:0]   parts_window_y,             // The row of the window's uppermost samples.
+    // The greatest value of each edge function in the window; those beyond the polygon's last edge are ignored.
     output wire [95:0]  parts_window_edges,
-    // How far the window reaches, in pixels, over each bound of the polygon towards the inside; negative: not at all.
-    output wire [12:0]  parts_window_bounds_left,   // The left bound, a column of pixels.
-    output wire [12:0]  parts_window_bounds_top,    // The upper bound, a line of pixels.
-    output wire [12:0]  parts_window_bounds_right,  // The right bound, a column of pixels.
-    output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels.
+    // How far the window extends inward past each bound of the polygon, in pixels; negative if it lies outside the
+    // bound.
+    output wire [12:0]  parts_window_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    output wire [12:0]  parts_window_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
     output wire [159:0] parts_window_planes,        // The value of each plane at the window's upper left sample.
     output wire         idle,                       // No window is under way.
     // The counters of each level, from the first.
     output wire [31:0]  tally_0_busy,               // Clocks in which the unit worked.
     output wire [31:0]  tally_0_stalled,            // Clocks in which the unit had a result that was not taken.
-    output wire [31:0]  tally_0_results,            // Results that the unit gave.
+    output wire [31:0]  tally_0_results,            // Results that the unit delivered.
     output wire [31:0]  tally_1_busy,
     output wire [31:0]  tally_1_stalled,
     output wire [31:0]  tally_1_results,

@@ -13,18 +13,18 @@ module video_buffer_format8x8_2x2_edges3 (
     input  wire        clk,
     input  wire        rst,
     // A pixel to draw.
-    input  wire        draw_valid,  // There is a fragment.
+    input  wire        draw_valid,  // The fragment is valid.
     input  wire [1:0]  draw_x,      // The fragment's column among those of the video processor.
     input  wire [1:0]  draw_y,      // The fragment's line among those of the video processor.
     input  wire [47:0] draw_word,   // The word of the fragment: depth above colour.
     input  wire        strict,      // Depth alone is compared, and the first drawn of equal depths stays.
-    input  wire        back,        // The bank that is drawn.
-    // A pixel of the other bank to send.
-    // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
+    input  wire        back,        // The number of the bank to draw in.
+    // The pixel of the other bank to send.
+    // A pixel is sent; while `enable` is low, the word sent stays until the banks are exchanged.
     input  wire        scan_enable,
     input  wire [1:0]  scan_x,      // The pixel's column among those of the video processor.
     input  wire [1:0]  scan_y,      // The pixel's line among those of the video processor.
-    input  wire        scan_clear,  // The pixel is emptied when it is read.
+    input  wire        scan_clear,  // The pixel is cleared when it is read.
     output wire [47:0] word         // The word sent to the video controller.
 );
 

@@ -12,21 +12,22 @@ module video_controller_format8x8_2x2_edges3 (
     input  wire         clk,
     input  wire         rst,
     // The settings of the read-out.
-    input  wire         show_start,      // For one clock, while no picture is read: read one.
-    input  wire         show_clear,      // Empty the buffers on the way; constant while a picture is read.
-    input  wire [23:0]  show_background, // The colour where nothing was drawn.
+    input  wire         show_start,      // High for one clock to read a picture; only while no picture is being read.
+    // Each pixel is cleared when it is read; constant while a picture is being read.
+    input  wire         show_clear,
+    input  wire [23:0]  show_background, // The colour of pixels where nothing was drawn.
     input  wire [191:0] words,           // The words sent by the video buffers, row by row of the matrix.
     input  wire         pixels_ready,
-    // To each video buffer.
-    // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
+    // The pixel that each video buffer is to send.
+    // A pixel is sent; while `enable` is low, the word sent stays until the banks are exchanged.
     output wire [3:0]   scan_enable,
     output wire [7:0]   scan_x,          // The pixel's column among those of the video processor.
     output wire [7:0]   scan_y,          // The pixel's line among those of the video processor.
-    output wire [3:0]   scan_clear,      // The pixel is emptied when it is read.
-    // Pixels side by side; the last group of a line may have some that are beyond its end.
+    output wire [3:0]   scan_clear,      // The pixel is cleared when it is read.
+    // Groups of p neighbouring pixels; the last group of a line may extend beyond the line's end.
     output wire         pixels_valid,
     output wire [95:0]  pixels_payload,
-    output wire         busy             // A picture is read.
+    output wire         busy             // A picture is being read.
 );
 
     reg reading;                                                 // rtl/src/quadtree/controller.rs:59
@@ -124,7 +125,7 @@ module video_controller_format8x8_2x2_edges3 (
 `else
     always @(posedge clk) begin
         if (!rst && !(!show_start | (!reading & !arrived))) begin    // rtl/src/quadtree/controller.rs:79
-            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a picture is asked for when none is read", $time);
+            $display("FAIL: time %0t: %m: the stimulus breaks an assumption: a picture is requested only while none is being read", $time);
             stop;
         end
     end

@@ -1,6 +1,6 @@
 // video_processor_4b528d89
 //
-// Draws a polygon's pixels in its own raster: every p-th pixel of every q-th line.
+// Draws polygons in a raster of its own: every p-th pixel of every q-th line.
 //
 // Parameters  VideoProcessor { format: "8x8_2x2_edges3", form: "pipe2", test: Serial, queues: Queues { broadcast: 2, packets: 2, windows: 2 } }
 // Latency     a polygon takes a clock for each edge, but at least 4, and the clocks of the windows that it covers
@@ -11,42 +11,43 @@
 module video_processor_4b528d89 (
     input  wire         clk,
     input  wire         rst,
-    // Polygons.
+    // The polygons to draw.
     input  wire         packets_valid,
     input  wire [2:0]   packets_last_edge,     // The number of the polygon's edges, less one.
-    // The polygon's edges; those beyond the last mean nothing.
-    input  wire [50:0]  packets_edges_a,       // What a pixel to the right adds to the edge function.
-    input  wire [50:0]  packets_edges_b,       // What a line down adds to the edge function.
+    // The edge functions of the polygon; those beyond the last edge are ignored.
+    // Coefficient of x: the increase of the edge function per pixel to the right.
+    input  wire [50:0]  packets_edges_a,
+    input  wire [50:0]  packets_edges_b,       // Coefficient of y: the increase of the edge function per line downward.
     input  wire [95:0]  packets_edges_c,       // The value of the edge function at the upper left pixel.
     // The attributes of the polygon.
-    input  wire [159:0] packets_planes_x,      // What a pixel to the right adds to the plane.
-    input  wire [159:0] packets_planes_y,      // What a line down adds to the plane.
-    // The value of the plane at the upper left pixel, with half a unit for rounding.
+    input  wire [159:0] packets_planes_x,      // Coefficient of x: the increase of the plane per pixel to the right.
+    input  wire [159:0] packets_planes_y,      // Coefficient of y: the increase of the plane per line downward.
+    // The value of the plane at the upper left pixel, plus half a unit for rounding.
     input  wire [159:0] packets_planes_origin,
-    // The pixels whose centres lie within the polygon's vertices along each axis.
-    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels.
-    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels.
-    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels.
-    // The outermost pixels of this video processor, with half the aperture beyond them; constants, `Format::place_of`.
-    input  wire [12:0]  place_left,            // The left bound, a column of pixels.
-    input  wire [12:0]  place_top,             // The upper bound, a line of pixels.
-    input  wire [12:0]  place_right,           // The right bound, a column of pixels.
-    input  wire [12:0]  place_bottom,          // The lower bound, a line of pixels.
+    // The pixels whose centres lie within the extent of the polygon's vertices along each axis.
+    input  wire [10:0]  packets_bounds_left,   // The left bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_top,    // The upper bound, a line of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_right,  // The right bound, a column of pixels, or the distance past it.
+    input  wire [10:0]  packets_bounds_bottom, // The lower bound, a line of pixels, or the distance past it.
+    // The outermost pixels of this video processor, widened by half the aperture; constants from `Format::place_of`.
+    input  wire [12:0]  place_left,            // The left bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  place_top,             // The upper bound, a line of pixels, or the distance past it.
+    input  wire [12:0]  place_right,           // The right bound, a column of pixels, or the distance past it.
+    input  wire [12:0]  place_bottom,          // The lower bound, a line of pixels, or the distance past it.
     input  wire         strict,                // Depth alone is compared, and the first drawn of equal depths stays.
-    input  wire         back,                  // The bank that is drawn.
-    // A pixel of the other bank to send.
-    // A pixel is sent; where it is low the word sent stays, until the banks are exchanged.
+    input  wire         back,                  // The number of the bank to draw in.
+    // The pixel of the other bank to send.
+    // A pixel is sent; while `enable` is low, the word sent stays until the banks are exchanged.
     input  wire         scan_enable,
     input  wire [1:0]   scan_x,                // The pixel's column among those of the video processor.
     input  wire [1:0]   scan_y,                // The pixel's line among those of the video processor.
-    input  wire         scan_clear,            // The pixel is emptied when it is read.
+    input  wire         scan_clear,            // The pixel is cleared when it is read.
     output wire [47:0]  word,                  // The word sent to the video controller.
     output wire         idle,                  // No polygon is under way.
     // The counters of the set-up, and of each level of the raster processor.
     output wire [31:0]  tally_0_busy,          // Clocks in which the unit worked.
     output wire [31:0]  tally_0_stalled,       // Clocks in which the unit had a result that was not taken.
-    output wire [31:0]  tally_0_results,       // Results that the unit gave.
+    output wire [31:0]  tally_0_results,       // Results that the unit delivered.
     output wire [31:0]  tally_1_busy,
     output wire [31:0]  tally_1_stalled,
     output wire [31:0]  tally_1_results,

@@ -45,12 +45,12 @@ fn the_first_group_comes_after_2_clocks_and_a_group_that_waits_stays() {
         busy           |_______/~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
         ",
     );
-    // A pixel of the second line; where nothing was drawn the background shows.
+    // The second line: the background shows where nothing was drawn.
     assert_eq!(sim.lanes(o.pixels.payload), [0xff_ffff << 24 | 0x10_20_30, 4]);
 }
 
 #[test]
-#[should_panic(expected = "a picture is asked for when none is read")]
+#[should_panic(expected = "a picture is requested only while none is being read")]
 fn a_second_start_is_an_error() {
     let mut sim = Simulation::of(&VideoController { format: small() }).unwrap();
     sim.reset();

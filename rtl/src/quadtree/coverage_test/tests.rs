@@ -9,7 +9,7 @@ use super::*;
 
 const SHOWN: [&str; 7] = ["works_valid", "works_ready", "number", "step", "moves", "parts_valid", "parts_ready"];
 
-/// Two windows without a gap; in the first, three quarters pass and one fails. The receiver pauses in some clocks.
+/// Two windows without a gap; in the first, three quarters pass and one fails. The receiver pauses in the clocks `away`.
 fn two_windows(test: Test, clocks: u64, away: std::ops::Range<u64>) -> Wave {
     let unit = CoverageTest { format: small(), test, from: 2, sizes: 1 };
     let mut sim = Simulation::of(&unit).unwrap();
@@ -86,7 +86,7 @@ fn a_quarter_waits_for_its_receiver_and_nothing_else_happens() {
     );
 }
 
-/// A window of some size for each polygon, reached from the root through windows that are divided, where there are any.
+/// A window of that size, reached from the root through quarters that pass, or through any quarter if none passes.
 fn window(raster: &Raster, polygon: &Convex, size: u32, choice: u64) -> Square {
     let mut window = raster.root();
     while window.size > size {

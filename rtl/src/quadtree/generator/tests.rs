@@ -174,7 +174,7 @@ fn the_counters_are_those_of_the_cost_model() {
 }
 
 #[test]
-#[should_panic(expected = "the banks are swapped when nothing is drawn or read")]
+#[should_panic(expected = "the banks are swapped only while nothing is drawn or read")]
 fn a_swap_while_a_polygon_is_drawn_is_an_error() {
     let mut sim = Simulation::of(&generator(small(), "pipe", Test::Serial, 2)).unwrap();
     sim.reset();
@@ -195,7 +195,7 @@ fn a_generator_that_cannot_be_is_refused_in_a_sentence() {
     let matrix = Matrix::new(3, 2).unwrap_err().to_string();
     assert_eq!(matrix, "a matrix of 3x2 video processors: each side has to be 1, 2, 4, 8 or 16");
     let edges = Format::new(format.screen(), format.matrix(), 9).unwrap_err().to_string();
-    assert_eq!(edges, "polygons of up to 9 edges: a generator is built for up to 3 to 8");
+    assert_eq!(edges, "polygons of up to 9 edges: the limit has to be from 3 to 8");
     let aperture = format.with_aperture(3).unwrap_err().to_string();
     assert_eq!(aperture, "an aperture of 3 pixels: it has to be even, and from 0 to 8");
 }

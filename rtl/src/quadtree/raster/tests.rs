@@ -20,8 +20,8 @@ fn processor(format: Format, form: &str, test: Test, queue: u32) -> Option<Raste
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// In each form the leaves are the samples that a polygon may cover; those of a sample come in the sequence of
-    /// their polygons. Each level works for the same number of clocks (MPG-EQ5).
+    /// In each form the leaves are the samples that a polygon may cover. Leaves of the same sample come in the sequence
+    /// of their polygons. Each level works for the same number of clocks (MPG-EQ5).
     #[test]
     fn all_forms_find_the_samples_of_polygons(
         (raster, polygons) in formats(24).prop_flat_map(|format| {
@@ -127,7 +127,7 @@ fn a_stack_divides_what_comes_back_before_another_polygon() {
     assert_eq!(found, [leaf, leaf].concat());
 }
 
-/// Whole windows one after another, with everything full before the first part is taken.
+/// Windows that the polygon covers completely, and a receiver so slow that all queues are full.
 #[test]
 fn nothing_is_lost_where_the_receiver_is_slow() {
     let (format, test, from, levels, queue) = (small(), Test::Parallel, 2, 2, 1);
@@ -197,12 +197,12 @@ fn a_form_that_cannot_be_is_refused_in_a_sentence() {
     assert_eq!(refused("stack:2+pipe"), "the form `stack:2+pipe:0`: each part has to divide at least one level");
     let large = Format::new(Screen { width: 64, height: 64 }, small().matrix(), 3).unwrap();
     let tree = Form::parse("tree", &large).unwrap_err().to_string();
-    assert_eq!(tree, "the form `tree:5`: a tree divides 4 levels at most, and has 85 units then");
+    assert_eq!(tree, "the form `tree:5`: a tree divides at most 4 levels, with 85 units");
     let help = "a form is made of `stack`, `pipe` and `tree`, each with its levels, as in `stack:2+pipe:3+tree:1`";
     for (text, problem) in [
         ("stack:0x", "levels are a number from 1 to 2"),
         ("stack:3", "levels are a number from 1 to 2"),
-        ("pipe+tree", "only one part can have the levels that are left"),
+        ("pipe+tree", "only one part may leave out its levels"),
         ("ring", "there is no part `ring`"),
     ] {
         assert_eq!(refused(text), format!("the form `{text}`: {problem}; {help}"));

@@ -86,7 +86,7 @@ fn a_polygon_of_8_edges_takes_8_clocks() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// All values of a root. Slopes reach 65535, pixels lie up to 2048 beyond the screen, and matrices have far more
+    /// Compares all values of a root. Slopes reach 65535, pixels lie up to 2048 beyond the screen, and matrices have far more
     /// columns than rows. Polygons with 3 to 8 edges follow one another.
     #[test]
     fn roots_are_what_a_direct_evaluation_gives(

@@ -36,7 +36,7 @@ fn fragments_of_one_pixel_in_successive_clocks_are_compared_with_one_another() {
         sim.step();
     }
     let scan = Scan { enable: 1, x: 1, y: 0, clear: 1 };
-    // Read and cleared; and read again in the next clock.
+    // The pixel is read and cleared, and is read again in the next clock.
     for enable in [1, 1, 0] {
         sim.drive(VideoBufferIn { back: 1, scan: Scan { enable, ..scan }, ..IDLE });
         sim.step();
